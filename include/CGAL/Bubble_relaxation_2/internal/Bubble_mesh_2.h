@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLE_MESH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLE_MESH_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The bubbles on each edge of the domain in the order from source to target, without the ends.
+inline std::vector<std::vector<Index>> bubbles_on_edges(const Domain_2& domain, const Bubbles_2& b)
+{
+  std::vector<std::vector<Index>> on_edge(domain.edges().size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_on_edge(i))
+      on_edge[b.place[i]].push_back(static_cast<Index>(i));
+  for (std::vector<Index>& bubbles : on_edge)
+    std::sort(bubbles.begin(), bubbles.end(), [&](Index i, Index j) {
+      return b.s[i] < b.s[j] || (b.s[i] == b.s[j] && i < j);
+    });
+  return on_edge;
+}
+
+/// The bubble on each corner of the domain.
+inline std::vector<Index> bubbles_on_corners(const Domain_2& domain, const Bubbles_2& b)
+{
+  std::vector<Index> on_corner(domain.corners().size(), no_index);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_corner(i) && b.place[i] != no_index)
+      on_corner[b.place[i]] = static_cast<Index>(i);
+  return on_corner;
+}
+
+/// The edges of the domain cut at their bubbles, between indices of bubbles.
+inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubbles_2& b)
+{
+  const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(domain, b);
+  const std::vector<Index> on_corner = bubbles_on_corners(domain, b);
+  std::vector<Domain_edge_2> pieces;
+  for (std::size_t e = 0; e < on_edge.size(); ++e) {
+    Domain_edge_2 piece = domain.edges()[e];
+    const Index target = on_corner[piece.target];
+    piece.source = on_corner[piece.source];
+    for (Index i : on_edge[e]) {
+      piece.target = i;
+      pieces.push_back(piece);
+      piece.source = i;
+    }
+    piece.target = target;
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+/// Removes bubbles that cannot be told apart in the triangulation: those in one place with another,
+/// and those on an edge whose order along it is lost in rounding. Corners stay.
+inline void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+{
+  constexpr double least_gap = 1e-3; // of the size, along an edge; simulated bubbles are far above
+  std::vector<char> dead(b.size(), 0);
+  const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(domain, b);
+  for (std::size_t e = 0; e < on_edge.size(); ++e) {
+    const double length = domain.length(static_cast<Index>(e));
+    double last = 0;
+    for (Index i : on_edge[e]) {
+      const double gap = least_gap * b.d[i] / length;
+      if (b.s[i] - last < gap || 1 - b.s[i] < gap)
+        dead[i] = 1;
+      else
+        last = b.s[i];
+    }
+  }
+  std::vector<Index> order;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (!dead[i])
+      order.push_back(static_cast<Index>(i));
+  std::sort(order.begin(), order.end(), [&](Index i, Index j) {
+    return std::tie(b.x[i], b.y[i], b.dimension[i], i) < std::tie(b.x[j], b.y[j], b.dimension[j], j);
+  });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (b.x[order[k]] == b.x[order[k - 1]] && b.y[order[k]] == b.y[order[k - 1]])
+      dead[order[k]] = 1;
+  order.clear();
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (!dead[i])
+      order.push_back(static_cast<Index>(i));
+  if (order.size() < b.size())
+    b.select(order);
+}
+
+/// The constrained Delaunay triangulation of the bubbles with the domain marked, in arrays.
+/// \pre no two bubbles are in one place, see `remove_coincident()`
+inline Marked_triangulation_2 triangulate(const Domain_2& domain, const Bubbles_2& b)
+{
+  std::vector<Point> points;
+  points.reserve(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    points.push_back(b.point(i));
+  Marked_triangulation_2 mesh;
+  if (mark_triangulation(points, cut_edges(domain, b), mesh) != Marking_error::NONE)
+    throw std::runtime_error("npbs_relax: edges of the domain lie nearer to each other than the "
+                             "rounding of bubbles on them");
+  return mesh;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLE_MESH_2_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLES_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The bubbles as a structure of arrays. A bubble's index is its identity: neighbours are summed in
+/// the order of indices, and indices follow space.
+struct Bubbles_2
+{
+  enum Dimension : unsigned char { CORNER = 0, EDGE = 1, FACE = 2 };
+
+  std::vector<double> x, y;   ///< centre
+  std::vector<double> d;      ///< wanted distance to neighbours at the centre
+  std::vector<double> vx, vy; ///< velocity: in units of `d` a unit of time, or of length (Runge-Kutta)
+  std::vector<unsigned char> dimension;
+  /// what the bubble belongs to: the corner, the edge, or the domain's triangle that contains it;
+  /// `no_index` for a pinned vertex off the domain's edges
+  std::vector<Index> place;
+  std::vector<double> s;      ///< position on its edge in (0,1); edge bubbles only
+  std::vector<Index> tag;     ///< index of the user's pinned vertex; `no_index` for all others
+
+  std::size_t size() const { return x.size(); }
+  Point point(std::size_t i) const { return Point(x[i], y[i]); }
+  bool is_corner(std::size_t i) const { return dimension[i] == CORNER; }
+  bool is_on_edge(std::size_t i) const { return dimension[i] == EDGE; }
+  bool is_in_face(std::size_t i) const { return dimension[i] == FACE; }
+
+  void reserve(std::size_t n)
+  {
+    for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
+      a->reserve(n);
+    dimension.reserve(n);
+    place.reserve(n);
+    tag.reserve(n);
+  }
+
+  void add(const Point& p, double size, Dimension dim, Index at, double on_edge = 0,
+           Index pinned = no_index)
+  {
+    x.push_back(p.x());
+    y.push_back(p.y());
+    d.push_back(size);
+    vx.push_back(0);
+    vy.push_back(0);
+    dimension.push_back(dim);
+    place.push_back(at);
+    s.push_back(on_edge);
+    tag.push_back(pinned);
+  }
+
+  /// keeps the bubbles `order[0], order[1], …` in this order and forgets the others
+  void select(const std::vector<Index>& order)
+  {
+    for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
+      select(*a, order);
+    select(dimension, order);
+    select(place, order);
+    select(tag, order);
+  }
+
+  void stop_all()
+  {
+    vx.assign(size(), 0);
+    vy.assign(size(), 0);
+  }
+
+private:
+  template <class T>
+  static void select(std::vector<T>& array, const std::vector<Index>& order)
+  {
+    std::vector<T> selected;
+    selected.reserve(order.size());
+    for (Index i : order)
+      selected.push_back(array[i]);
+    array.swap(selected);
+  }
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLES_2_H

@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A straight edge of the domain between two corners. Bubbles slide on it. `inside_left` and
+/// `inside_right` tell whether the domain lies on these sides, seen from source to target.
+struct Domain_edge_2
+{
+  Index source;
+  Index target;
+  bool inside_left;
+  bool inside_right;
+};
+
+/// The constrained Delaunay triangulation of points with indices and of edges between them, in
+/// arrays, with the index of the edge behind each constrained side and the domain marked.
+struct Marked_triangulation_2
+{
+  Flat_triangulation_2 tr;
+  std::vector<std::array<Index, 3>> edges; ///< per triangle and side: index of the edge or `no_index`
+  std::vector<char> inside;                ///< per triangle: whether it belongs to the domain
+};
+
+/// What `mark_triangulation()` found wrong with its edges.
+enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, POINTS_COINCIDE };
+
+/// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
+/// edge gets the side's mark, and marks spread until the next edge.
+template <class Edge_range>
+Marking_error mark_triangulation(const std::vector<Point>& points, const Edge_range& edges,
+                                 Marked_triangulation_2& result)
+{
+  using Vb = Triangulation_vertex_base_with_info_2<Index, Kernel>;
+  using Fb = Triangulation_face_base_with_info_2<Index, Kernel,
+               Constrained_triangulation_face_base_2<Kernel>>;
+  using Tds = Triangulation_data_structure_2<Vb, Fb>;
+  using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds,
+                No_constraint_intersection_requiring_constructions_tag>;
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Face_handle = typename Cdt::Face_handle;
+
+  Cdt cdt;
+  std::vector<Vertex_handle> handles(points.size());
+  {
+    std::vector<std::pair<Point, Index>> numbered;
+    numbered.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      numbered.emplace_back(points[i], static_cast<Index>(i));
+    cdt.insert(numbered.begin(), numbered.end());
+  }
+  if (cdt.number_of_vertices() != points.size())
+    return Marking_error::POINTS_COINCIDE;
+  for (Vertex_handle v : cdt.finite_vertex_handles())
+    handles[v->info()] = v;
+  try {
+    for (const auto& e : edges)
+      cdt.insert_constraint(handles[e.source], handles[e.target]);
+  } catch (const typename Cdt::Intersection_of_constraints_exception&) {
+    return Marking_error::EDGES_CROSS;
+  }
+
+  result.tr.points = points;
+  result.tr.vertices.resize(cdt.number_of_faces());
+  result.tr.neighbors.resize(cdt.number_of_faces());
+  result.edges.assign(cdt.number_of_faces(), {no_index, no_index, no_index});
+  result.inside.assign(cdt.number_of_faces(), 0);
+  Index n = 0;
+  for (Face_handle f : cdt.all_face_handles())
+    f->info() = cdt.is_infinite(f) ? no_index : n++;
+  for (Face_handle f : cdt.finite_face_handles())
+    for (int i = 0; i < 3; ++i) {
+      result.tr.vertices[f->info()][i] = f->vertex(i)->info();
+      result.tr.neighbors[f->info()][i] = f->neighbor(i)->info();
+    }
+
+  std::vector<Index> stack;
+  std::vector<char> seen(n, 0);
+  const auto mark = [&](Index t, bool inside) {
+    if (t == no_index || seen[t])
+      return;
+    seen[t] = 1;
+    result.inside[t] = inside;
+    stack.push_back(t);
+  };
+  Index edge_index = 0;
+  for (const auto& e : edges) {
+    Face_handle f;
+    int i;
+    // an edge that passes through a third point is there in parts only
+    if (!cdt.is_edge(handles[e.source], handles[e.target], f, i))
+      return Marking_error::EDGE_THROUGH_POINT;
+    const bool f_is_left = f->vertex(cdt.ccw(i)) == handles[e.source];
+    const Face_handle g = f->neighbor(i);
+    const int j = cdt.mirror_index(f, i);
+    if (f->info() != no_index)
+      result.edges[f->info()][i] = edge_index;
+    if (g->info() != no_index)
+      result.edges[g->info()][j] = edge_index;
+    mark(f->info(), f_is_left ? e.inside_left : e.inside_right);
+    mark(g->info(), f_is_left ? e.inside_right : e.inside_left);
+    ++edge_index;
+  }
+  while (!stack.empty()) {
+    const Index t = stack.back();
+    stack.pop_back();
+    for (int i = 0; i < 3; ++i)
+      if (result.edges[t][i] == no_index)
+        mark(result.tr.neighbors[t][i], result.inside[t] != 0);
+  }
+  return Marking_error::NONE;
+}
+
+/// The domain as the simulation sees it: corners, straight edges between them, and the constrained
+/// triangulation of both, in which exact walks decide whether a bubble stays inside.
+class Domain_2
+{
+public:
+  Domain_2() = default;
+
+  /// \pre the edges meet in corners only
+  Marking_error build(std::vector<Point> corners, std::vector<Domain_edge_2> edges)
+  {
+    m_corners = std::move(corners);
+    m_edges = std::move(edges);
+    m_bbox = Bbox_2();
+    for (const Point& p : m_corners)
+      m_bbox += p.bbox();
+    const Marking_error error = mark_triangulation(m_corners, m_edges, m_marked);
+    if (error == Marking_error::NONE)
+      find_sides();
+    return error;
+  }
+
+  const std::vector<Point>& corners() const { return m_corners; }
+  const std::vector<Domain_edge_2>& edges() const { return m_edges; }
+  const Flat_triangulation_2& triangulation() const { return m_marked.tr; }
+  const Bbox_2& bbox() const { return m_bbox; }
+
+  bool is_inside(Index triangle) const { return m_marked.inside[triangle] != 0; }
+
+  /// index of the domain's edge on the side `i` of a triangle, `no_index` if there is none
+  Index edge(Index triangle, int i) const { return m_marked.edges[triangle][i]; }
+
+  const Point& source(Index e) const { return m_corners[m_edges[e].source]; }
+  const Point& target(Index e) const { return m_corners[m_edges[e].target]; }
+
+  double length(Index e) const
+  {
+    return std::hypot(target(e).x() - source(e).x(), target(e).y() - source(e).y());
+  }
+
+  /// the point that divides the edge at `s` in [0,1]; always from the nearer end, so that a reversed
+  /// edge gives the same points
+  Point point_on_edge(Index e, double s) const
+  {
+    const Point& a = source(e);
+    const Point& b = target(e);
+    const double dx = b.x() - a.x(), dy = b.y() - a.y();
+    return s <= 0.5 ? Point(a.x() + s * dx, a.y() + s * dy)
+                    : Point(b.x() - (1 - s) * dx, b.y() - (1 - s) * dy);
+  }
+
+  /// walks from `p` in `triangle` towards `q` and stops at edges of the domain
+  Walk_end walk(Index triangle, const Point& p, const Point& q) const
+  {
+    return walk_straight(m_marked.tr, triangle, p, q, is_wall());
+  }
+
+  /// the triangle of `q` if it can be seen from `p` on the edge `e` through the domain, else `no_index`
+  Index walk_from_edge(Index e, const Point& p, const Point& q) const
+  {
+    const Orientation turn = CGAL::orientation(source(e), target(e), q);
+    if (turn == COLLINEAR || !(turn == LEFT_TURN ? m_edges[e].inside_left : m_edges[e].inside_right))
+      return no_index;
+    const Side& side = turn == LEFT_TURN ? m_left[e] : m_right[e];
+    const Walk_end end = walk_straight(m_marked.tr, side.triangle, p, q, is_wall(), side.index);
+    return end.is_blocked() ? no_index : end.triangle;
+  }
+
+  /// the triangle of the domain's convex hull that contains `q`, found by a walk from a corner of
+  /// `hint` which ignores all edges; `no_index` if `q` lies outside the hull
+  Index locate(const Point& q, Index hint) const
+  {
+    const Walk_end end = walk_straight(m_marked.tr, hint, m_marked.tr.point(hint, 0), q,
+                                       [](Index, int) { return false; });
+    return end.is_blocked() ? no_index : end.triangle;
+  }
+
+private:
+  struct Side
+  {
+    Index triangle = no_index;
+    int index = -1;
+  };
+
+  struct Is_wall
+  {
+    const Marked_triangulation_2& marked;
+
+    bool operator()(Index t, int i) const { return marked.edges[t][i] != no_index; }
+  };
+
+  Is_wall is_wall() const { return Is_wall{m_marked}; }
+
+  void find_sides()
+  {
+    m_left.assign(m_edges.size(), Side());
+    m_right.assign(m_edges.size(), Side());
+    for (std::size_t t = 0; t < m_marked.edges.size(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        const Index e = m_marked.edges[t][i];
+        if (e == no_index)
+          continue;
+        const bool is_left = m_marked.tr.vertices[t][ccw(i)] == m_edges[e].source;
+        (is_left ? m_left : m_right)[e] = Side{static_cast<Index>(t), i};
+      }
+  }
+
+  std::vector<Point> m_corners;
+  std::vector<Domain_edge_2> m_edges;
+  Marked_triangulation_2 m_marked;
+  std::vector<Side> m_left, m_right; // the triangles beside each edge
+  Bbox_2 m_bbox;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_2_H

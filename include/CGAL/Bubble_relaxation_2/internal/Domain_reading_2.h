@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_READING_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_READING_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Constraint_graph_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+
+#include <cmath>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What `npbs_relax()` reads from a user's triangulation: the domain, and which vertex is what.
+template <class Cdt>
+struct Domain_reading_2
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Graph = Constraint_graph_2<Cdt>;
+
+  Domain_2 domain;
+  std::unique_ptr<Graph> graph;      ///< corners and chains, numbered as in `domain`
+  std::vector<Vertex_handle> pinned; ///< pinned vertices inside the domain that no constraint touches
+  std::vector<Vertex_handle> free;   ///< all other vertices inside the domain that no constraint touches
+
+  /// `is_inside(face)`, `is_pinned(vertex)`: the domain and what the user pinned
+  template <class Is_inside, class Is_pinned>
+  Domain_reading_2(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned)
+  {
+    check_coordinates(cdt);
+    if (build(cdt, is_inside, is_pinned, true) != Marking_error::NONE) {
+      // straightening a chain may touch what lies a rounding away from it: take all vertices as corners
+      const Marking_error error = build(cdt, is_inside, is_pinned, false);
+      if (error != Marking_error::NONE)
+        throw std::invalid_argument(
+          error == Marking_error::POINTS_COINCIDE
+            ? "npbs_relax: two vertices of the triangulation coincide when rounded to double"
+            : "npbs_relax: constraints of the triangulation cross when rounded to double");
+    }
+    for (Vertex_handle v : cdt.finite_vertex_handles())
+      if (!graph->contains(v) && is_inside(v->face()) && !cdt.are_there_incident_constraints(v))
+        (is_pinned(v) ? pinned : free).push_back(v);
+  }
+
+private:
+  template <class Is_inside, class Is_pinned>
+  Marking_error build(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned,
+                      bool merge)
+  {
+    graph = std::make_unique<Graph>(cdt, is_inside, is_pinned, merge);
+    std::vector<Point> corners;
+    for (Vertex_handle v : graph->corners())
+      corners.push_back(Graph::to_point(v));
+    std::vector<Domain_edge_2> edges;
+    for (const typename Graph::Chain& c : graph->chains())
+      edges.push_back(Domain_edge_2{c.source, c.target, c.inside_left, c.inside_right});
+    return domain.build(std::move(corners), std::move(edges));
+  }
+
+  static void check_coordinates(const Cdt& cdt)
+  {
+    for (Vertex_handle v : cdt.finite_vertex_handles()) {
+      const double x = CGAL::to_double(v->point().x()), y = CGAL::to_double(v->point().y());
+      if (std::isfinite(x) && std::isfinite(y))
+        continue;
+      std::ostringstream message;
+      message << "npbs_relax: a vertex of the triangulation has the coordinates (" << x << ", " << y
+              << "), which must be finite";
+      throw std::invalid_argument(message.str());
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_READING_2_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAXATION_OPTIONS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAXATION_OPTIONS_H
+
+#include <CGAL/Bubble_relaxation_enums.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+constexpr std::size_t default_number_of_iterations = 60;
+constexpr std::size_t default_number_of_rounds = 8;
+constexpr std::size_t default_maximum_number_of_bubbles = 100000000;
+constexpr double default_displacement_tolerance = 1e-3;
+
+/// The values of the named parameters that steer the simulation, checked.
+struct Relaxation_options
+{
+  Bubble_integrator integrator = Bubble_integrator::SEMI_IMPLICIT_EULER;
+  double force_coefficient = 1;
+  double mass = 1;
+  double damping = 0.3;
+  double time_step = 0.5;
+  std::size_t number_of_iterations = default_number_of_iterations;
+  std::size_t number_of_rounds = default_number_of_rounds;
+  double neighbor_radius = 1.7;
+  std::size_t renewal_interval = 0;
+  bool placement_is_given = false;
+  Bubble_placement placement = Bubble_placement::FRONTAL;
+  Bubble_population population = Bubble_population::DELAUNAY;
+  double displacement_tolerance = default_displacement_tolerance;
+  std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
+  std::function<bool(double)> callback;
+};
+
+[[noreturn]] inline void throw_invalid_parameter(const char* name, double value,
+                                                 const char* requirement)
+{
+  std::ostringstream message;
+  message.precision(17);
+  message << "npbs_relax: parameter " << name << " = " << value << " must be " << requirement;
+  throw std::invalid_argument(message.str());
+}
+
+inline void check_positive(const char* name, double value)
+{
+  if (!(value > 0) || !std::isfinite(value))
+    throw_invalid_parameter(name, value, "positive and finite");
+}
+
+inline void check_not_negative(const char* name, double value)
+{
+  if (!(value >= 0) || !std::isfinite(value))
+    throw_invalid_parameter(name, value, "finite and not negative");
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAXATION_OPTIONS_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_EXPECTED_NUMBER_OF_BUBBLES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_EXPECTED_NUMBER_OF_BUBBLES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The integral of 2 / (sqrt(3) d^2), the density of the hexagonal lattice, over the domain.
+template <class Sizing>
+class Expected_number_of_bubbles
+{
+public:
+  /// `limit`: the sum is not followed beyond it
+  Expected_number_of_bubbles(const Domain_2& domain, const Sizing& sizing, double limit)
+    : m_domain(domain), m_sizing(sizing), m_limit(limit),
+      m_coarsest((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
+                            domain.bbox().ymax() - domain.bbox().ymin()) / 16)
+  {}
+
+  double operator()()
+  {
+    m_sum = 0;
+    const Flat_triangulation_2& tr = m_domain.triangulation();
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      if (m_domain.is_inside(static_cast<Index>(t)))
+        add(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), 0);
+    return m_sum;
+  }
+
+private:
+  static constexpr int deepest = 48;
+
+  void add(const Point& p, const Point& q, const Point& r, int depth)
+  {
+    if (m_sum > m_limit)
+      return;
+    const Point c = CGAL::centroid(p, q, r);
+    const double d = m_sizing(c);
+    const double pq = CGAL::squared_distance(p, q), qr = CGAL::squared_distance(q, r),
+                 rp = CGAL::squared_distance(r, p), longest = std::sqrt((std::max)({pq, qr, rp}));
+    const double area =
+      0.5 * std::abs((q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
+    if (longest <= 4 * d || depth == deepest || (longest <= m_coarsest && is_smooth(p, q, r, d))) {
+      m_sum += 2 / std::sqrt(3.) * area / (d * d);
+      return;
+    }
+    // cut the longest edge: needles do not stay needles
+    if (pq >= qr && pq >= rp)
+      cut(p, q, r, depth);
+    else if (qr >= rp)
+      cut(q, r, p, depth);
+    else
+      cut(r, p, q, depth);
+  }
+
+  void cut(const Point& p, const Point& q, const Point& r, int depth)
+  {
+    const Point m = CGAL::midpoint(p, q);
+    add(p, m, r, depth + 1);
+    add(m, q, r, depth + 1);
+  }
+
+  bool is_smooth(const Point& p, const Point& q, const Point& r, double d) const
+  {
+    constexpr double tolerance = 0.05;
+    for (const Point& m : {CGAL::midpoint(p, q), CGAL::midpoint(q, r), CGAL::midpoint(r, p)})
+      if (std::abs(m_sizing(m) - d) > tolerance * d)
+        return false;
+    return true;
+  }
+
+  const Domain_2& m_domain;
+  const Sizing& m_sizing;
+  double m_limit, m_coarsest;
+  double m_sum = 0;
+};
+
+/// \throws std::length_error if more bubbles are expected than the user wants to have
+template <class Sizing>
+double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
+{
+  const double expected =
+    Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
+  if (expected > static_cast<double>(maximum)) {
+    std::ostringstream message;
+    message << "npbs_relax: parameter maximum_number_of_bubbles = " << maximum
+            << ": the sizing function asks for more, at least " << expected;
+    throw std::length_error(message.str());
+  }
+  return expected;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_EXPECTED_NUMBER_OF_BUBBLES_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_INTEGRATORS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_INTEGRATORS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Boundary_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_force_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The displacements that an integrator wants the bubbles to make in one step.
+struct Displacements
+{
+  std::vector<double> x, y;
+
+  void resize(std::size_t n)
+  {
+    x.resize(n);
+    y.resize(n);
+  }
+};
+
+/// One step of eq. 3 in units of the local size, which makes it scale-free:
+///   v <- (1 - h c/m) v + h k0/m F,   x <- x + h d v.
+template <class Concurrency_tag>
+class Semi_implicit_euler
+{
+public:
+  static constexpr unsigned evaluations_per_step = 1;
+
+  explicit Semi_implicit_euler(const Relaxation_options& o)
+    : m_force{o.force_coefficient}, m_step(o.time_step),
+      m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass)
+  {}
+
+  void operator()(Bubbles_2& b, const Neighbor_sets_2& neighbors, const Boundary_2& boundary,
+                  Displacements& displacements) const
+  {
+    displacements.resize(b.size());
+    parallel_for<Concurrency_tag>(b.size(), [&](std::size_t i) {
+      if (b.is_corner(i)) {
+        displacements.x[i] = displacements.y[i] = 0;
+        return;
+      }
+      Force f = resultant_force(m_force, neighbors, b.x.data(), b.y.data(), b.d.data(), i);
+      f = boundary.project(b, i, f);
+      b.vx[i] = m_keep * b.vx[i] + m_push * f.x;
+      b.vy[i] = m_keep * b.vy[i] + m_push * f.y;
+      displacements.x[i] = m_step * b.d[i] * b.vx[i];
+      displacements.y[i] = m_step * b.d[i] * b.vy[i];
+    });
+  }
+
+private:
+  Bubble_force_2 m_force;
+  double m_step, m_keep, m_push;
+};
+
+/// One step of eq. 3 by the classical Runge-Kutta method, in length units as in the paper. Sizes stay
+/// as they are during the step.
+template <class Concurrency_tag>
+class Runge_kutta_4
+{
+public:
+  static constexpr unsigned evaluations_per_step = 4;
+
+  explicit Runge_kutta_4(const Relaxation_options& o)
+    : m_force{o.force_coefficient}, m_step(o.time_step), m_mass(o.mass), m_damping(o.damping)
+  {}
+
+  void operator()(Bubbles_2& b, const Neighbor_sets_2& neighbors, const Boundary_2& boundary,
+                  Displacements& displacements)
+  {
+    const std::size_t n = b.size();
+    displacements.resize(n);
+    for (std::vector<double>* a : {&m_x, &m_y, &m_next_x, &m_next_y, &m_vx, &m_vy, &m_sum_vx,
+                                   &m_sum_vy})
+      a->assign(n, 0);
+    displacements.x.assign(n, 0);
+    displacements.y.assign(n, 0);
+    m_x = b.x;
+    m_y = b.y;
+    m_vx = b.vx;
+    m_vy = b.vy;
+    stage(b, neighbors, boundary, displacements, 1. / 6, 0.5);
+    stage(b, neighbors, boundary, displacements, 1. / 3, 0.5);
+    stage(b, neighbors, boundary, displacements, 1. / 3, 1.);
+    stage(b, neighbors, boundary, displacements, 1. / 6, 0.);
+    for (std::size_t i = 0; i < n; ++i) {
+      b.vx[i] += m_sum_vx[i];
+      b.vy[i] += m_sum_vy[i];
+    }
+  }
+
+private:
+  /// adds the stage's slopes with `weight` and goes on to the next stage's state, `ahead` steps from
+  /// the start
+  void stage(const Bubbles_2& b, const Neighbor_sets_2& neighbors, const Boundary_2& boundary,
+             Displacements& displacements, double weight, double ahead)
+  {
+    parallel_for<Concurrency_tag>(b.size(), [&](std::size_t i) {
+      m_next_x[i] = b.x[i];
+      m_next_y[i] = b.y[i];
+      if (b.is_corner(i))
+        return;
+      Force f = resultant_force(m_force, neighbors, m_x.data(), m_y.data(), b.d.data(), i);
+      f = boundary.project(b, i, f);
+      const double ax = (f.x - m_damping * m_vx[i]) / m_mass;
+      const double ay = (f.y - m_damping * m_vy[i]) / m_mass;
+      displacements.x[i] += weight * m_step * m_vx[i];
+      displacements.y[i] += weight * m_step * m_vy[i];
+      m_sum_vx[i] += weight * m_step * ax;
+      m_sum_vy[i] += weight * m_step * ay;
+      m_next_x[i] = b.x[i] + ahead * m_step * m_vx[i];
+      m_next_y[i] = b.y[i] + ahead * m_step * m_vy[i];
+      m_vx[i] = b.vx[i] + ahead * m_step * ax;
+      m_vy[i] = b.vy[i] + ahead * m_step * ay;
+    });
+    m_x.swap(m_next_x);
+    m_y.swap(m_next_y);
+  }
+
+  Bubble_force_2 m_force;
+  double m_step, m_mass, m_damping;
+  std::vector<double> m_x, m_y, m_next_x, m_next_y, m_vx, m_vy, m_sum_vx, m_sum_vy;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_INTEGRATORS_H

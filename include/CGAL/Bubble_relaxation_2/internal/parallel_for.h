@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PARALLEL_FOR_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PARALLEL_FOR_H
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <type_traits>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Calls `f(i)` for all i in [0, n). `f` may write only what belongs to `i`, so that the result does
+/// not depend on the number of threads.
+template <class Concurrency_tag, class Function>
+void parallel_for(std::size_t n, const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible<Concurrency_tag, Parallel_tag>::value) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1024),
+                      [&](const tbb::blocked_range<std::size_t>& r) {
+                        for (std::size_t i = r.begin(); i != r.end(); ++i)
+                          f(i);
+                      });
+    return;
+  }
+#else
+  static_assert(!std::is_convertible<Concurrency_tag, Parallel_tag>::value,
+                "Parallel_tag needs a program linked with TBB (CGAL::TBB_support)");
+#endif
+  for (std::size_t i = 0; i < n; ++i)
+    f(i);
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PARALLEL_FOR_H

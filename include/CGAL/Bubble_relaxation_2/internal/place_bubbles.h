@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_BUBBLES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_BUBBLES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
+#include <CGAL/Bubble_relaxation_2/internal/place_frontal.h>
+#include <CGAL/Bubble_relaxation_2/internal/place_on_edges.h>
+#include <CGAL/Bubble_relaxation_2/internal/place_rhombic.h>
+#include <CGAL/Bubble_relaxation_enums.h>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Bubbles on all vertices that stay: corners and pinned ones.
+template <class Cdt, class Sizing>
+void place_on_vertices(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, Bubbles_2& bubbles)
+{
+  const std::vector<Point>& corners = reading.domain.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    bubbles.add(corners[i], sizing(corners[i]), Bubbles_2::CORNER, static_cast<Index>(i));
+  for (std::size_t i = 0; i < reading.pinned.size(); ++i) {
+    const Point p = Constraint_graph_2<Cdt>::to_point(reading.pinned[i]);
+    bubbles.add(p, sizing(p), Bubbles_2::CORNER, no_index, 0, static_cast<Index>(i));
+  }
+}
+
+/// Bubbles where the vertices of an existing mesh split an edge, unless d asks for another number.
+template <class Cdt, class Sizing>
+void keep_on_edge(const Domain_reading_2<Cdt>& reading, Index e, const Sizing& sizing,
+                  Bubbles_2& bubbles)
+{
+  const Domain_2& domain = reading.domain;
+  const auto& splits = reading.graph->chains()[e].splits;
+  const double parts =
+    (std::max)(1., std::round(integrate_edge(domain, e, sizing).total()));
+  if (static_cast<double>(splits.size()) + 1 != parts) {
+    place_on_edge(domain, e, sizing, bubbles);
+    return;
+  }
+  const Point &a = domain.source(e), &b = domain.target(e);
+  const double dx = b.x() - a.x(), dy = b.y() - a.y();
+  for (const auto v : splits) {
+    const Point p = Constraint_graph_2<Cdt>::to_point(v);
+    const double s = ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy);
+    bubbles.add(domain.point_on_edge(e, s), sizing(p), Bubbles_2::EDGE, e, s);
+  }
+}
+
+/// Bubbles where the free vertices of an existing mesh are.
+template <class Cdt, class Sizing>
+void keep_in_faces(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, Bubbles_2& bubbles)
+{
+  Index hint = 0;
+  for (const auto v : reading.free) {
+    const Point p = Constraint_graph_2<Cdt>::to_point(v);
+    const Index triangle = reading.domain.locate(p, hint);
+    if (triangle == no_index || !reading.domain.is_inside(triangle))
+      continue; // rounded out of the domain
+    hint = triangle;
+    bubbles.add(p, sizing(p), Bubbles_2::FACE, triangle);
+  }
+}
+
+/// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces.
+template <class Cdt, class Sizing>
+Bubbles_2 place_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                        Bubble_placement placement)
+{
+  const Domain_2& domain = reading.domain;
+  Bubbles_2 bubbles;
+  place_on_vertices(reading, sizing, bubbles);
+  for (std::size_t e = 0; e < domain.edges().size(); ++e) {
+    if (placement == Bubble_placement::KEEP)
+      keep_on_edge(reading, static_cast<Index>(e), sizing, bubbles);
+    else
+      place_on_edge(domain, static_cast<Index>(e), sizing, bubbles);
+  }
+  switch (placement) {
+  case Bubble_placement::KEEP:
+    keep_in_faces(reading, sizing, bubbles);
+    break;
+  case Bubble_placement::RHOMBIC:
+    place_rhombic(domain, sizing, bubbles);
+    break;
+  case Bubble_placement::FRONTAL:
+    place_frontal(domain, sizing, bubbles);
+    break;
+  }
+  sort_in_space(bubbles);
+  return bubbles;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_BUBBLES_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READ_OPTIONS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READ_OPTIONS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// a count given as any integer; a negative one would turn into a huge unsigned one silently
+template <class T>
+std::size_t read_count(const char* name, T value, std::size_t least)
+{
+  bool is_too_small = false;
+  if constexpr (std::is_signed<T>::value)
+    is_too_small = value < static_cast<T>(least);
+  else
+    is_too_small = static_cast<std::size_t>(value) < least;
+  if (is_too_small) {
+    std::ostringstream message;
+    message << "npbs_relax: parameter " << name << " = " << +value << " must be at least " << least;
+    throw std::invalid_argument(message.str());
+  }
+  return static_cast<std::size_t>(value);
+}
+
+/// Reads the named parameters that steer the simulation. Defaults of the time step and the damping
+/// depend on the integrator: the paper's are in length units, those of the default in units of d.
+/// \throws std::invalid_argument naming the parameter and its value
+template <class NamedParameters>
+Relaxation_options read_options(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  Relaxation_options o;
+  o.integrator = choose_parameter(get_parameter(np, internal_np::integrator), o.integrator);
+  const bool in_length_units = o.integrator == Bubble_integrator::RUNGE_KUTTA_4;
+  o.force_coefficient = choose_parameter(get_parameter(np, internal_np::force_coefficient), 1.);
+  o.mass = choose_parameter(get_parameter(np, internal_np::mass), 1.);
+  o.damping = choose_parameter(get_parameter(np, internal_np::damping),
+                               in_length_units ? 3.8429 : 0.3);
+  o.time_step = choose_parameter(get_parameter(np, internal_np::time_step),
+                                 in_length_units ? 0.02 : 0.5);
+  o.number_of_iterations = read_count(
+    "number_of_iterations",
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations),
+                     default_number_of_iterations), 0);
+  o.number_of_rounds = read_count(
+    "number_of_rounds",
+    choose_parameter(get_parameter(np, internal_np::number_of_rounds), default_number_of_rounds), 0);
+  o.neighbor_radius = choose_parameter(get_parameter(np, internal_np::neighbor_radius), 1.7);
+  o.renewal_interval = read_count(
+    "renewal_interval",
+    choose_parameter(get_parameter(np, internal_np::renewal_interval), std::size_t(0)), 0);
+  o.placement_is_given =
+    !parameters::is_default_parameter<NamedParameters, internal_np::initial_placement_t>::value;
+  o.placement = choose_parameter(get_parameter(np, internal_np::initial_placement), o.placement);
+  o.population = choose_parameter(get_parameter(np, internal_np::population_control), o.population);
+  o.displacement_tolerance = choose_parameter(
+    get_parameter(np, internal_np::displacement_tolerance), default_displacement_tolerance);
+  o.maximum_number_of_bubbles = read_count(
+    "maximum_number_of_bubbles",
+    choose_parameter(get_parameter(np, internal_np::maximum_number_of_bubbles),
+                     default_maximum_number_of_bubbles), 1);
+  o.callback = choose_parameter(get_parameter(np, internal_np::callback),
+                                std::function<bool(double)>());
+
+  check_positive("force_coefficient", o.force_coefficient);
+  check_positive("mass", o.mass);
+  check_not_negative("damping", o.damping);
+  check_positive("time_step", o.time_step);
+  check_not_negative("displacement_tolerance", o.displacement_tolerance);
+  if (!(o.neighbor_radius > 1.5) || !std::isfinite(o.neighbor_radius))
+    throw_invalid_parameter("neighbor_radius", o.neighbor_radius,
+                            "finite and greater than 1.5, where the force ends");
+  return o;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_READ_OPTIONS_H

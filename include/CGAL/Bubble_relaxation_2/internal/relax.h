@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAX_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAX_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Delaunay_population.h>
+#include <CGAL/Bubble_relaxation_2/internal/Overlap_population.h>
+#include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulate.h>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// How the bubbles' number should change, by the rule the user chose.
+template <class Sizing>
+Population_change adjust_population(const Domain_2& domain, const Sizing& sizing,
+                                    const Relaxation_options& options, const Bubbles_2& bubbles)
+{
+  switch (options.population) {
+  case Bubble_population::OVERLAP_RATIO:
+    return Overlap_population<Sizing>(domain, sizing)(bubbles);
+  case Bubble_population::DELAUNAY:
+    return Delaunay_population<Sizing>(domain, sizing)(bubbles);
+  default:
+    Population_change nothing;
+    nothing.is_deleted.assign(bubbles.size(), 0);
+    return nothing;
+  }
+}
+
+/// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
+/// the population, and again, until the population stays.
+template <class Concurrency_tag, class Integrator, class Sizing, class Report>
+void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
+           Bubbles_2& bubbles, Progress& progress, Report& report)
+{
+  const Boundary_2 boundary(domain);
+  Neighbor_sets_2 neighbors(options.neighbor_radius);
+  for (std::size_t round = 0; round < options.number_of_rounds; ++round) {
+    progress.start_round(round);
+    const Round_result result =
+      simulate_round<Concurrency_tag>(bubbles, neighbors, Integrator(options), boundary, sizing,
+                                      options, progress, report.seconds);
+    add_to_report(result, Integrator::evaluations_per_step, report);
+    if (result.is_cancelled) {
+      report.stop_reason = Bubble_stop_reason::STOPPED_BY_CALLBACK;
+      return;
+    }
+    remove_coincident(domain, bubbles);
+    const Phase_timer timer(report.seconds.population);
+    const Population_change change = round + 1 == options.number_of_rounds
+                                       ? Population_change()
+                                       : adjust_population(domain, sizing, options, bubbles);
+    if (change.is_empty()) {
+      report.converged = result.is_at_rest;
+      if (result.is_at_rest)
+        report.stop_reason = Bubble_stop_reason::CONVERGED;
+      if (result.is_at_rest || round + 1 == options.number_of_rounds)
+        return;
+      continue;
+    }
+    apply(change, bubbles);
+    report.number_of_insertions += change.number_of_insertions();
+    report.number_of_deletions += change.number_of_deletions();
+  }
+}
+
+template <class Report>
+void add_to_report(const Round_result& result, unsigned evaluations_per_step, Report& report)
+{
+  ++report.number_of_rounds;
+  report.number_of_steps += result.steps;
+  report.number_of_force_evaluations += result.steps * evaluations_per_step;
+  report.number_of_renewals += result.renewals;
+  report.number_of_returns += result.returns;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAX_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATE_BUBBLES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATE_BUBBLES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/expected_number_of_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/relax.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <memory>
+#include <type_traits>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Calls `use(sizing)` with the sizing field of the named parameters: the user's function, checked, or
+/// the size of the mesh that is there.
+template <class Cdt, class NamedParameters, class Use>
+void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
+                       const Use& use)
+{
+  using Point_2 = typename Cdt::Geom_traits::Point_2;
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::sizing_function_t>::value) {
+    use(mean_edge_length_field(cdt, marks));
+  } else {
+    const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
+    using Function = std::decay_t<decltype(f)>;
+    if constexpr (std::is_arithmetic<Function>::value) {
+      const auto uniform = [&f](const Point_2&) { return f; };
+      use(Checked_sizing_field_2<Point_2, decltype(uniform)>(uniform));
+    } else {
+      use(Checked_sizing_field_2<Point_2, Function>(f));
+    }
+  }
+}
+
+/// Reads the domain with what the user pinned.
+template <class Cdt, class NamedParameters>
+std::unique_ptr<Domain_reading_2<Cdt>> read_domain(const Cdt& cdt, const NamedParameters& np,
+                                                   const Domain_marks_2<Cdt>& marks)
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  const auto pinned = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_is_constrained),
+    Static_boolean_property_map<Vertex_handle, false>());
+  return std::make_unique<Domain_reading_2<Cdt>>(
+    cdt, marks, [&pinned](Vertex_handle v) { return static_cast<bool>(get(pinned, v)); });
+}
+
+/// The whole method without the triangulation: initial bubbles, simulation, population.
+template <class Concurrency_tag, class Cdt, class Sizing, class Report>
+Bubbles_2 simulate_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                           Relaxation_options options, Progress& progress, Report& report)
+{
+  Bubbles_2 bubbles;
+  {
+    const Phase_timer timer(report.seconds.placement);
+    check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
+    if (!options.placement_is_given && !reading.free.empty())
+      options.placement = Bubble_placement::KEEP;
+    bubbles = place_bubbles(reading, sizing, options.placement);
+    remove_coincident(reading.domain, bubbles);
+    report.number_of_initial_bubbles = bubbles.size();
+  }
+  if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)
+    relax<Concurrency_tag, Runge_kutta_4<Concurrency_tag>>(reading.domain, sizing, options, bubbles,
+                                                           progress, report);
+  else
+    relax<Concurrency_tag, Semi_implicit_euler<Concurrency_tag>>(reading.domain, sizing, options,
+                                                                 bubbles, progress, report);
+  return bubbles;
+}
+
+/// `Sequential_tag` unless the user asks for threads
+template <class NamedParameters>
+using Concurrency = std::decay_t<typename internal_np::Lookup_named_param_def<
+  internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type>;
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATE_BUBBLES_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_REPORT_2_H
+#define CGAL_BUBBLE_RELAXATION_REPORT_2_H
+
+#include <CGAL/Bubble_relaxation_enums.h>
+#include <CGAL/Mesh_quality_2.h>
+
+#include <cstddef>
+#include <ostream>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
+Seconds of wall-clock time that a relaxation spent in each of its phases.
+*/
+struct Bubble_relaxation_seconds
+{
+  double reading = 0;    ///< from the triangulation to the domain and its bubbles
+  double placement = 0;  ///< initial bubbles
+  double renewal = 0;    ///< neighbour sets
+  double motion = 0;     ///< forces, steps and the boundary
+  double population = 0; ///< insertion and deletion of bubbles between rounds
+  double writing = 0;    ///< from the bubbles to the triangulation
+  double evaluation = 0; ///< statistics of the mesh
+
+  /// the sum of all phases
+  double total() const
+  {
+    return reading + placement + renewal + motion + population + writing + evaluation;
+  }
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
+What a call of `npbs_relax()` did, and the mesh that came out.
+
+\tparam FT_ number type of the quality measures
+*/
+template <class FT_>
+struct Bubble_relaxation_report_2
+{
+  using FT = FT_;
+
+  std::size_t number_of_vertices = 0;          ///< vertices of the mesh of the domain
+  std::size_t number_of_triangles = 0;         ///< triangles of the mesh of the domain
+  std::size_t number_of_initial_bubbles = 0;   ///< bubbles after the initial placement
+  std::size_t number_of_rounds = 0;            ///< rounds of simulation
+  std::size_t number_of_steps = 0;             ///< time steps, all rounds together
+  std::size_t number_of_force_evaluations = 0; ///< evaluations of all forces: one a step, four with Runge-Kutta
+  std::size_t number_of_renewals = 0;          ///< how often neighbour sets were made or renewed
+  std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control
+  std::size_t number_of_deletions = 0;         ///< bubbles deleted by the population control
+  std::size_t number_of_returns = 0;           ///< face bubbles that left the domain and were put back
+  bool converged = false;                      ///< whether `stop_reason` is `CONVERGED`
+  Bubble_stop_reason stop_reason = Bubble_stop_reason::ITERATION_LIMIT; ///< why it ended
+  Bubble_relaxation_seconds seconds;           ///< time spent in each phase
+  Mesh_quality_2<FT> quality;                  ///< statistics of the mesh, q = 2 r_in / r_out (eq. 11)
+};
+
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_REPORT_2_H
