@@ -12,6 +12,7 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/Write_back_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/evaluate.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -23,31 +24,169 @@ namespace CGAL {
 /*!
 \ingroup PkgBubbleRelaxation2Functions
 
-\brief fills the domain of a constrained Delaunay triangulation with an almost equilateral mesh, or
-relaxes, refines and coarsens the mesh that it holds, by the node placement method by bubble simulation
-(NPBS).
+\brief meshes the domain of a constrained Delaunay triangulation with almost equilateral triangles, by the
+node placement method by bubble simulation (NPBS).
+
+Vertices are seen as bubbles. Bubbles nearer than the wanted distance d repel each other, bubbles a little
+farther attract each other, and bubbles are inserted and deleted until they are packed. A domain without
+free vertices is filled. If it has free vertices they are the bubbles to start with: that is how an
+existing mesh is refined, coarsened, both at once, or just relaxed.
+
+On return `cdt` is a constrained Delaunay triangulation of the bubbles, and the faces of the domain are
+marked if the face base has marks.
+- Every vertex that is a corner or an end of a constraint, every pinned vertex, and all that lies outside
+  of the domain is still there, with its coordinates and what its vertex base carries, and its handle
+  stays valid.
+- Every constraint of the input is the union of constraints of the output. A vertex with two constrained
+  edges, straight up to rounding, only splits a constraint: it is a bubble of an edge and may slide and go,
+  unless it is pinned. A `Constrained_triangulation_plus_2` knows which vertices these are, and its
+  constraints keep their identifiers.
+- All other vertices of the domain are new, and handles to them and to faces are invalid.
+
+The result is the same to the last bit for the same input, with any number of threads.
+
+\tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose
+face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel bubbles move in `double`, and
+those on edges lie exactly on them.
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param cdt the triangulation that bounds the domain and takes the mesh
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{sizing_function}
+    \cgalParamDescription{the wanted distance d of neighbouring vertices, in the units of the coordinates}
+    \cgalParamType{a model of `BubbleSizingField_2`, or a number}
+    \cgalParamDefault{the mean length of the edges around each vertex of `cdt`, linear between vertices}
+  \cgalParamNEnd
+  \cgalParamNBegin{seeds}
+    \cgalParamDescription{points in the holes of the domain, or in the domain}
+    \cgalParamType{a range of points}
+    \cgalParamDefault{none: the domain are the faces that are marked as such, or else the faces in an odd
+                      number of outlines}
+  \cgalParamNEnd
+  \cgalParamNBegin{seeds_are_in_domain}
+    \cgalParamDescription{whether the seeds lie in the domain}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{the pinned vertices: they stay where they are}
+    \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
+    \cgalParamDefault{no vertex is pinned}
+  \cgalParamNEnd
+  \cgalParamNBegin{initial_placement}
+    \cgalParamDescription{where the bubbles of the faces start}
+    \cgalParamType{`Bubble_placement`}
+    \cgalParamDefault{`KEEP` if the domain has free vertices, else `FRONTAL`; the paper: `RHOMBIC`}
+  \cgalParamNEnd
+  \cgalParamNBegin{population_control}
+    \cgalParamDescription{how the number of bubbles is adjusted between two rounds}
+    \cgalParamType{`Bubble_population`}
+    \cgalParamDefault{`DELAUNAY`; the paper: `OVERLAP_RATIO`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_rounds}
+    \cgalParamDescription{rounds of simulation at most; between two the population is adjusted}
+    \cgalParamType{an integer, not negative}
+    \cgalParamDefault{8; the paper: 1 to 10}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{time steps in one round at most}
+    \cgalParamType{an integer, not negative}
+    \cgalParamDefault{60; the paper: 250}
+  \cgalParamNEnd
+  \cgalParamNBegin{displacement_tolerance}
+    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{0.001}
+  \cgalParamNEnd
+  \cgalParamNBegin{integrator}
+    \cgalParamDescription{how the equation of motion (eq. 3 of the paper) is integrated}
+    \cgalParamType{`Bubble_integrator`}
+    \cgalParamDefault{`SEMI_IMPLICIT_EULER`; the paper: `RUNGE_KUTTA_4`}
+  \cgalParamNEnd
+  \cgalParamNBegin{force_coefficient}
+    \cgalParamDescription{k<sub>0</sub> of the force (eq. 2)}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{mass}
+    \cgalParamDescription{m of eq. 3}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{damping}
+    \cgalParamDescription{c of eq. 3}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{0.3, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
+  \cgalParamNEnd
+  \cgalParamNBegin{time_step}
+    \cgalParamDescription{the length of a step in time}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{0.5; 0.02 with `RUNGE_KUTTA_4`}
+  \cgalParamNEnd
+  \cgalParamNBegin{neighbor_radius}
+    \cgalParamDescription{the radius of the neighbour sets in units of the mean of both sizes}
+    \cgalParamType{`double`, greater than 1.5}
+    \cgalParamDefault{1.7}
+  \cgalParamNEnd
+  \cgalParamNBegin{renewal_interval}
+    \cgalParamDescription{steps between two renewals of the neighbour sets, k of the paper}
+    \cgalParamType{an integer, not negative}
+    \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_bubbles}
+    \cgalParamDescription{the most bubbles that `sizing_function` may ask for}
+    \cgalParamType{an integer, positive}
+    \cgalParamDefault{100 000 000}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{is called with the progress, between 0 and 1, at every step; when it returns
+                          `false` the simulation stops, and `cdt` becomes the mesh of the bubbles as
+                          they are}
+    \cgalParamType{an object that converts to `std::function<bool(double)>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{concurrency_tag}
+    \cgalParamDescription{whether threads are used; the sizing function is then called by several at once}
+    \cgalParamType{`Sequential_tag` or `Parallel_tag` (which needs TBB)}
+    \cgalParamDefault{`Sequential_tag`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns what was done, and the statistics of the mesh
+
+\throws std::invalid_argument if a parameter is out of its range, if a coordinate or a size is not
+finite, if a size is not positive, or if there is no domain with constraints all around it
+\throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
+
+Exceptions of the sizing function and of the callback pass through. After any exception `cdt` has the
+content that it had; handles stay valid if it was thrown by the user's functions during the simulation, or
+by the checks before.
+
+\sa `npbs_place_nodes()`
+\sa `refine_Delaunay_mesh_2()`
 */
 template <class CDT, class NamedParameters = parameters::Default_named_parameters>
 auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values())
 {
-  namespace internal = Bubble_relaxation_2::internal;
-  using FT = typename internal::Quality_number<typename CDT::Geom_traits>::type;
-  using Concurrency_tag = internal::Concurrency<NamedParameters>;
+  using namespace Bubble_relaxation_2::internal;
+  using FT = typename Quality_number<typename CDT::Geom_traits>::type;
 
   Bubble_relaxation_report_2<FT> report;
-  const internal::Relaxation_options options = internal::read_options(np);
-  internal::Progress progress(options.callback, options.number_of_rounds);
+  const Relaxation_options options = read_options(np);
+  Progress progress(options.callback, options.number_of_rounds);
 
-  internal::Phase_timer reading_time(report.seconds.reading);
-  const internal::Domain_marks_2<CDT> marks(cdt, np);
-  const auto reading = internal::read_domain(cdt, np, marks);
-  internal::with_sizing_field(cdt, np, marks, [&](const auto& sizing) {
+  Phase_timer reading_time(report.seconds.reading);
+  const Domain_marks_2<CDT> is_inside(cdt, np);
+  const auto reading = read_domain(cdt, np, is_inside);
+  with_sizing_field(cdt, np, is_inside, [&](const auto& sizing) {
     reading_time.stop();
-    const internal::Bubbles_2 bubbles =
-      internal::simulate_bubbles<Concurrency_tag>(*reading, sizing, options, progress, report);
-    internal::Restore_on_throw<CDT> guard(cdt);
-    internal::write_back(cdt, *reading, bubbles, report);
-    internal::evaluate(cdt, np, sizing, report);
+    const Bubbles_2 bubbles =
+      simulate_bubbles<Concurrency<NamedParameters>>(*reading, sizing, options, progress, report);
+    Restore_on_throw<CDT> guard(cdt);
+    write_back(cdt, *reading, bubbles, report);
+    evaluate(cdt, np, sizing, report);
     guard.all_went_well();
   });
   progress.report(1);

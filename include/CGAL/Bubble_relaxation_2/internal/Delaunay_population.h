@@ -30,11 +30,14 @@ class Delaunay_population
 {
 public:
   /// insert where the radius of an empty circle exceeds this times d (0.577 in the hexagonal lattice)
-  double largest_radius = getenv("RR")?atof(getenv("RR")):0.8;
+  double largest_radius = 0.68;
   /// delete where two bubbles are nearer than this times their mean size
-  double least_distance = getenv("LD")?atof(getenv("LD")):0.62;
+  double least_distance = 0.62;
   /// delete bubbles of the faces with as many neighbours or less
   int ill_connected = 4;
+
+  /// insert between two bubbles of an edge that are farther apart than this times d
+  double longest_gap = 1.6;
 
   Delaunay_population(const Domain_2& domain, const Sizing& sizing)
     : m_domain(domain), m_sizing(sizing)
@@ -47,6 +50,7 @@ public:
     change.is_deleted.assign(bubbles.size(), 0);
     delete_crowded(bubbles, mesh, change);
     insert_in_holes(bubbles, mesh, change);
+    insert_on_edges(bubbles, change);
     return change;
   }
 
@@ -70,7 +74,8 @@ private:
     // the worst first; the neighbours of a deleted bubble get room and stay
     std::vector<Index> candidates;
     for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_in_face(i) && (degree[i] <= ill_connected || nearest[i] < least_distance))
+      if ((b.is_in_face(i) && degree[i] <= ill_connected) ||
+          (!b.is_corner(i) && nearest[i] < least_distance))
         candidates.push_back(static_cast<Index>(i));
     std::sort(candidates.begin(), candidates.end(), [&](Index i, Index j) {
       return nearest[i] < nearest[j] || (nearest[i] == nearest[j] && i < j);
@@ -145,6 +150,24 @@ private:
         inserted.insert(0, h.center.x(), h.center.y(), h.d);
         change.inserted.add(h.center, h.d, Bubbles_2::FACE, h.triangle);
       }
+  }
+
+  void insert_on_edges(const Bubbles_2& b, Population_change& change) const
+  {
+    const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(m_domain, b);
+    for (std::size_t e = 0; e < on_edge.size(); ++e) {
+      const double length = m_domain.length(static_cast<Index>(e));
+      double last = 0;
+      for (std::size_t k = 0; k <= on_edge[e].size(); ++k) {
+        const double next = k < on_edge[e].size() ? b.s[on_edge[e][k]] : 1;
+        const double s = 0.5 * (last + next), gap = (next - last) * length;
+        last = next;
+        const Point p = m_domain.point_on_edge(static_cast<Index>(e), s);
+        const double d = m_sizing(p);
+        if (gap > longest_gap * d)
+          change.inserted.add(p, d, Bubbles_2::EDGE, static_cast<Index>(e), s);
+      }
+    }
   }
 
   static double relative_distance(const Bubbles_2& b, Index i, Index j)

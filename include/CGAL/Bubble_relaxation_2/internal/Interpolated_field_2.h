@@ -45,6 +45,8 @@ public:
     return end.is_blocked() ? nearest_on_hull(q) : interpolate(end.triangle, q);
   }
 
+  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
+
 private:
   double value(Index t, int i) const { return m_values[m_tr.vertices[t][i]]; }
 

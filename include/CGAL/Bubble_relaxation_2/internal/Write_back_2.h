@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 
 #include <cmath>
 #include <iterator>
@@ -281,6 +282,14 @@ private:
   std::vector<std::vector<Vertex_handle>> m_paths; // the vertices of each chain in order
   std::vector<Vertex_handle> m_on_hull;            // bubbles on edges of the hull
 };
+
+template <class Cdt, class Report>
+void write_back(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubbles_2& bubbles,
+                Report& report)
+{
+  const Phase_timer timer(report.seconds.writing);
+  Write_back_2<Cdt>(cdt, reading, bubbles)();
+}
 
 /// Gives a triangulation its former content back unless it is told that all went well.
 template <class Cdt>

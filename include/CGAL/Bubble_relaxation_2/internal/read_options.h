@@ -68,7 +68,7 @@ Relaxation_options read_options(const NamedParameters& np)
     "renewal_interval",
     choose_parameter(get_parameter(np, internal_np::renewal_interval), std::size_t(0)), 0);
   o.placement_is_given =
-    !parameters::is_default_parameter<NamedParameters, internal_np::initial_placement_t>::value;
+    Is_given<NamedParameters, internal_np::initial_placement_t>::value;
   o.placement = choose_parameter(get_parameter(np, internal_np::initial_placement), o.placement);
   o.population = choose_parameter(get_parameter(np, internal_np::population_control), o.population);
   o.displacement_tolerance = choose_parameter(

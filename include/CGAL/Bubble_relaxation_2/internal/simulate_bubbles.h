@@ -34,8 +34,7 @@ void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_m
                        const Use& use)
 {
   using Point_2 = typename Cdt::Geom_traits::Point_2;
-  if constexpr (parameters::is_default_parameter<NamedParameters,
-                                                 internal_np::sizing_function_t>::value) {
+  if constexpr (!Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     use(mean_edge_length_field(cdt, marks));
   } else {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_QUALITY_ACCUMULATOR_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_QUALITY_ACCUMULATOR_2_H
+
+#include <CGAL/radius_ratio_2.h>
+
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// the number type of statistics: the kernel's, or `double` if that is exact and would only be slow
+template <class Kernel>
+struct Quality_number
+{
+  using type = std::conditional_t<std::is_floating_point<typename Kernel::FT>::value,
+                                  typename Kernel::FT, double>;
+};
+
+constexpr std::size_t number_of_quality_bars = 20;
+constexpr std::array<int, 7> quality_percents{1, 5, 10, 25, 50, 75, 90};
+
+/// the values behind `Mesh_quality_2`
+struct Mesh_statistics_2
+{
+  static constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+  std::size_t vertices = 0, triangles = 0, interior = 0, irregular = 0;
+  double minimum_quality = undefined, mean_quality = undefined;
+  double worst_x = undefined, worst_y = undefined;
+  double minimum_angle = undefined, maximum_angle = undefined;
+  std::array<double, quality_percents.size()> quality_percentiles{};
+  std::array<std::size_t, number_of_quality_bars> histogram{};
+  bool has_lengths = false;
+  double mean_length = undefined, deviation = undefined;
+  double length_percentile_1 = undefined, length_percentile_99 = undefined;
+};
+
+/// Collects triangles, vertices and edges one by one.
+class Mesh_quality_accumulator_2
+{
+public:
+  template <class Point_2>
+  void add_triangle(const Point_2& p, const Point_2& q, const Point_2& r)
+  {
+    const double quality = radius_ratio_2(p, q, r);
+    if (m_qualities.empty() || quality < m.minimum_quality) {
+      m.minimum_quality = quality;
+      m.worst_x = CGAL::to_double(p.x() + q.x() + r.x()) / 3;
+      m.worst_y = CGAL::to_double(p.y() + q.y() + r.y()) / 3;
+    }
+    m_qualities.push_back(quality);
+    add_angle(p, q, r);
+    add_angle(q, r, p);
+    add_angle(r, p, q);
+  }
+
+  void add_vertex(bool is_interior, std::size_t degree)
+  {
+    ++m.vertices;
+    m.interior += is_interior;
+    m.irregular += is_interior && degree != 6;
+  }
+
+  /// `ratio`: the length of an edge over the wanted length
+  void add_length(double ratio) { m_lengths.push_back(ratio); }
+
+  Mesh_statistics_2 statistics()
+  {
+    m.triangles = m_qualities.size();
+    if (!m_qualities.empty())
+      finish_qualities();
+    m.has_lengths = !m_lengths.empty();
+    if (m.has_lengths)
+      finish_lengths();
+    return m;
+  }
+
+private:
+  template <class Point_2>
+  void add_angle(const Point_2& p, const Point_2& q, const Point_2& r)
+  {
+    constexpr double degrees = 57.29577951308232;
+    const double ux = CGAL::to_double(q.x() - p.x()), uy = CGAL::to_double(q.y() - p.y());
+    const double vx = CGAL::to_double(r.x() - p.x()), vy = CGAL::to_double(r.y() - p.y());
+    const double scale = (std::max)(std::abs(ux) + std::abs(uy), std::abs(vx) + std::abs(vy));
+    const double cross = std::abs(ux / scale * (vy / scale) - uy / scale * (vx / scale));
+    const double dot = ux / scale * (vx / scale) + uy / scale * (vy / scale);
+    const double angle = scale > 0 ? degrees * std::atan2(cross, dot) : 0.;
+    if (!(angle >= m.minimum_angle))
+      m.minimum_angle = angle;
+    if (!(angle <= m.maximum_angle))
+      m.maximum_angle = angle;
+  }
+
+  void finish_qualities()
+  {
+    double sum = 0;
+    for (double q : m_qualities) {
+      sum += q;
+      const double bar = q * double(number_of_quality_bars);
+      ++m.histogram[(std::min)(static_cast<std::size_t>(bar), number_of_quality_bars - 1)];
+    }
+    m.mean_quality = sum / double(m_qualities.size());
+    for (std::size_t k = 0; k < quality_percents.size(); ++k)
+      m.quality_percentiles[k] = percentile(m_qualities, quality_percents[k]);
+  }
+
+  void finish_lengths()
+  {
+    double sum = 0, squares = 0;
+    for (double l : m_lengths)
+      sum += l;
+    m.mean_length = sum / double(m_lengths.size());
+    for (double l : m_lengths)
+      squares += (l - m.mean_length) * (l - m.mean_length);
+    m.deviation = std::sqrt(squares / double(m_lengths.size()));
+    m.length_percentile_1 = percentile(m_lengths, 1);
+    m.length_percentile_99 = percentile(m_lengths, 99);
+  }
+
+  /// the smallest value that at least `percent` of all values do not exceed
+  static double percentile(std::vector<double>& values, int percent)
+  {
+    const std::size_t rank = (values.size() * static_cast<std::size_t>(percent) + 99) / 100;
+    const auto it = values.begin() + static_cast<std::ptrdiff_t>((std::max)(rank, std::size_t(1)) - 1);
+    std::nth_element(values.begin(), it, values.end());
+    return *it;
+  }
+
+  Mesh_statistics_2 m;
+  std::vector<double> m_qualities, m_lengths;
+};
+
+/// adds all triangles and vertices of a domain
+template <class Cdt, class Is_inside>
+void add_domain(const Cdt& cdt, const Is_inside& is_inside, Mesh_quality_accumulator_2& accumulator)
+{
+  Unique_hash_map<typename Cdt::Vertex_handle, bool> is_seen(false);
+  for (auto f : cdt.finite_face_handles()) {
+    if (!is_inside(f))
+      continue;
+    accumulator.add_triangle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    for (int i = 0; i < 3; ++i) {
+      const auto v = f->vertex(i);
+      if (is_seen[v])
+        continue;
+      is_seen[v] = true;
+      bool is_interior = true;
+      std::size_t degree = 0;
+      auto g = cdt.incident_faces(v), start = g;
+      do {
+        is_interior = is_interior && is_inside(g) && !g->is_constrained(cdt.ccw(g->index(v)));
+        ++degree;
+      } while (++g != start);
+      accumulator.add_vertex(is_interior, degree);
+    }
+  }
+}
+
+template <class Sizing, class Point_2>
+double wanted_length(const Sizing& sizing, const Point_2& p)
+{
+  if constexpr (std::is_arithmetic<Sizing>::value)
+    return static_cast<double>(sizing);
+  else
+    return CGAL::to_double(sizing(p));
+}
+
+/// adds the lengths of all edges of a domain
+template <class Cdt, class Is_inside, class Sizing>
+void add_lengths(const Cdt& cdt, const Is_inside& is_inside, const Sizing& sizing,
+                 Mesh_quality_accumulator_2& accumulator)
+{
+  using Point_2 = typename Cdt::Geom_traits::Point_2;
+  for (const auto& e : cdt.finite_edges()) {
+    if (!is_inside(e.first) && !is_inside(e.first->neighbor(e.second)))
+      continue;
+    const auto &p = e.first->vertex(cdt.ccw(e.second))->point(),
+               &q = e.first->vertex(cdt.cw(e.second))->point();
+    const double length =
+      std::hypot(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()));
+    const Point_2 middle(p.x() + (q.x() - p.x()) / 2, p.y() + (q.y() - p.y()) / 2);
+    accumulator.add_length(length / wanted_length(sizing, middle));
+  }
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_QUALITY_ACCUMULATOR_2_H

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// The named parameters that the package adds to CGAL's. No include guard: the file is included several
+// times with different macros, as CGAL's own list is. When the package moves into CGAL these lines move
+// into that list.
+
+CGAL_add_named_parameter(force_coefficient_t, force_coefficient, force_coefficient)
+CGAL_add_named_parameter(mass_t, mass, mass)
+CGAL_add_named_parameter(damping_t, damping, damping)
+CGAL_add_named_parameter(time_step_t, time_step, time_step)
+CGAL_add_named_parameter(integrator_t, integrator, integrator)
+CGAL_add_named_parameter(number_of_rounds_t, number_of_rounds, number_of_rounds)
+CGAL_add_named_parameter(renewal_interval_t, renewal_interval, renewal_interval)
+CGAL_add_named_parameter(initial_placement_t, initial_placement, initial_placement)
+CGAL_add_named_parameter(population_control_t, population_control, population_control)
+CGAL_add_named_parameter(displacement_tolerance_t, displacement_tolerance, displacement_tolerance)
+CGAL_add_named_parameter(maximum_number_of_bubbles_t, maximum_number_of_bubbles, maximum_number_of_bubbles)
+
+// names that newer versions of CGAL have
+#if CGAL_VERSION_NR < 1050600000
+CGAL_add_named_parameter(seeds_t, seeds, seeds)
+CGAL_add_named_parameter(seeds_are_in_domain_t, seeds_are_in_domain, seeds_are_in_domain)
+#endif
+#if CGAL_VERSION_NR < 1060000000
+CGAL_add_named_parameter(sizing_function_t, sizing_function, sizing_function)
+CGAL_add_named_parameter(concurrency_tag_t, concurrency_tag, concurrency_tag)
+#endif

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_PARAMETERS_H
+#define CGAL_BUBBLE_RELAXATION_PARAMETERS_H
+
+#include <CGAL/Bubble_relaxation_enums.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/version.h>
+
+#include <functional>
+#include <type_traits>
+
+/// \file
+/// CGAL's class of named parameters has no hook for packages outside of CGAL. The class here derives
+/// from it and has CGAL's setters and the package's, all of which return the class again. It is made by
+/// reading CGAL's list of names, whatever version it is of, with other macros.
+
+namespace CGAL {
+
+namespace internal_np {
+
+#define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
+#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+
+} // namespace internal_np
+
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// whether a value was given for the parameter with this tag
+template <class NamedParameters, class Tag>
+struct Is_given
+  : std::bool_constant<!std::is_same<
+      typename internal_np::Lookup_named_param_def<Tag, NamedParameters,
+                                                   internal_np::Param_not_found>::type,
+      internal_np::Param_not_found>::value>
+{};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+
+/// A pack of named parameters with the setters of CGAL and of this package.
+template <class T, class Tag, class Base = internal_np::No_property>
+struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Base>
+{
+  using Cgal_pack = Named_function_parameters<T, Tag, Base>;
+
+  explicit Bubble_relaxation_named_parameters(const T& v) : Cgal_pack(v) {}
+  Bubble_relaxation_named_parameters(const T& v, const Base& b) : Cgal_pack(v, b) {}
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                            \
+  template <class K>                                                                                 \
+  Bubble_relaxation_named_parameters<K, internal_np::X, Cgal_pack> Z(const K& k) const               \
+  {                                                                                                  \
+    return Bubble_relaxation_named_parameters<K, internal_np::X, Cgal_pack>(k, *this);               \
+  }
+#define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)                               \
+  template <class K>                                                                                 \
+  Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X, Cgal_pack>     \
+  Z(const K& k) const                                                                                \
+  {                                                                                                  \
+    return Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X,       \
+                                              Cgal_pack>(std::cref(k), *this);                       \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)                                \
+  template <class K>                                                                                 \
+  Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X, Cgal_pack>           \
+  Z(K& k) const                                                                                      \
+  {                                                                                                  \
+    return Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X, Cgal_pack>( \
+      std::ref(k), *this);                                                                           \
+  }
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+};
+
+/// All names, CGAL's and the package's, to start a pack with: from here any order of setters works.
+namespace Bubble_relaxation_parameters {
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                            \
+  template <class K>                                                                                 \
+  Bubble_relaxation_named_parameters<K, internal_np::X> Z(const K& k)                                \
+  {                                                                                                  \
+    return Bubble_relaxation_named_parameters<K, internal_np::X>(k);                                 \
+  }
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)                               \
+  template <class K>                                                                                 \
+  Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X> Z(const K& k)  \
+  {                                                                                                  \
+    return Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X>(      \
+      std::cref(k));                                                                                 \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)                                \
+  template <class K>                                                                                 \
+  Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X> Z(K& k)              \
+  {                                                                                                  \
+    return Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X>(            \
+      std::ref(k));                                                                                  \
+  }
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_extra_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+
+/*!
+\ingroup PkgBubbleRelaxation2Parameters
+
+\brief the parameters of the paper in one go; setters that follow override them.
+
+`integrator(Bubble_integrator::RUNGE_KUTTA_4)`, `force_coefficient(1)`, `mass(1)`, `damping(3.8429)`,
+`time_step(0.02)`, `number_of_iterations(250)`, `number_of_rounds(6)`, `neighbor_radius(1.7)`,
+`renewal_interval(10)`, `initial_placement(Bubble_placement::RHOMBIC)` and
+`population_control(Bubble_population::OVERLAP_RATIO)`. They are in units of length and time, for sizes
+of a few hundredths; the renewal interval, which the paper calls k, has no value there.
+*/
+inline auto npbs_paper_parameters()
+{
+  return integrator(Bubble_integrator::RUNGE_KUTTA_4)
+    .force_coefficient(1.)
+    .mass(1.)
+    .damping(3.8429)
+    .time_step(0.02)
+    .number_of_iterations(std::size_t(250))
+    .number_of_rounds(std::size_t(6))
+    .neighbor_radius(1.7)
+    .renewal_interval(std::size_t(10))
+    .initial_placement(Bubble_placement::RHOMBIC)
+    .population_control(Bubble_population::OVERLAP_RATIO);
+}
+
+} // namespace Bubble_relaxation_parameters
+
+namespace parameters {
+
+#define CGAL_add_named_parameter(X, Y, Z) using Bubble_relaxation_parameters::Z;
+#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+
+using Bubble_relaxation_parameters::npbs_paper_parameters;
+
+#if CGAL_VERSION_NR >= 1060000000
+// CGAL has the name, with a class that lacks the package's setters; this overload is the better match
+// for all arguments but named constants
+template <class K>
+auto sizing_function(K&& k)
+{
+  return Bubble_relaxation_parameters::sizing_function(k);
+}
+#endif
+
+} // namespace parameters
+
+using Bubble_relaxation_parameters::npbs_paper_parameters;
+
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_PARAMETERS_H
