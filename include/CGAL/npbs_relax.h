@@ -78,7 +78,8 @@ those on edges lie exactly on them.
   \cgalParamNBegin{initial_placement}
     \cgalParamDescription{where the bubbles of the faces start}
     \cgalParamType{`Bubble_placement`}
-    \cgalParamDefault{`KEEP` if the domain has free vertices, else `FRONTAL`; the paper: `RHOMBIC`}
+    \cgalParamDefault{`FRONTAL`; the paper: `RHOMBIC`. If the domain has free vertices: `KEEP` where the
+                      mesh is as fine as d asks up to a factor of 1.25, `FRONTAL` in the rest}
   \cgalParamNEnd
   \cgalParamNBegin{population_control}
     \cgalParamDescription{how the number of bubbles is adjusted between two rounds}
@@ -183,7 +184,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   with_sizing_field(cdt, np, is_inside, [&](const auto& sizing) {
     reading_time.stop();
     const Bubbles_2 bubbles =
-      simulate_bubbles<Concurrency<NamedParameters>>(*reading, sizing, options, progress, report);
+      simulate_bubbles<Concurrency<NamedParameters>>(cdt, *reading, sizing, options, progress, report);
     Restore_on_throw<CDT> guard(cdt);
     write_back(cdt, *reading, bubbles, report);
     evaluate(cdt, np, sizing, report);

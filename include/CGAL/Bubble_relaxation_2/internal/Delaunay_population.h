@@ -134,8 +134,9 @@ private:
       const Walk_end end = m_domain.walk(start, centroid, center);
       if (end.is_blocked())
         continue;
-      const double d = m_sizing(center);
-      if (radius > largest_radius * d)
+      // where d jumps, the bubbles around the hole count too
+      const double d = m_sizing(center), mean = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3;
+      if (radius > largest_radius * (std::max)(d, mean))
         holes.push_back(Hole{radius / d, center, d, end.triangle});
     }
     if (holes.empty())

@@ -34,6 +34,13 @@ struct Domain_reading_2
   std::vector<Vertex_handle> pinned; ///< pinned vertices inside the domain that no constraint touches
   std::vector<Vertex_handle> free;   ///< all other vertices inside the domain that no constraint touches
 
+  /// How the existing mesh looks around a vertex.
+  struct Surroundings
+  {
+    double spacing;   ///< mean length of the edges
+    double direction; ///< angle of the shortest edge
+  };
+
   /// `is_inside(face)`, `is_pinned(vertex)`: the domain and what the user pinned
   template <class Is_inside, class Is_pinned>
   Domain_reading_2(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned)
@@ -51,6 +58,26 @@ struct Domain_reading_2
     for (Vertex_handle v : cdt.finite_vertex_handles())
       if (!graph->contains(v) && is_inside(v->face()) && !cdt.are_there_incident_constraints(v))
         (is_pinned(v) ? pinned : free).push_back(v);
+  }
+
+  static Surroundings surroundings(const Cdt& cdt, Vertex_handle v)
+  {
+    const Point p = Graph::to_point(v);
+    double sum = 0, shortest = 0, direction = 0;
+    int degree = 0;
+    auto u = cdt.incident_vertices(v), start = u;
+    do {
+      if (cdt.is_infinite(u))
+        continue;
+      const Point q = Graph::to_point(u);
+      const double length = std::hypot(q.x() - p.x(), q.y() - p.y());
+      sum += length;
+      if (degree++ == 0 || length < shortest) {
+        shortest = length;
+        direction = std::atan2(q.y() - p.y(), q.x() - p.x());
+      }
+    } while (++u != start);
+    return Surroundings{sum / degree, direction};
   }
 
 private:

@@ -9,12 +9,19 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_BUBBLES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_BUBBLES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
+#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_frontal.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_rhombic.h>
 #include <CGAL/Bubble_relaxation_enums.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -70,31 +77,57 @@ void keep_in_faces(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, B
   }
 }
 
-/// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces.
+/// Bubbles where the free vertices of an existing mesh are, as far as it is about as fine there as d
+/// asks; the rest of the domain is filled by a front.
 template <class Cdt, class Sizing>
-Bubbles_2 place_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                        Bubble_placement placement)
+void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                    Bubbles_2& bubbles)
+{
+  constexpr double largest_misfit = 1.25;
+  std::vector<double> directions(bubbles.size(), 0);
+  Index hint = 0;
+  for (const auto v : reading.free) {
+    const Point p = Constraint_graph_2<Cdt>::to_point(v);
+    const Index triangle = reading.domain.locate(p, hint);
+    if (triangle == no_index || !reading.domain.is_inside(triangle))
+      continue;
+    hint = triangle;
+    const double d = sizing(p);
+    const auto around = reading.surroundings(cdt, v);
+    if (around.spacing > largest_misfit * d || d > largest_misfit * around.spacing)
+      continue;
+    bubbles.add(p, d, Bubbles_2::FACE, triangle);
+    directions.push_back(around.direction);
+  }
+  Frontal_placement<Sizing>(reading.domain, sizing, bubbles)(std::move(directions));
+}
+
+/// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces. If the user
+/// leaves the choice, an existing mesh is kept where it fits.
+template <class Cdt, class Sizing>
+Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                        const Relaxation_options& options)
 {
   const Domain_2& domain = reading.domain;
+  const bool adapts = !options.placement_is_given && !reading.free.empty();
+  const bool keeps = options.placement_is_given && options.placement == Bubble_placement::KEEP;
   Bubbles_2 bubbles;
   place_on_vertices(reading, sizing, bubbles);
   for (std::size_t e = 0; e < domain.edges().size(); ++e) {
-    if (placement == Bubble_placement::KEEP)
+    if (adapts || keeps)
       keep_on_edge(reading, static_cast<Index>(e), sizing, bubbles);
     else
       place_on_edge(domain, static_cast<Index>(e), sizing, bubbles);
   }
-  switch (placement) {
-  case Bubble_placement::KEEP:
+  if (adapts)
+    adapt_in_faces(cdt, reading, sizing, bubbles);
+  else if (keeps)
     keep_in_faces(reading, sizing, bubbles);
-    break;
-  case Bubble_placement::RHOMBIC:
-    place_rhombic(domain, sizing, bubbles);
-    break;
-  case Bubble_placement::FRONTAL:
-    place_frontal(domain, sizing, bubbles);
-    break;
-  }
+  else if (options.placement == Bubble_placement::RHOMBIC)
+    Rhombic_placement<Sizing>(domain, sizing, bubbles)();
+  else
+    Frontal_placement<Sizing>(domain, sizing, bubbles)();
+  remove_coincident(domain, bubbles);
   sort_in_space(bubbles);
   return bubbles;
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,7 +23,8 @@ namespace internal {
 
 /// Initial bubbles of the faces as a crystal that grows: each bubble proposes six neighbours at the
 /// wanted distance, aligned with its own direction, first come first served. It starts from the
-/// bubbles that are there, those of the edges aligned with their edge.
+/// bubbles that are there, those of the edges aligned with their edge, those of the faces, if there are
+/// any, in given directions.
 template <class Sizing>
 class Frontal_placement
 {
@@ -33,18 +35,20 @@ public:
                 4 * bubbles.size())
   {}
 
-  void operator()()
+  /// `directions`: angles for the bubbles that are there; read for those in faces only
+  void operator()(std::vector<double> directions = {})
   {
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
       m_buckets.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
     const std::size_t number_of_seeds = m_bubbles.size();
-    m_direction.assign(number_of_seeds, 0);
+    m_direction = std::move(directions);
+    m_direction.resize(number_of_seeds, 0);
     find_edges_of_corners();
     for (std::size_t i = 0; i < number_of_seeds; ++i) {
       if (m_bubbles.is_on_edge(i))
         propose_neighbors(i, direction_of_edge(m_bubbles.place[i]));
-      else if (m_bubbles.place[i] == no_index)
-        propose_neighbors(i, 0);
+      else if (m_bubbles.is_in_face(i) || m_bubbles.place[i] == no_index)
+        propose_neighbors(i, m_direction[i]);
       else
         for (Index e : m_edges_of_corner[m_bubbles.place[i]])
           propose_neighbors(i, direction_of_edge(e));
@@ -134,12 +138,6 @@ private:
   std::vector<double> m_direction;                   // of the lattice around each bubble
   std::vector<std::vector<Index>> m_edges_of_corner;
 };
-
-template <class Sizing>
-void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
-{
-  Frontal_placement<Sizing>(domain, sizing, bubbles)();
-}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

@@ -104,12 +104,6 @@ private:
   double m_x0 = 0, m_y0 = 0;
 };
 
-template <class Sizing>
-void place_rhombic(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
-{
-  Rhombic_placement<Sizing>(domain, sizing, bubbles)();
-}
-
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL

@@ -63,17 +63,14 @@ std::unique_ptr<Domain_reading_2<Cdt>> read_domain(const Cdt& cdt, const NamedPa
 
 /// The whole method without the triangulation: initial bubbles, simulation, population.
 template <class Concurrency_tag, class Cdt, class Sizing, class Report>
-Bubbles_2 simulate_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                           Relaxation_options options, Progress& progress, Report& report)
+Bubbles_2 simulate_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                           const Relaxation_options& options, Progress& progress, Report& report)
 {
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
     check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
-    if (!options.placement_is_given && !reading.free.empty())
-      options.placement = Bubble_placement::KEEP;
-    bubbles = place_bubbles(reading, sizing, options.placement);
-    remove_coincident(reading.domain, bubbles);
+    bubbles = place_bubbles(cdt, reading, sizing, options);
     report.number_of_initial_bubbles = bubbles.size();
   }
   if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)

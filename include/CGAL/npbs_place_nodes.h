@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_NPBS_PLACE_NODES_H
+#define CGAL_NPBS_PLACE_NODES_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
+#include <CGAL/Bubble_relaxation_enums.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
+Nodes for meshless methods, with their neighbour sets. All arrays but `neighbors` have an element a node;
+nodes that are near to each other have near indices.
+
+\tparam Point_2_ point type
+*/
+template <class Point_2_>
+struct Node_set_2
+{
+  using Point_2 = Point_2_;
+
+  std::vector<Point_2> points;         ///< positions
+  std::vector<double> sizes;           ///< the wanted distance d at each node
+  std::vector<unsigned char> dimensions; ///< 0: vertex of the domain or pinned, 1: on an edge, 2: in a face
+
+  /// the neighbours of node i are `neighbors[neighbor_offsets[i]]` up to, without,
+  /// `neighbors[neighbor_offsets[i + 1]]`
+  std::vector<std::size_t> neighbor_offsets;
+  /// indices of the nodes nearer than `neighbor_radius` times the mean of both sizes, in increasing order
+  std::vector<std::int32_t> neighbors;
+
+  double neighbor_radius = 0;          ///< the radius of the sets in units of the mean of both sizes
+  Bubble_relaxation_report_2<double> report; ///< what was done; it has no statistics of a mesh
+
+  /// the number of nodes
+  std::size_t size() const { return points.size(); }
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief places nodes in the domain of a constrained Delaunay triangulation by bubble simulation, and returns
+them with their neighbour sets. The triangulation is not changed, and no mesh is made of the nodes, unless
+the population control `DELAUNAY`, the default, needs one between two rounds.
+
+\tparam CDT as in `npbs_relax()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param cdt the triangulation that bounds the domain
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `npbs_relax()`
+
+\throws std::invalid_argument, std::length_error as `npbs_relax()`
+
+\sa `npbs_relax()`
+*/
+template <class CDT, class NamedParameters = parameters::Default_named_parameters>
+auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::default_values())
+{
+  using namespace Bubble_relaxation_2::internal;
+  using Point_2 = typename CDT::Geom_traits::Point_2;
+
+  Node_set_2<Point_2> nodes;
+  const Relaxation_options options = read_options(np);
+  Progress progress(options.callback, options.number_of_rounds);
+  Phase_timer reading_time(nodes.report.seconds.reading);
+  const Domain_marks_2<CDT> is_inside(cdt, np);
+  const auto reading = read_domain(cdt, np, is_inside);
+  with_sizing_field(cdt, np, is_inside, [&](const auto& sizing) {
+    reading_time.stop();
+    const Bubbles_2 bubbles = simulate_bubbles<Concurrency<NamedParameters>>(
+      cdt, *reading, sizing, options, progress, nodes.report);
+    Neighbor_sets_2 neighbors(options.neighbor_radius);
+    neighbors.build(bubbles);
+    nodes.neighbor_offsets.push_back(0);
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      nodes.points.push_back(Point_2(bubbles.x[i], bubbles.y[i]));
+      nodes.sizes.push_back(bubbles.d[i]);
+      nodes.dimensions.push_back(bubbles.dimension[i]);
+      nodes.neighbors.insert(nodes.neighbors.end(), neighbors.begin(i), neighbors.end(i));
+      nodes.neighbor_offsets.push_back(nodes.neighbors.size());
+    }
+  });
+  nodes.neighbor_radius = options.neighbor_radius;
+  nodes.report.number_of_vertices = nodes.size();
+  progress.report(1);
+  return nodes;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_NPBS_PLACE_NODES_H
