@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// The parameters of the simulation: the integrator, its step, mass, damping and force, placement and
+// population control, on the circle of Fig. 10 (eq. 4). One row each, and a picture of the last.
+
+#include "paper_domains.h"
+#include "svg_picture.h"
+
+#include <CGAL/npbs_relax.h>
+
+#include <iomanip>
+#include <iostream>
+
+int main()
+{
+  // all names start from here, so that they can be chained in any order
+  namespace P = CGAL::Bubble_relaxation_parameters;
+  const paper::Domain domain = paper::graded_circle(1);
+  Svg_picture picture;
+
+  std::cout << std::setw(44) << std::left << "parameters" << std::right
+            << "  vertices  evaluations  mean q  min q\n" << std::fixed << std::setprecision(3);
+  const auto run = [&](const char* what, const auto& parameters) {
+    paper::CDT cdt = paper::triangulate(domain);
+    const auto report = CGAL::npbs_relax(cdt, parameters.sizing_function(domain.d));
+    std::cout << std::setw(44) << std::left << what << std::right << std::setw(10)
+              << report.number_of_vertices << std::setw(13) << report.number_of_force_evaluations
+              << std::setw(8) << report.quality.mean_quality() << std::setw(7)
+              << report.quality.minimum_quality() << '\n';
+    picture = Svg_picture();
+    picture.add_mesh(cdt, what);
+    picture.add_histogram(report.quality, "q = 2 r_in / r_out");
+  };
+
+  run("the paper's", CGAL::npbs_paper_parameters());
+  run("the paper's, three times the time step", CGAL::npbs_paper_parameters().time_step(0.06));
+  run("the paper's, less damping", CGAL::npbs_paper_parameters().damping(1.5));
+  run("rhombic placement, overlap ratio", P::initial_placement(CGAL::Bubble_placement::RHOMBIC)
+        .population_control(CGAL::Bubble_population::OVERLAP_RATIO));
+  run("rhombic placement", P::initial_placement(CGAL::Bubble_placement::RHOMBIC));
+  run("no population control", P::population_control(CGAL::Bubble_population::NONE));
+  run("twice the force, more damping", P::force_coefficient(2.).damping(0.6));
+  run("half the mass and the time step", P::mass(0.5).time_step(0.25));
+  run("20 rounds, exact rest", P::number_of_rounds(20).displacement_tolerance(1e-6));
+  run("defaults", P::integrator(CGAL::Bubble_integrator::SEMI_IMPLICIT_EULER));
+  picture.write("defaults.svg");
+}

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
+#define BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
+
+#include <CGAL/Mesh_quality_2.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// A picture of panels side by side: meshes, nodes, bubbles, histograms.
+class Svg_picture
+{
+public:
+  /// triangles of the domain in the colour of their q, constraints in bold
+  template <class CDT>
+  void add_mesh(const CDT& cdt, const std::string& caption)
+  {
+    start_panel(caption, box_of(cdt));
+    for (auto f : cdt.finite_face_handles()) {
+      if (!f->is_in_domain())
+        continue;
+      const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
+      m_body << "<path d=\"M" << at(p) << 'L' << at(q) << 'L' << at(r) << "Z\" fill=\""
+             << color(CGAL::radius_ratio_2(p, q, r)) << "\" stroke=\"#555\" stroke-width=\""
+             << thin_line(cdt.number_of_vertices()) << "\"/>\n";
+    }
+    add_constraints(cdt);
+  }
+
+  /// vertices of the domain as dots
+  template <class CDT>
+  void add_nodes(const CDT& cdt, const std::string& caption)
+  {
+    start_panel(caption, box_of(cdt));
+    add_constraints(cdt);
+    const double radius = 60 / std::sqrt(double(cdt.number_of_vertices()) + 500);
+    for (auto v : cdt.finite_vertex_handles())
+      add_circle(v->point(), radius, "fill=\"#1f5fa8\"");
+  }
+
+  /// points as circles of given diameters, and segments between pairs of them
+  template <class Point_2, class Pairs>
+  void add_bubbles(const std::vector<Point_2>& points, const std::vector<double>& diameters,
+                   const Pairs& segments, const std::string& caption)
+  {
+    CGAL::Bbox_2 box;
+    for (const Point_2& p : points)
+      box += p.bbox();
+    start_panel(caption, box);
+    for (const auto& s : segments)
+      m_body << "<path d=\"M" << at(points[s.first]) << 'L' << at(points[s.second])
+             << "\" stroke=\"#c0392b\" stroke-width=\"0.8\"/>\n";
+    for (std::size_t i = 0; i < points.size(); ++i)
+      add_circle(points[i], 0.5 * diameters[i] * m_scale,
+                 "fill=\"#9cc3e6\" fill-opacity=\"0.35\" stroke=\"#1f5fa8\" stroke-width=\"0.6\"");
+  }
+
+  /// the histogram of q
+  template <class FT>
+  void add_histogram(const CGAL::Mesh_quality_2<FT>& quality, const std::string& caption)
+  {
+    start_panel(caption, CGAL::Bbox_2(0, 0, 1, 1));
+    const auto& bars = quality.histogram();
+    const double highest = double(*std::max_element(bars.begin(), bars.end()));
+    const double step = m_size / double(bars.size());
+    for (std::size_t k = 0; k < bars.size(); ++k) {
+      const double height = bars[k] == 0 ? 0 : 0.9 * m_size * double(bars[k]) / highest + 1;
+      m_body << "<rect x=\"" << m_left + step * double(k) << "\" y=\"" << m_top + m_size - height
+             << "\" width=\"" << step - 1 << "\" height=\"" << height << "\" fill=\""
+             << color((double(k) + 0.5) / double(bars.size())) << "\" stroke=\"#555\"/>\n";
+    }
+    m_body << "<path d=\"M" << m_left << ' ' << m_top + m_size << 'h' << m_size
+           << "\" stroke=\"black\"/>\n";
+    for (int k = 0; k <= 5; ++k)
+      add_text(m_left + m_size * k / 5, m_top + m_size + 15, std::to_string(0.2 * k).substr(0, 3), 12);
+    std::ostringstream numbers;
+    numbers << std::fixed << std::setprecision(3) << "mean " << quality.mean_quality() << ", smallest "
+            << quality.minimum_quality();
+    add_text(m_left + 0.35 * m_size, m_top + 20, numbers.str(), 14);
+  }
+
+  void write(const std::string& file_name) const
+  {
+    std::ofstream out(file_name);
+    const double width = m_number_of_panels * (m_size + m_gap) + m_gap, height = m_size + 2 * m_top;
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
+        << "\" width=\"" << width << "\" height=\"" << height << "\" font-family=\"sans-serif\">\n"
+        << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+        << m_body.str() << "</svg>\n";
+    if (!out.flush())
+      throw std::runtime_error("cannot write " + file_name);
+  }
+
+private:
+  template <class CDT>
+  static CGAL::Bbox_2 box_of(const CDT& cdt)
+  {
+    CGAL::Bbox_2 box;
+    for (auto v : cdt.finite_vertex_handles())
+      box += v->point().bbox();
+    return box;
+  }
+
+  void start_panel(const std::string& caption, const CGAL::Bbox_2& box)
+  {
+    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    m_scale = m_size / (std::max)(width, height);
+    m_left = m_gap + m_number_of_panels * (m_size + m_gap);
+    m_x0 = m_left + 0.5 * (m_size - m_scale * width) - m_scale * box.xmin();
+    m_y0 = m_top + 0.5 * (m_size + m_scale * height) + m_scale * box.ymin();
+    ++m_number_of_panels;
+    add_text(m_left + 0.5 * m_size, m_top - 15, caption, 16);
+  }
+
+  template <class CDT>
+  void add_constraints(const CDT& cdt)
+  {
+    m_body << "<path stroke=\"black\" stroke-width=\"1.2\" stroke-linecap=\"round\" d=\"";
+    for (const auto& e : cdt.finite_edges())
+      if (cdt.is_constrained(e))
+        m_body << 'M' << at(e.first->vertex(cdt.ccw(e.second))->point()) << 'L'
+               << at(e.first->vertex(cdt.cw(e.second))->point());
+    m_body << "\"/>\n";
+  }
+
+  template <class Point_2>
+  void add_circle(const Point_2& p, double radius, const char* style)
+  {
+    m_body << "<circle cx=\"" << m_x0 + m_scale * p.x() << "\" cy=\"" << m_y0 - m_scale * p.y()
+           << "\" r=\"" << radius << "\" " << style << "/>\n";
+  }
+
+  void add_text(double x, double y, const std::string& text, int size)
+  {
+    m_body << "<text x=\"" << x << "\" y=\"" << y << "\" font-size=\"" << size
+           << "\" text-anchor=\"middle\">" << text << "</text>\n";
+  }
+
+  template <class Point_2>
+  std::string at(const Point_2& p) const
+  {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << m_x0 + m_scale * p.x() << ' '
+         << m_y0 - m_scale * p.y();
+    return text.str();
+  }
+
+  static double thin_line(std::size_t number_of_vertices)
+  {
+    return (std::min)(0.5, 20 / std::sqrt(double(number_of_vertices)));
+  }
+
+  /// from dark red at 0.4 over yellow to light blue at 1
+  static std::string color(double q)
+  {
+    const double s = (std::max)(0., (std::min)(1., (q - 0.4) / 0.6));
+    const double stops[4][3] = {{192, 57, 43}, {241, 178, 80}, {250, 236, 180}, {214, 232, 247}};
+    const int k = (std::min)(2, static_cast<int>(3 * s));
+    const double t = 3 * s - k;
+    std::ostringstream text;
+    text << "rgb(";
+    for (int c = 0; c < 3; ++c)
+      text << static_cast<int>((1 - t) * stops[k][c] + t * stops[k + 1][c]) << (c < 2 ? "," : ")");
+    return text.str();
+  }
+
+  static constexpr double m_size = 480, m_gap = 30, m_top = 40;
+  double m_scale = 1, m_left = 0, m_x0 = 0, m_y0 = 0;
+  int m_number_of_panels = 0;
+  std::ostringstream m_body;
+};
+
+#endif // BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the mesher, and meshes a lake with its islands.
+set -euo pipefail
+here=$(cd "$(dirname "$0")/.." && pwd)
+cd "$here"
+
+scripts/install_dependencies.sh
+mkdir -p build
+cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXATION_2_TESTS=OFF > build/configure.log 2>&1 ||
+  { cat build/configure.log; exit 1; }
+cmake --build build/release --target npbs_mesh
+mkdir -p output
+build/release/examples/Bubble_relaxation_2/npbs_mesh examples/Bubble_relaxation_2/data/lake.poly \
+  --size "0.012+0.08*abs(sqrt((x-0.1)^2+(y-0.1)^2)-0.3)" --output output/lake.vtu --picture output/lake.svg
+echo "the mesh:    output/lake.vtu (for ParaView)"
+echo "its picture: output/lake.svg"

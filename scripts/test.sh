@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything with warnings as errors, and runs all tests: with the
+# system's CGAL, part of them with sanitizers, and part of them with newer versions of CGAL.
+set -euo pipefail
+here=$(cd "$(dirname "$0")/.." && pwd)
+cd "$here"
+
+scripts/install_dependencies.sh
+export CTEST_PARALLEL_LEVEL=2
+
+build_and_test() { # NAME OPTION...
+  local name=$1
+  shift
+  echo "==== $name"
+  cmake -S . -B "build/$name" -G Ninja -DBUBBLE_RELAXATION_2_WARNINGS_AS_ERRORS=ON "$@"
+  cmake --build "build/$name" -- -k 0
+  ctest --test-dir "build/$name" --output-on-failure --no-tests=error
+}
+
+build_and_test test -DCMAKE_BUILD_TYPE=Release
+
+# what reads and writes the most, with sanitizers
+build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+  -DBUBBLE_RELAXATION_2_SANITIZE=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF \
+  -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(relax|write_back|bad_input|domain)"
+
+# newer versions of CGAL, where they can be had
+if scripts/fetch_cgal.sh build/cgal > build/cgal.list; then
+  grep -v '^skipped' build/cgal.list | while read -r suite version path; do
+    echo "CGAL $version of $suite"
+    build_and_test "cgal-$version" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1" \
+      -DBUBBLE_RELAXATION_2_EXAMPLES=OFF \
+      -DCGAL_DIR="$(dirname "$(find "$path" -name CGALConfig.cmake | head -n 1)")" \
+      -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(relax|write_back|named_parameters|mesh_criteria|headers)" < /dev/null
+  done
+fi
+grep '^skipped' build/cgal.list | sed 's/^/SKIPPED: /' || true
