@@ -30,14 +30,17 @@ class Delaunay_population
 {
 public:
   /// insert where the radius of an empty circle exceeds this times d (0.577 in the hexagonal lattice)
-  double largest_radius = 0.68;
+  double largest_radius = 0.655;
   /// delete where two bubbles are nearer than this times their mean size
   double least_distance = 0.62;
   /// delete bubbles of the faces with as many neighbours or less
   int ill_connected = 4;
 
   /// insert between two bubbles of an edge that are farther apart than this times d
-  double longest_gap = 1.6;
+  double longest_gap = 1.4;
+  /// such a bubble takes the place of bubbles of the faces that are nearer than this times d: they were
+  /// pressed into the gap
+  double cleared_radius = 0.7;
 
   Delaunay_population(const Domain_2& domain, const Sizing& sizing)
     : m_domain(domain), m_sizing(sizing)
@@ -50,7 +53,7 @@ public:
     change.is_deleted.assign(bubbles.size(), 0);
     delete_crowded(bubbles, mesh, change);
     insert_in_holes(bubbles, mesh, change);
-    insert_on_edges(bubbles, change);
+    insert_on_edges(bubbles, mesh, change);
     return change;
   }
 
@@ -153,22 +156,49 @@ private:
       }
   }
 
-  void insert_on_edges(const Bubbles_2& b, Population_change& change) const
+  /// A gap is an edge of the mesh on the domain's boundary or on a constraint, so the only bubbles that
+  /// can have been pressed into it are opposite to it in its triangles.
+  void insert_on_edges(const Bubbles_2& b, const Marked_triangulation_2& mesh,
+                       Population_change& change) const
+  {
+    const std::vector<Domain_edge_2> pieces = cut_edges(m_domain, b);
+    const std::vector<Index> edge_of_piece = edges_of_pieces(b);
+    std::vector<char> is_cut(pieces.size(), 0);
+    for (std::size_t t = 0; t < mesh.inside.size(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        const Index piece = mesh.inside[t] ? mesh.edges[t][i] : no_index;
+        if (piece == no_index)
+          continue;
+        const Index u = pieces[piece].source, v = pieces[piece].target, apex = mesh.tr.vertices[t][i];
+        const Point middle = CGAL::midpoint(b.point(u), b.point(v));
+        if (relative_distance(b, u, v) <= longest_gap)
+          continue;
+        const double d = m_sizing(middle), cleared = cleared_radius * d;
+        if (!is_cut[piece]) {
+          is_cut[piece] = 1;
+          const Index e = edge_of_piece[piece];
+          const double s = 0.5 * (position(b, e, u) + position(b, e, v));
+          change.inserted.add(m_domain.point_on_edge(e, s), d, Bubbles_2::EDGE, e, s);
+        }
+        if (b.is_in_face(apex) &&
+            CGAL::squared_distance(b.point(apex), middle) < cleared * cleared)
+          change.is_deleted[apex] = 1;
+      }
+  }
+
+  /// the domain's edge of each piece, in the order of `cut_edges()`
+  std::vector<Index> edges_of_pieces(const Bubbles_2& b) const
   {
     const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(m_domain, b);
-    for (std::size_t e = 0; e < on_edge.size(); ++e) {
-      const double length = m_domain.length(static_cast<Index>(e));
-      double last = 0;
-      for (std::size_t k = 0; k <= on_edge[e].size(); ++k) {
-        const double next = k < on_edge[e].size() ? b.s[on_edge[e][k]] : 1;
-        const double s = 0.5 * (last + next), gap = (next - last) * length;
-        last = next;
-        const Point p = m_domain.point_on_edge(static_cast<Index>(e), s);
-        const double d = m_sizing(p);
-        if (gap > longest_gap * d)
-          change.inserted.add(p, d, Bubbles_2::EDGE, static_cast<Index>(e), s);
-      }
-    }
+    std::vector<Index> result;
+    for (std::size_t e = 0; e < on_edge.size(); ++e)
+      result.insert(result.end(), on_edge[e].size() + 1, static_cast<Index>(e));
+    return result;
+  }
+
+  double position(const Bubbles_2& b, Index e, Index i) const
+  {
+    return b.is_on_edge(i) ? b.s[i] : b.place[i] == m_domain.edges()[e].source ? 0. : 1.;
   }
 
   static double relative_distance(const Bubbles_2& b, Index i, Index j)
