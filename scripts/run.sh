@@ -11,6 +11,6 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXAT
 cmake --build build/release --target npbs_mesh
 mkdir -p output
 build/release/examples/Bubble_relaxation_2/npbs_mesh examples/Bubble_relaxation_2/data/lake.poly \
-  --size "0.012+0.08*abs(sqrt((x-0.1)^2+(y-0.1)^2)-0.3)" --output output/lake.vtu --picture output/lake.svg
+  --size "min(0.03, 0.008+0.06*abs(sqrt((x-0.25)^2+(y-0.08)^2)-0.3))" --output output/lake.vtu --picture output/lake.svg
 echo "the mesh:    output/lake.vtu (for ParaView)"
 echo "its picture: output/lake.svg"

@@ -23,7 +23,7 @@ template <class Quality>
 void print_table(std::ostream& out, const Quality& q)
 {
   const auto row = [&](const char* name) -> std::ostream& {
-    return out << "  " << std::left << std::setw(32) << name << std::right;
+    return out << "  " << std::left << std::setw(36) << name << std::right;
   };
   out << std::fixed;
   row("vertices") << q.number_of_vertices() << '\n';

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// needs: muParser, Boost.Program_options
+//
+// A mesher for the command line:
+//   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
+
+#include "domain_file.h"
+#include "svg_picture.h"
+
+#include <CGAL/IO/write_VTU.h>
+#include <CGAL/npbs_relax.h>
+
+#include <boost/program_options.hpp>
+
+#include <muParser.h>
+
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <unistd.h>
+
+namespace po = boost::program_options;
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+/// d as a formula in x and y
+class Formula
+{
+public:
+  explicit Formula(const std::string& text) : m(std::make_shared<State>())
+  {
+    m->parser.DefineVar("x", &m->x);
+    m->parser.DefineVar("y", &m->y);
+    m->parser.SetExpr(text);
+    check();
+  }
+
+  double operator()(const Point& p) const
+  {
+    m->x = p.x();
+    m->y = p.y();
+    return m->parser.Eval();
+  }
+
+private:
+  struct State
+  {
+    mu::Parser parser;
+    double x = 0, y = 0;
+  };
+
+  void check() const
+  {
+    try {
+      m->parser.Eval();
+    } catch (const mu::Parser::exception_type& e) {
+      throw std::runtime_error("--size: " + e.GetMsg());
+    }
+  }
+
+  std::shared_ptr<State> m; // the parser knows where its variables are
+};
+
+/// a bar on a terminal, nothing elsewhere; Ctrl-C stops the simulation and keeps its mesh
+bool show_progress(double fraction, bool quiet)
+{
+  if (!quiet && isatty(STDERR_FILENO)) {
+    const int done = static_cast<int>(40 * fraction);
+    std::cerr << "\r[" << std::string(done, '#') << std::string(40 - done, ' ') << "] "
+              << static_cast<int>(100 * fraction) << " %" << (fraction < 1 ? "" : "\n") << std::flush;
+  }
+  return is_interrupted == 0;
+}
+
+po::variables_map read_arguments(int argc, char** argv)
+{
+  po::options_description options("npbs_mesh INPUT [options]   meshes a domain by bubble simulation");
+  options.add_options()
+    ("help,h", "shows this")
+    ("input", po::value<std::string>(), "the domain: .poly (Triangle) or .wkt")
+    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x and y; default: that of "
+                                         "the domain's own edges")
+    ("output,o", po::value<std::string>(), "the mesh, .vtu")
+    ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
+    ("paper", "the parameters of the paper instead of the defaults")
+    ("rounds", po::value<int>()->default_value(8), "rounds of simulation at most")
+    ("iterations", po::value<int>()->default_value(60), "steps in a round at most")
+    ("max-bubbles", po::value<long>()->default_value(20000000), "refuse sizes that ask for more vertices")
+    ("quiet,q", "no progress and no statistics");
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::variables_map arguments;
+  po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), arguments);
+  if (arguments.count("help") > 0) {
+    std::cout << options;
+    std::exit(0);
+  }
+  if (arguments.count("input") == 0)
+    throw std::runtime_error("no input file; see npbs_mesh --help");
+  return arguments;
+}
+
+/// calls npbs_relax with what the arguments say, on top of `parameters`
+template <class Parameters>
+auto mesh(Domain_file& domain, const po::variables_map& arguments, const Parameters& parameters)
+{
+  const std::set<CDT::Vertex_handle> pinned(domain.pinned.begin(), domain.pinned.end());
+  const bool quiet = arguments.count("quiet") > 0;
+  const auto all = parameters.number_of_rounds(arguments["rounds"].as<int>())
+                     .number_of_iterations(arguments["iterations"].as<int>())
+                     .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>())
+                     .vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(pinned))
+                     .callback([quiet](double fraction) { return show_progress(fraction, quiet); });
+  const auto relax = [&](const auto& p) {
+    return domain.has_seeds ? CGAL::npbs_relax(domain.cdt, p.seeds(domain.holes))
+                            : CGAL::npbs_relax(domain.cdt, p);
+  };
+  if (arguments.count("size") == 0)
+    return relax(all);
+  return relax(all.sizing_function(Formula(arguments["size"].as<std::string>())));
+}
+
+int main(int argc, char** argv)
+try {
+  const po::variables_map arguments = read_arguments(argc, argv);
+  Domain_file domain = read_domain_file(arguments["input"].as<std::string>());
+  std::signal(SIGINT, [](int) { is_interrupted = 1; });
+  const auto report = arguments.count("paper") > 0
+                        ? mesh(domain, arguments, CGAL::npbs_paper_parameters())
+                        : mesh(domain, arguments, CGAL::parameters::force_coefficient(1.));
+
+  if (arguments.count("quiet") == 0)
+    std::cout << report.quality << "  seconds" << std::string(31, ' ') << report.seconds.total() << '\n';
+  if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
+    std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
+  if (arguments.count("output") > 0) {
+    std::ofstream out(arguments["output"].as<std::string>());
+    CGAL::IO::write_VTU(out, domain.cdt);
+    if (!out.flush())
+      throw std::runtime_error(arguments["output"].as<std::string>() + ": cannot be written");
+  }
+  if (arguments.count("picture") > 0) {
+    Svg_picture picture;
+    picture.add_mesh(domain.cdt, "mesh, coloured by q");
+    picture.add_histogram(report.quality, "q = 2 r_in / r_out");
+    picture.write(arguments["picture"].as<std::string>());
+  }
+} catch (const std::exception& e) {
+  std::cerr << "npbs_mesh: " << e.what() << '\n';
+  return 1;
+}
