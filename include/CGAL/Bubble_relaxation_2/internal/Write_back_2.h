@@ -122,7 +122,7 @@ private:
   std::pair<Edge, Vertex_handle> next_towards(Vertex_handle u, Vertex_handle target) const
   {
     Face_handle f;
-    int i;
+    int i = 0;
     if (m_cdt.is_edge(u, target, f, i))
       return {Edge(f, i), target};
     Vertex_handle next; // a vertex outside of the domain may lie on the constraint
@@ -258,9 +258,9 @@ private:
       for (std::size_t e = 0; e < m_paths.size(); ++e) {
         const Chain& chain = m_reading.graph->chains()[e];
         for (std::size_t k = 1; k < m_paths[e].size(); ++k) {
-          Face_handle f;
-          int i;
-          m_cdt.is_edge(m_paths[e][k - 1], m_paths[e][k], f, i);
+          const Edge edge = next_towards(m_paths[e][k - 1], m_paths[e][k]).first;
+          const Face_handle f = edge.first;
+          const int i = edge.second;
           const bool f_is_left = f->vertex(m_cdt.ccw(i)) == m_paths[e][k - 1];
           mark(f, f_is_left ? chain.inside_left : chain.inside_right);
           mark(f->neighbor(i), f_is_left ? chain.inside_right : chain.inside_left);

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_TEST_DOMAINS_H
+#define BUBBLE_RELAXATION_2_TEST_DOMAINS_H
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+/// Kernels, triangulations and domains that several tests use.
+namespace domains {
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_2;
+using Vb = CGAL::Triangulation_vertex_base_2<K>;
+using CDT = CGAL::Constrained_Delaunay_triangulation_2<
+  K, CGAL::Triangulation_data_structure_2<Vb, CGAL::Delaunay_mesh_face_base_2<K>>>;
+
+using Outline = std::vector<std::pair<double, double>>;
+
+template <class Cdt>
+void insert(Cdt& cdt, const Outline& outline, bool closed = true)
+{
+  std::vector<typename Cdt::Point> points;
+  for (const auto& p : outline)
+    points.push_back(typename Cdt::Point(p.first, p.second));
+  cdt.insert_constraint(points.begin(), points.end(), closed);
+}
+
+template <class Cdt = CDT>
+Cdt make(const std::vector<Outline>& outlines)
+{
+  Cdt cdt;
+  for (const Outline& o : outlines)
+    insert(cdt, o);
+  return cdt;
+}
+
+inline Outline square(double x, double y, double side)
+{
+  return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+inline Outline polygon(double x, double y, double radius, int n)
+{
+  Outline o;
+  for (int i = 0; i < n; ++i)
+    o.push_back({x + radius * std::cos(2 * 3.14159265358979 * i / n),
+                 y + radius * std::sin(2 * 3.14159265358979 * i / n)});
+  return o;
+}
+
+/// a random star-shaped polygon around the origin with a square hole
+inline std::vector<Outline> random_star(unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> radius(0.6, 1.), turn(-0.3, 0.3);
+  std::uniform_int_distribution<int> corners(5, 14);
+  const int n = corners(random);
+  Outline o;
+  for (int i = 0; i < n; ++i) {
+    const double r = radius(random), t = 2 * 3.14159265358979 * (i + turn(random)) / n;
+    o.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return {o, square(-0.15, -0.1, 0.25)};
+}
+
+} // namespace domains
+
+#endif // BUBBLE_RELAXATION_2_TEST_DOMAINS_H

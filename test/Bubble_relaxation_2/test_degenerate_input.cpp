@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Geometry that breaks meshers: touching, thin, tiny, huge and far away.
+
+#include "domains.h"
+#include "validation.h"
+
+#include <CGAL/npbs_relax.h>
+
+using domains::CDT;
+using domains::Outline;
+
+namespace {
+
+template <class Parameters>
+auto relax_and_validate(CDT& cdt, const Parameters& parameters)
+{
+  const validation::Snapshot before = validation::snapshot(cdt);
+  const auto report = CGAL::npbs_relax(cdt, parameters);
+  const validation::Snapshot after = validation::snapshot(cdt);
+  validation::expect_valid_mesh(cdt);
+  validation::expect_vertices_kept(before.vertices, after);
+  validation::expect_constraints_kept(before, after);
+  return report;
+}
+
+auto size(double d) { return CGAL::parameters::sizing_function(d); }
+
+} // namespace
+
+TEST(Degenerate_input, hole_touches_the_boundary_in_a_vertex)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1), {{0, 0}, {0.6, 0.3}, {0.3, 0.6}}});
+  const auto report = relax_and_validate(cdt, size(0.05));
+  EXPECT_NEAR(validation::domain_area(cdt), 1 - 0.135, 1e-9);
+  EXPECT_GT(report.quality.mean_quality(), 0.95);
+}
+
+TEST(Degenerate_input, two_components_joined_in_a_point)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(1, 1, 1)});
+  const auto report = relax_and_validate(cdt, size(0.1));
+  EXPECT_NEAR(validation::domain_area(cdt), 2, 1e-9);
+  EXPECT_GT(report.quality.mean_quality(), 0.95);
+}
+
+TEST(Degenerate_input, two_separate_components)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(3, 1, 1)});
+  const auto report = relax_and_validate(cdt, size(0.1));
+  EXPECT_NEAR(validation::domain_area(cdt), 2, 1e-9);
+  EXPECT_GT(report.quality.mean_quality(), 0.95);
+}
+
+TEST(Degenerate_input, corner_of_one_degree)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, std::tan(3.14159265358979 / 180)}}});
+  relax_and_validate(cdt, size(0.02));
+  EXPECT_NEAR(validation::domain_area(cdt), 0.5 * std::tan(3.14159265358979 / 180), 1e-9);
+}
+
+TEST(Degenerate_input, slit_thinner_than_a_bubble)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1), {{0.2, 0.5}, {0.8, 0.5}, {0.8, 0.501}, {0.2, 0.501}}});
+  relax_and_validate(cdt, size(0.05));
+  EXPECT_NEAR(validation::domain_area(cdt), 1 - 0.0006, 1e-9);
+}
+
+TEST(Degenerate_input, channel_thinner_than_a_bubble)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 0.49}, {2, 0.49}, {2, 0}, {3, 0}, {3, 1}, {2, 1},
+                            {2, 0.51}, {1, 0.51}, {1, 1}, {0, 1}}});
+  relax_and_validate(cdt, size(0.08));
+  EXPECT_NEAR(validation::domain_area(cdt), 2.02, 1e-9);
+}
+
+TEST(Degenerate_input, nearly_coincident_vertices)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 0.5}, {1 + 1e-12, 0.5 + 1e-12}, {1, 1}, {0, 1}}});
+  relax_and_validate(cdt, size(0.1));
+}
+
+TEST(Degenerate_input, small_bend_is_kept)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {1 + 1e-9, 0.5}, {1, 1}, {0, 1}}});
+  relax_and_validate(cdt, size(0.1));
+}
+
+TEST(Degenerate_input, bend_of_one_rounding_is_straight)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {std::nextafter(1., 2.), 0.5}, {1, 1}, {0, 1}}});
+  CGAL::npbs_relax(cdt, size(0.13));
+  validation::expect_valid_mesh(cdt);
+  EXPECT_NEAR(validation::domain_area(cdt), 1, 1e-12);
+}
+
+TEST(Degenerate_input, many_vertices_on_a_short_edge)
+{
+  Outline o{{0, 0}, {1, 0}};
+  for (int i = 0; i <= 200; ++i) // a circular bump of radius 0.001 on the right side
+    o.push_back({1 + 0.001 * std::sin(i * 3.14159265358979 / 200),
+                 0.5 - 0.001 * std::cos(i * 3.14159265358979 / 200)});
+  o.push_back({1, 1});
+  o.push_back({0, 1});
+  CDT cdt = domains::make({o});
+  relax_and_validate(cdt, size(0.1));
+}
+
+TEST(Degenerate_input, domain_smaller_than_a_bubble)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  const auto report = relax_and_validate(cdt, size(10.));
+  EXPECT_EQ(report.number_of_vertices, 4u);
+  EXPECT_EQ(report.number_of_triangles, 2u);
+}
+
+TEST(Degenerate_input, single_triangle)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {0.5, 0.8}}});
+  const auto report = relax_and_validate(cdt, size(1.));
+  EXPECT_EQ(report.number_of_vertices, 3u);
+}
+
+class Scaled_and_shifted : public testing::TestWithParam<std::pair<double, double>>
+{};
+
+TEST_P(Scaled_and_shifted, slanted_domain)
+{
+  const double scale = GetParam().first, shift = GetParam().second;
+  Outline outer{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}}, hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
+  for (Outline* o : {&outer, &hole})
+    for (auto& p : *o)
+      p = {scale * p.first + shift, scale * p.second - shift};
+  CDT cdt = domains::make({outer, hole});
+  const auto report = relax_and_validate(cdt, size(0.05 * scale));
+  EXPECT_GT(report.quality.mean_quality(), 0.97);
+  EXPECT_GT(report.quality.minimum_quality(), 0.6);
+  EXPECT_EQ(report.quality.number_of_vertices(), report.number_of_vertices);
+}
+
+INSTANTIATE_TEST_SUITE_P(Coordinates, Scaled_and_shifted,
+                         testing::Values(std::pair<double, double>(1, 0),
+                                         std::pair<double, double>(1e-9, 0),
+                                         std::pair<double, double>(1e9, 0),
+                                         std::pair<double, double>(1, 1e8),
+                                         std::pair<double, double>(1e-120, 0),
+                                         std::pair<double, double>(1e120, 0)));
+
+TEST(Degenerate_input, random_stars)
+{
+  for (unsigned k = 0; k < 20; ++k) {
+    const unsigned seed = validation::seed() + k;
+    SCOPED_TRACE(seed);
+    CDT cdt = domains::make(domains::random_star(seed));
+    const double area = 0.0625;
+    double outer = 0;
+    const Outline o = domains::random_star(seed)[0];
+    for (std::size_t i = 0; i < o.size(); ++i) {
+      const auto &p = o[i], &q = o[(i + 1) % o.size()];
+      outer += 0.5 * (p.first * q.second - p.second * q.first);
+    }
+    const auto report = relax_and_validate(cdt, size(0.07));
+    EXPECT_NEAR(validation::domain_area(cdt), outer - area, 1e-9);
+    EXPECT_GT(report.quality.mean_quality(), 0.93);
+  }
+}

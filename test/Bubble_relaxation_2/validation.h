@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_TEST_VALIDATION_H
+#define BUBBLE_RELAXATION_2_TEST_VALIDATION_H
+
+#include <CGAL/Mesh_quality_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Oracles: is the result valid, does it contain what it must, is nothing where it must not be.
+namespace validation {
+
+using Xy = std::pair<double, double>;
+using Segment = std::pair<Xy, Xy>;
+
+template <class Vertex_handle>
+Xy xy(Vertex_handle v)
+{
+  return {CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())};
+}
+
+/// the corners and constraints of a triangulation, to compare with later
+struct Snapshot
+{
+  std::set<Xy> vertices;
+  std::vector<Segment> constraints;
+};
+
+template <class CDT>
+Snapshot snapshot(const CDT& cdt)
+{
+  Snapshot s;
+  for (auto v : cdt.finite_vertex_handles())
+    s.vertices.insert(xy(v));
+  for (const auto& e : cdt.finite_edges())
+    if (cdt.is_constrained(e))
+      s.constraints.push_back({(std::min)(xy(e.first->vertex(cdt.ccw(e.second))),
+                                          xy(e.first->vertex(cdt.cw(e.second)))),
+                               (std::max)(xy(e.first->vertex(cdt.ccw(e.second))),
+                                          xy(e.first->vertex(cdt.cw(e.second))))});
+  std::sort(s.constraints.begin(), s.constraints.end());
+  return s;
+}
+
+inline bool operator==(const Snapshot& a, const Snapshot& b)
+{
+  return a.vertices == b.vertices && a.constraints == b.constraints;
+}
+
+inline double length(const Segment& s)
+{
+  return std::hypot(s.second.first - s.first.first, s.second.second - s.first.second);
+}
+
+/// distance of a point from a segment's line, and whether it lies beside the segment
+inline double off(const Segment& s, const Xy& p)
+{
+  const double dx = s.second.first - s.first.first, dy = s.second.second - s.first.second;
+  return std::abs(dx * (p.second - s.first.second) - dy * (p.first - s.first.first)) / length(s);
+}
+
+inline double along(const Segment& s, const Xy& p)
+{
+  const double dx = s.second.first - s.first.first, dy = s.second.second - s.first.second;
+  return (dx * (p.first - s.first.first) + dy * (p.second - s.first.second)) / length(s);
+}
+
+/// every constraint of `before` is a union of constraints of `after`, up to rounding
+inline void expect_constraints_kept(const Snapshot& before, const Snapshot& after)
+{
+  double largest = 0;
+  for (const Xy& p : before.vertices)
+    largest = (std::max)({largest, std::abs(p.first), std::abs(p.second)});
+  const double rounding = 32 * std::numeric_limits<double>::epsilon() * largest;
+  for (const Segment& s : before.constraints) {
+    double covered = 0;
+    for (const Segment& t : after.constraints)
+      if (off(s, t.first) <= rounding && off(s, t.second) <= rounding &&
+          along(s, t.first) >= -rounding && along(s, t.first) <= length(s) + rounding &&
+          along(s, t.second) >= -rounding && along(s, t.second) <= length(s) + rounding)
+        covered += length(t);
+    EXPECT_NEAR(covered, length(s), 1e-9 * length(s) + 64 * rounding)
+      << "constraint from (" << s.first.first << ", " << s.first.second << ") to ("
+      << s.second.first << ", " << s.second.second << ")";
+  }
+}
+
+inline void expect_vertices_kept(const std::set<Xy>& vertices, const Snapshot& after)
+{
+  for (const Xy& p : vertices)
+    EXPECT_EQ(after.vertices.count(p), 1u) << "vertex (" << p.first << ", " << p.second << ")";
+}
+
+/// the area of the faces that are in the domain
+template <class CDT>
+double domain_area(const CDT& cdt)
+{
+  double sum = 0;
+  for (auto f : cdt.finite_face_handles())
+    if (f->is_in_domain()) {
+      const Xy p = xy(f->vertex(0)), q = xy(f->vertex(1)), r = xy(f->vertex(2));
+      sum += 0.5 * ((q.first - p.first) * (r.second - p.second) -
+                    (q.second - p.second) * (r.first - p.first));
+    }
+  return sum;
+}
+
+/// valid, Delaunay, bounded by constraints; and every vertex that is no end of a constraint lies in the
+/// domain
+template <class CDT>
+void expect_valid_mesh(const CDT& cdt)
+{
+  EXPECT_TRUE(cdt.is_valid());
+  for (auto f : cdt.all_face_handles()) {
+    if (cdt.is_infinite(f)) {
+      EXPECT_FALSE(f->is_in_domain());
+      continue;
+    }
+    for (int i = 0; i < 3; ++i)
+      if (!f->is_constrained(i)) {
+        EXPECT_EQ(f->is_in_domain(), f->neighbor(i)->is_in_domain());
+      }
+  }
+}
+
+/// the seed of random input: given in the environment or drawn, and printed
+inline unsigned seed()
+{
+  static const unsigned value = [] {
+    const char* given = std::getenv("BUBBLE_RELAXATION_2_SEED");
+    const unsigned s = given != nullptr ? static_cast<unsigned>(std::atoi(given))
+                                        : std::random_device()();
+    std::cout << "BUBBLE_RELAXATION_2_SEED=" << s << '\n';
+    return s;
+  }();
+  return value;
+}
+
+} // namespace validation
+
+#endif // BUBBLE_RELAXATION_2_TEST_VALIDATION_H
