@@ -60,6 +60,17 @@ inline Outline polygon(double x, double y, double radius, int n)
   return o;
 }
 
+/// the area that an outline encloses, counterclockwise
+inline double area(const Outline& o)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    const auto &p = o[i], &q = o[(i + 1) % o.size()];
+    sum += 0.5 * (p.first * q.second - p.second * q.first);
+  }
+  return sum;
+}
+
 /// a random star-shaped polygon around the origin with a square hole
 inline std::vector<Outline> random_star(unsigned seed)
 {

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Threads do not change a bit.
+
+#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "validation.h"
+
+#include <CGAL/npbs_place_nodes.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+#include <tbb/global_control.h>
+
+TEST(Concurrency, same_bits_for_any_number_of_threads)
+{
+  for (const paper::Domain& domain : {paper::square_with_hole(0.3), paper::graded_circle(0.5)}) {
+    const paper::CDT cdt = paper::triangulate(domain);
+    for (auto integrator :
+         {CGAL::Bubble_integrator::SEMI_IMPLICIT_EULER, CGAL::Bubble_integrator::RUNGE_KUTTA_4}) {
+      const auto np =
+        CGAL::parameters::integrator(integrator).sizing_function(domain.d).number_of_rounds(3);
+      const auto sequential =
+        CGAL::npbs_place_nodes(cdt, np.concurrency_tag(CGAL::Sequential_tag()));
+      ASSERT_GT(sequential.size(), 3000u);
+      for (int threads : {1, 2, 3, 8}) {
+        tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        const auto parallel = CGAL::npbs_place_nodes(cdt, np.concurrency_tag(CGAL::Parallel_tag()));
+        EXPECT_TRUE(parallel.points == sequential.points) << threads;
+        EXPECT_TRUE(parallel.sizes == sequential.sizes) << threads;
+      }
+    }
+  }
+}
+
+TEST(Concurrency, exceptions_of_the_sizing_function_pass_through)
+{
+  const paper::CDT cdt = paper::triangulate(paper::l_shape(1));
+  std::atomic<int> left(2000);
+  const auto d = [&left](const paper::Point&) {
+    if (--left == 0)
+      throw std::runtime_error("enough");
+    return 0.05;
+  };
+  EXPECT_THROW(CGAL::npbs_place_nodes(cdt, CGAL::parameters::sizing_function(std::cref(d))
+                                             .concurrency_tag(CGAL::Parallel_tag())),
+               std::runtime_error);
+}
+
+#else
+
+TEST(Concurrency, needs_tbb)
+{
+  GTEST_SKIP() << "built without TBB";
+}
+
+#endif

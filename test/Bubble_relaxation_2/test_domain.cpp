@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// The domain: which faces belong to it, chains and corners, walks.
+
+#include "domains.h"
+#include "validation.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/expected_number_of_bubbles.h>
+
+using namespace CGAL::Bubble_relaxation_2::internal;
+using domains::CDT;
+
+namespace {
+
+namespace P = CGAL::Bubble_relaxation_parameters;
+
+template <class Parameters>
+double marked_area(const CDT& cdt, const Parameters& parameters)
+{
+  const Domain_marks_2<CDT> is_inside(cdt, parameters);
+  double sum = 0;
+  std::size_t faces = 0;
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    if (is_inside(f)) {
+      sum += cdt.triangle(f).area();
+      ++faces;
+    }
+  EXPECT_EQ(faces, is_inside.number_of_faces());
+  for (CDT::Face_handle f : cdt.all_face_handles())
+    if (cdt.is_infinite(f)) {
+      EXPECT_FALSE(is_inside(f));
+    }
+  return sum;
+}
+
+std::unique_ptr<Domain_reading_2<CDT>> read(const CDT& cdt)
+{
+  const Domain_marks_2<CDT> is_inside(cdt, CGAL::parameters::default_values());
+  return std::make_unique<Domain_reading_2<CDT>>(cdt, is_inside,
+                                                 [](CDT::Vertex_handle) { return false; });
+}
+
+CDT nested()
+{
+  return domains::make({domains::square(0, 0, 6), domains::square(1, 1, 4), domains::square(2, 2, 2)});
+}
+
+} // namespace
+
+TEST(Domain_marks, nesting)
+{
+  EXPECT_DOUBLE_EQ(marked_area(nested(), CGAL::parameters::default_values()), 36 - 16 + 4);
+}
+
+TEST(Domain_marks, nesting_over_the_hull)
+{
+  CDT cdt = nested();
+  cdt.insert(domains::Point(20, 3)); // the hull is no constraint
+  EXPECT_DOUBLE_EQ(marked_area(cdt, CGAL::parameters::default_values()), 36 - 16 + 4);
+}
+
+TEST(Domain_marks, seeds_of_holes)
+{
+  const std::vector<domains::Point> seeds{{3, 3}, {100, 100}};
+  EXPECT_DOUBLE_EQ(marked_area(nested(), P::seeds(seeds)), 36 - 4);
+  const std::vector<domains::Point> none;
+  EXPECT_DOUBLE_EQ(marked_area(nested(), P::seeds(none)), 36);
+}
+
+TEST(Domain_marks, seeds_in_the_domain)
+{
+  const std::vector<domains::Point> seeds{{1.5, 1.5}, {3, 3}};
+  EXPECT_DOUBLE_EQ(marked_area(nested(), P::seeds(seeds).seeds_are_in_domain(true)), 16);
+}
+
+TEST(Domain_marks, existing_marks)
+{
+  CDT cdt = nested();
+  const Domain_marks_2<CDT> inner(
+    cdt, P::seeds(std::vector<domains::Point>{{3, 3}}).seeds_are_in_domain(true));
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    f->set_in_domain(inner(f));
+  EXPECT_DOUBLE_EQ(marked_area(cdt, CGAL::parameters::default_values()), 4);
+}
+
+TEST(Domain_reading, vertices_on_straight_edges_are_no_corners)
+{
+  CDT cdt = domains::make({{{0, 0}, {0.1, 0.03}, {0.7, 0.21}, {1, 0.3}, {0, 1}}});
+  const auto reading = read(cdt);
+  EXPECT_EQ(reading->domain.corners().size(), 3u);
+  ASSERT_EQ(reading->domain.edges().size(), 3u);
+  std::size_t splits = 0;
+  for (const auto& chain : reading->graph->chains())
+    splits += chain.splits.size();
+  EXPECT_EQ(splits, 2u);
+}
+
+TEST(Domain_reading, a_fine_circle_keeps_its_corners)
+{
+  for (double shift : {0., 1e7}) {
+    CDT cdt = domains::make({domains::polygon(shift, -shift, 1, 2000)});
+    const auto reading = read(cdt);
+    EXPECT_EQ(reading->domain.corners().size(), 2000u);
+  }
+}
+
+TEST(Domain_reading, a_crossing_of_constraints_is_a_corner)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  domains::insert(cdt, {{0, 0.5}, {1, 0.5}}, false);
+  const auto reading = read(cdt);
+  EXPECT_EQ(reading->domain.corners().size(), 6u);
+  EXPECT_EQ(reading->domain.edges().size(), 7u);
+}
+
+TEST(Domain_reading, free_vertices)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(0.2, 0.2, 0.3)});
+  cdt.insert(domains::Point(0.7, 0.7)); // in the domain
+  cdt.insert(domains::Point(0.3, 0.3)); // in the hole
+  cdt.insert(domains::Point(2, 3));     // outside
+  EXPECT_EQ(read(cdt)->free.size(), 1u);
+}
+
+TEST(Walk, stops_at_edges_of_the_domain_exactly_when_it_must)
+{
+  // compare with the exact intersection of the segment with all edges
+  CDT cdt = domains::make(domains::random_star(validation::seed()));
+  const auto reading = read(cdt);
+  const Domain_2& domain = reading->domain;
+  std::mt19937 random(validation::seed());
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  std::size_t blocked = 0, free = 0;
+  while (blocked + free < 5000) {
+    const Point p(uniform(random), uniform(random)), q(uniform(random), uniform(random));
+    const Index t = domain.locate(p, 0);
+    if (t == no_index || !domain.is_inside(t))
+      continue;
+    bool crosses = false;
+    for (std::size_t e = 0; e < domain.edges().size(); ++e)
+      crosses = crosses || CGAL::do_intersect(Kernel::Segment_2(p, q),
+                                              Kernel::Segment_2(domain.source(e), domain.target(e)));
+    const Walk_end end = domain.walk(t, p, q);
+    ASSERT_EQ(end.is_blocked(), crosses) << p << " to " << q;
+    if (crosses) {
+      const Index e = domain.edge(end.triangle, end.edge);
+      ASSERT_NE(e, no_index);
+      ASSERT_TRUE(CGAL::do_intersect(Kernel::Segment_2(p, q),
+                                     Kernel::Segment_2(domain.source(e), domain.target(e))));
+      ++blocked;
+    } else {
+      ASSERT_EQ(end.triangle, domain.locate(q, 0));
+      ++free;
+    }
+  }
+  EXPECT_GT(blocked, 100u);
+  EXPECT_GT(free, 100u);
+}
+
+TEST(Walk, locates_points_and_knows_the_outside)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(0.25, 0.25, 0.5)});
+  const auto reading = read(cdt);
+  const auto is_inside = [&](double x, double y) {
+    const Index t = reading->domain.locate(Point(x, y), 0);
+    return t != no_index && reading->domain.is_inside(t);
+  };
+  EXPECT_TRUE(is_inside(0.1, 0.1));
+  EXPECT_TRUE(is_inside(0.9, 0.5));
+  EXPECT_FALSE(is_inside(0.5, 0.5));
+  EXPECT_FALSE(is_inside(1.1, 0.5));
+}
+
+TEST(Expected_number, is_the_integral_of_the_density)
+{
+  CDT cdt = domains::make({domains::square(-1, -1, 2), domains::polygon(0, 0, 0.5, 400)});
+  const auto reading = read(cdt);
+  const auto uniform = [](const Point&) { return 0.01; };
+  const double area = 4 - 3.14159265 * 0.25;
+  EXPECT_NEAR(Expected_number_of_bubbles<decltype(uniform)>(reading->domain, uniform, 1e9)(),
+              2 / std::sqrt(3.) * area / 1e-4, 10);
+  // d = r/80 on a ring of radii 0.5 and 1 and the corners outside: by brute force
+  const auto graded = [](const Point& p) { return std::hypot(p.x(), p.y()) / 80; };
+  double sum = 0;
+  const int n = 2000;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Point p(-1 + 2 * (i + 0.5) / n, -1 + 2 * (j + 0.5) / n);
+      if (std::hypot(p.x(), p.y()) > 0.5)
+        sum += 2 / std::sqrt(3.) / (graded(p) * graded(p)) * 4 / n / n;
+    }
+  EXPECT_NEAR(Expected_number_of_bubbles<decltype(graded)>(reading->domain, graded, 1e9)(), sum,
+              0.01 * sum);
+}

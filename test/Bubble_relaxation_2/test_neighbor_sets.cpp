@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Neighbour sets: equal to brute force for any mixture of sizes, and no interacting pair is ever missed.
+
+#include "domains.h"
+#include "validation.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/integrators.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulate.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
+
+#include <functional>
+
+using namespace CGAL::Bubble_relaxation_2::internal;
+
+namespace {
+
+using Size = std::function<double(double, double)>;
+
+/// bubbles at random in the unit square, all free
+Bubbles_2 random_bubbles(std::size_t n, unsigned seed, const Size& size)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  Bubbles_2 b;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = uniform(random), y = uniform(random);
+    b.add(Point(x, y), size(x, y), Bubbles_2::FACE, 0);
+  }
+  return b;
+}
+
+std::vector<Index> brute_force(const Bubbles_2& b, std::size_t i, double radius)
+{
+  std::vector<Index> result;
+  for (std::size_t j = 0; j < b.size(); ++j)
+    if (j != i && std::hypot(b.x[i] - b.x[j], b.y[i] - b.y[j]) < 0.5 * radius * (b.d[i] + b.d[j]))
+      result.push_back(static_cast<Index>(j));
+  return result;
+}
+
+void expect_equal_to_brute_force(const Bubbles_2& b, const Neighbor_sets_2& sets)
+{
+  for (std::size_t i = 0; i < b.size(); ++i)
+    ASSERT_EQ(std::vector<Index>(sets.begin(i), sets.end(i)), brute_force(b, i, sets.radius())) << i;
+}
+
+const std::vector<std::pair<const char*, Size>> sizes{
+  {"uniform", [](double, double) { return 0.04; }},
+  {"graded", [](double x, double y) { return 0.001 + 0.1 * std::hypot(x, y); }},
+  {"jumps", [](double x, double) { return x < 0.5 ? 0.003 : 0.09; }},
+  {"noise", [](double x, double y) { return 0.002 + 0.08 * std::abs(std::sin(1e4 * x + 3e3 * y)); }},
+  {"spot", [](double x, double y) { return std::hypot(x - 0.3, y - 0.7) < 0.05 ? 1e-6 : 0.07; }}};
+
+} // namespace
+
+TEST(Neighbor_sets, equal_to_brute_force)
+{
+  for (const auto& size : sizes)
+    for (double radius : {1.6, 1.7, 3.}) {
+      SCOPED_TRACE(size.first);
+      const Bubbles_2 b = random_bubbles(800, validation::seed(), size.second);
+      Neighbor_sets_2 sets(radius);
+      sets.build(b);
+      expect_equal_to_brute_force(b, sets);
+    }
+}
+
+TEST(Neighbor_sets, adversarial_sets)
+{
+  Bubbles_2 same_place, line, lattice;
+  for (int i = 0; i < 40; ++i) {
+    same_place.add(Point(0.5, 0.5), 0.1, Bubbles_2::FACE, 0);
+    line.add(Point(1e8 + i, -1e8), i % 3 == 0 ? 5. : 0.5, Bubbles_2::FACE, 0);
+    for (int j = 0; j < 40; ++j) // exactly on the corners of cells
+      lattice.add(Point(i * 0.17, j * 0.17), 0.1, Bubbles_2::FACE, 0);
+  }
+  for (const Bubbles_2* b : {&same_place, &line, &lattice}) {
+    Neighbor_sets_2 sets(1.7);
+    sets.build(*b);
+    expect_equal_to_brute_force(*b, sets);
+  }
+  Neighbor_sets_2 empty(1.7);
+  empty.build(Bubbles_2());
+  EXPECT_EQ(empty.number_of_bubbles(), 0u);
+}
+
+TEST(Neighbor_sets, renewal_from_neighbors_finds_them_in_a_packing)
+{
+  Bubbles_2 b;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j)
+      b.add(Point(i + 0.5 * j, 0.8660254 * j), 1, Bubbles_2::FACE, 0);
+  Neighbor_sets_2 sets(1.7);
+  sets.build(b);
+  std::mt19937 random(validation::seed());
+  std::uniform_real_distribution<double> jitter(-0.1, 0.1);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    b.x[i] += jitter(random);
+    b.y[i] += jitter(random);
+  }
+  sets.renew_from_neighbors(b);
+  expect_equal_to_brute_force(b, sets);
+}
+
+TEST(Neighbor_sets, skin_covers_every_interacting_pair)
+{
+  // as long as no bubble has used up its skin, no pair nearer than 1.5 is missing: move and resize
+  // bubbles at random up to that limit
+  std::mt19937 random(validation::seed());
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  for (const auto& size : sizes) {
+    SCOPED_TRACE(size.first);
+    Bubbles_2 b = random_bubbles(600, random(), size.second);
+    Neighbor_sets_2 sets(1.7);
+    sets.build(b);
+    std::size_t moved = 0;
+    for (int attempt = 0; attempt < 30; ++attempt)
+      for (std::size_t i = 0; i < b.size(); ++i) {
+        const double x = b.x[i], y = b.y[i], d = b.d[i];
+        b.x[i] += 0.08 * d * uniform(random);
+        b.y[i] += 0.08 * d * uniform(random);
+        b.d[i] *= 1 + 0.1 * uniform(random);
+        if (sets.is_outrun_by(b, i)) {
+          b.x[i] = x;
+          b.y[i] = y;
+          b.d[i] = d;
+        } else {
+          ++moved;
+        }
+      }
+    EXPECT_GT(moved, b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      for (Index j : brute_force(b, i, 1.5))
+        ASSERT_TRUE(std::binary_search(sets.begin(i), sets.end(i), j)) << i << ' ' << j;
+  }
+}
+
+namespace {
+
+/// an integrator that checks the sets before each step
+struct Checking_euler
+{
+  Semi_implicit_euler<CGAL::Sequential_tag> euler;
+  std::size_t* checked;
+
+  void operator()(Bubbles_2& b, const Neighbor_sets_2& sets, const Boundary_2& boundary,
+                  Displacements& displacements) const
+  {
+    for (std::size_t i = 0; i < b.size(); ++i)
+      for (Index j : brute_force(b, i, 1.5)) {
+        ASSERT_TRUE(std::binary_search(sets.begin(i), sets.end(i), j)) << i << ' ' << j;
+        ++*checked;
+      }
+    euler(b, sets, boundary, displacements);
+  }
+};
+
+} // namespace
+
+TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
+{
+  Domain_2 square;
+  ASSERT_EQ(square.build({Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)},
+                         {{0, 1, true, false}, {1, 2, true, false}, {2, 3, true, false},
+                          {3, 0, true, false}}),
+            Marking_error::NONE);
+  const auto size = [](double x, double y) { return 0.02 + 0.15 * std::hypot(x - 0.5, y - 0.5); };
+  Bubbles_2 b = random_bubbles(120, validation::seed(), size); // a start that moves a lot
+  for (std::size_t i = 0; i < b.size(); ++i)
+    b.place[i] = square.locate(b.point(i), 0);
+  Relaxation_options options;
+  options.number_of_iterations = 200;
+  options.displacement_tolerance = 0;
+  std::size_t checked = 0;
+  Neighbor_sets_2 sets(options.neighbor_radius);
+  Progress progress({}, 1);
+  CGAL::Bubble_relaxation_seconds seconds;
+  const Round_result result = simulate_round<CGAL::Sequential_tag>(
+    b, sets, Checking_euler{Semi_implicit_euler<CGAL::Sequential_tag>(options), &checked},
+    Boundary_2(square), size, options, progress, seconds);
+  EXPECT_EQ(result.steps, 200u);
+  EXPECT_GT(result.renewals, 1u);
+  EXPECT_LT(result.renewals, 200u);
+  EXPECT_GT(checked, 10000u);
+}
