@@ -32,7 +32,7 @@ public:
   Bubble_buckets_2(double reach, double unit, double x0, double y0, std::size_t expected)
     : m_reach(reach), m_unit(unit), m_x0(x0), m_y0(y0)
   {
-    std::size_t capacity = 64;
+    std::size_t capacity = 1024;
     while (capacity < 3 * expected)
       capacity *= 2;
     m_slots.assign(capacity, Slot());
@@ -46,13 +46,25 @@ public:
     const int level = level_of(d);
     if (m_bubbles.empty())
       m_highest = level;
-    Cell cell = cell_at(level, x, y);
-    Slot& slot = find_or_add(cell);
-    m_bubbles.push_back(Entry{x, y, d, id, slot.first});
-    slot.first = static_cast<Index>(m_bubbles.size()) - 1;
-    if (level > m_highest)
-      raise_top(level);
-    mark_ancestors(cell);
+    m_bubbles.push_back(Entry{x, y, d, id, no_index});
+    add_to_cell(cell_at(level, x, y), static_cast<Index>(m_bubbles.size()) - 1);
+  }
+
+  /// moves the bubble that was the `k`-th to be inserted
+  void move(std::size_t k, double x, double y, double d)
+  {
+    Entry& e = m_bubbles[k];
+    const Cell from = cell_at(level_of(e.d), e.x, e.y), to = cell_at(level_of(d), x, y);
+    e.x = x;
+    e.y = y;
+    e.d = d;
+    if (from == to)
+      return;
+    Index* link = &m_slots[slot_of(from)].first;
+    while (*link != static_cast<Index>(k))
+      link = &m_bubbles[*link].next;
+    *link = e.next;
+    add_to_cell(to, static_cast<Index>(k));
   }
 
   /// calls `visit(id, squared distance, d_j)` for each bubble j near to one of size `d` at (x, y),
@@ -116,17 +128,20 @@ private:
 
   static Cell parent(const Cell& c) { return Cell{c.ix >> 1, c.iy >> 1, c.level + 1}; }
 
+  // Blocks of 8 x 8 cells of a level are hashed and lie together in memory, and so do the cells that
+  // bubbles with neighbouring numbers look at.
   std::size_t slot_of(const Cell& c) const
   {
-    std::uint64_t h = static_cast<std::uint64_t>(c.ix) * 0x9E3779B97F4A7C15u;
-    h ^= static_cast<std::uint64_t>(c.iy) * 0xC2B2AE3D27D4EB4Fu + (h >> 29);
+    std::uint64_t h = static_cast<std::uint64_t>(c.ix >> 3) * 0x9E3779B97F4A7C15u;
+    h ^= static_cast<std::uint64_t>(c.iy >> 3) * 0xC2B2AE3D27D4EB4Fu + (h >> 29);
     h ^= static_cast<std::uint64_t>(c.level) * 0x165667B19E3779F9u;
     h ^= h >> 32;
     h *= 0xD6E8FEB86659FD93u;
     h ^= h >> 32;
-    std::size_t k = h & (m_slots.size() - 1);
-    while (m_slots[k].used && !(m_slots[k].cell == c))
-      k = (k + 1) & (m_slots.size() - 1);
+    const std::size_t within = static_cast<std::size_t>((c.ix & 7) | ((c.iy & 7) << 3));
+    std::size_t k = (h * 64 + within) & (m_slots.size() - 1);
+    for (int attempt = 0; m_slots[k].used && !(m_slots[k].cell == c); ++attempt)
+      k = (k + (attempt < 8 ? 64 : 1)) & (m_slots.size() - 1);
     return k;
   }
 
@@ -149,6 +164,16 @@ private:
       ++m_used;
     }
     return m_slots[k];
+  }
+
+  void add_to_cell(const Cell& cell, Index k)
+  {
+    Slot& slot = find_or_add(cell);
+    m_bubbles[k].next = slot.first;
+    slot.first = k;
+    if (cell.level > m_highest)
+      raise_top(cell.level);
+    mark_ancestors(cell);
   }
 
   void grow()

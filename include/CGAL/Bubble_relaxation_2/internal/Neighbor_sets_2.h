@@ -15,6 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -22,60 +25,79 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The neighbour sets of section 2.1.3 of the paper (Verlet lists): for each bubble all others nearer
-/// than `radius` times the mean of the two sizes, sorted by index, in one array.
+/// than `radius` times the mean of the two sizes, sorted by index.
 ///
-/// With sizes d and a force that ends at 1.5 d, a set of radius r misses no interacting pair while
-/// each bubble i keeps  moved_i + 0.75 (d_i - d_i at renewal) <= (r - 1.5) / 2 * d_i at renewal:
-/// a pair outside the sets was at least r (d_i + d_j) / 2 apart, and the sum of both inequalities
-/// leaves 1.5 times the mean of the present sizes.
+/// Distances and sizes are those of the references: each bubble has one, what it was at its last
+/// renewal. With a force that ends at 1.5 d, a set of radius r misses no interacting pair while each
+/// bubble i keeps  moved_i + 0.75 (d_i - d_i at its reference) <= (r - 1.5) / 2 * d_i at its reference:
+/// the references of a pair outside the sets are at least r (d_i + d_j) / 2 apart, and the sum of both
+/// inequalities leaves 1.5 times the mean of the present sizes. So a bubble that has used up its skin
+/// can be renewed alone.
 class Neighbor_sets_2
 {
 public:
   explicit Neighbor_sets_2(double radius) : m_radius(radius) {}
 
   double radius() const { return m_radius; }
-  std::size_t number_of_bubbles() const { return m_first.empty() ? 0 : m_first.size() - 1; }
-  std::size_t number_of_pairs() const { return m_neighbors.size() / 2; }
+  std::size_t number_of_bubbles() const { return m_sets.size(); }
 
-  const Index* begin(std::size_t i) const { return m_neighbors.data() + m_first[i]; }
-  const Index* end(std::size_t i) const { return m_neighbors.data() + m_first[i + 1]; }
+  const Index* begin(std::size_t i) const { return m_pool.data() + m_sets[i].first; }
+  const Index* end(std::size_t i) const { return begin(i) + m_sets[i].size; }
 
   /// finds all neighbours anew with buckets
   void build(const Bubbles_2& bubbles)
   {
+    start(bubbles);
     const std::size_t n = bubbles.size();
-    start(n);
-    if (n == 0) {
-      remember(bubbles);
+    if (n == 0)
       return;
-    }
-    Bubble_buckets_2 buckets(m_radius, bubbles.d[0], bubbles.x[0], bubbles.y[0], n);
+    m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, bubbles.d[0], bubbles.x[0],
+                                                   bubbles.y[0], n);
     for (std::size_t i = 0; i < n; ++i)
-      buckets.insert(static_cast<Index>(i), bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+      m_buckets->insert(static_cast<Index>(i), bubbles.x[i], bubbles.y[i], bubbles.d[i]);
     for (std::size_t i = 0; i < n; ++i) {
-      buckets.for_each_near(bubbles.x[i], bubbles.y[i], bubbles.d[i],
-                            [&](Index j, double, double) {
-                              if (static_cast<std::size_t>(j) != i)
-                                m_neighbors.push_back(j);
-                              return true;
-                            });
-      finish(i);
+      find_neighbors(i);
+      append(m_found);
     }
-    remember(bubbles);
   }
 
-  /// the paper's renewal: neighbours and their neighbours, as far as they are within the radius
+  /// renews the bubbles that have used up their skin, in the sets of their neighbours too
+  /// \pre the sets were made by `build()` from as many bubbles
+  void renew(const Bubbles_2& bubbles, const std::vector<char>& is_outrun)
+  {
+    std::size_t number = 0;
+    for (char outrun : is_outrun)
+      number += outrun;
+    if (3 * number > bubbles.size()) {
+      build(bubbles);
+      return;
+    }
+    for (std::size_t i = 0; i < is_outrun.size(); ++i) {
+      if (!is_outrun[i])
+        continue;
+      m_x[i] = bubbles.x[i];
+      m_y[i] = bubbles.y[i];
+      m_d[i] = bubbles.d[i];
+      m_buckets->move(i, m_x[i], m_y[i], m_d[i]);
+      find_neighbors(i);
+      replace(static_cast<Index>(i));
+    }
+  }
+
+  /// the paper's renewal of all sets: neighbours and their neighbours, as far as they are within the
+  /// radius now
   void renew_from_neighbors(const Bubbles_2& bubbles)
   {
+    std::vector<Set> old_sets;
+    std::vector<Index> old_pool;
+    old_sets.swap(m_sets);
+    old_pool.swap(m_pool);
+    start(bubbles);
     const std::size_t n = bubbles.size();
-    std::vector<std::size_t> old_first;
-    std::vector<Index> old_neighbors;
-    old_first.swap(m_first);
-    old_neighbors.swap(m_neighbors);
-    start(n);
     std::vector<std::size_t> seen_by(n, n);
     for (std::size_t i = 0; i < n; ++i) {
       seen_by[i] = i;
+      m_found.clear();
       const auto consider = [&](Index j) {
         if (seen_by[j] == i)
           return;
@@ -83,17 +105,18 @@ public:
         const double reach = 0.5 * m_radius * (bubbles.d[i] + bubbles.d[j]);
         const double dx = bubbles.x[j] - bubbles.x[i], dy = bubbles.y[j] - bubbles.y[i];
         if (dx * dx + dy * dy < reach * reach)
-          m_neighbors.push_back(j);
+          m_found.push_back(j);
       };
-      for (std::size_t k = old_first[i]; k < old_first[i + 1]; ++k) {
-        const Index j = old_neighbors[k];
+      for (std::size_t k = 0; k < old_sets[i].size; ++k) {
+        const Index j = old_pool[old_sets[i].first + k];
         consider(j);
-        for (std::size_t l = old_first[j]; l < old_first[j + 1]; ++l)
-          consider(old_neighbors[l]);
+        for (std::size_t l = 0; l < old_sets[j].size; ++l)
+          consider(old_pool[old_sets[j].first + l]);
       }
-      finish(i);
+      std::sort(m_found.begin(), m_found.end());
+      append(m_found);
     }
-    remember(bubbles);
+    m_buckets.reset(); // their bubbles are not where they were
   }
 
   /// whether bubble `i` has used up its share of the skin, see above
@@ -105,31 +128,101 @@ public:
   }
 
 private:
-  void start(std::size_t n)
+  /// a bubble's neighbours: `size` numbers in the pool from `first`, room for `capacity`
+  struct Set
   {
-    m_first.assign(1, 0);
-    m_first.reserve(n + 1);
-    m_neighbors.clear();
-    m_neighbors.reserve(9 * n);
-  }
+    std::size_t first;
+    std::uint32_t size, capacity;
+  };
 
-  void finish(std::size_t i)
+  void start(const Bubbles_2& bubbles)
   {
-    std::sort(m_neighbors.begin() + m_first[i], m_neighbors.end());
-    m_first.push_back(m_neighbors.size());
-  }
-
-  void remember(const Bubbles_2& bubbles)
-  {
+    m_sets.clear();
+    m_sets.reserve(bubbles.size());
+    m_pool.clear();
+    m_pool.reserve(10 * bubbles.size());
     m_x = bubbles.x;
     m_y = bubbles.y;
     m_d = bubbles.d;
   }
 
+  /// the neighbours of bubble `i` by references, sorted, into `m_found`
+  void find_neighbors(std::size_t i)
+  {
+    m_found.clear();
+    m_buckets->for_each_near(m_x[i], m_y[i], m_d[i], [&](Index j, double, double) {
+      if (static_cast<std::size_t>(j) != i)
+        m_found.push_back(j);
+      return true;
+    });
+    std::sort(m_found.begin(), m_found.end());
+  }
+
+  void append(const std::vector<Index>& set)
+  {
+    const std::uint32_t size = static_cast<std::uint32_t>(set.size());
+    const std::uint32_t capacity = size + 1; // bubbles rarely get more than one more
+    m_sets.push_back(Set{m_pool.size(), size, capacity});
+    m_pool.insert(m_pool.end(), set.begin(), set.end());
+    m_pool.resize(m_pool.size() + capacity - size);
+  }
+
+  /// makes `m_found` the set of bubble `i`, and tells the bubbles that are neighbours no more, or newly
+  void replace(Index i)
+  {
+    m_left.clear();
+    m_joined.clear();
+    std::set_difference(begin(i), end(i), m_found.begin(), m_found.end(), std::back_inserter(m_left));
+    std::set_difference(m_found.begin(), m_found.end(), begin(i), end(i),
+                        std::back_inserter(m_joined));
+    for (Index j : m_left)
+      erase(j, i);
+    for (Index j : m_joined)
+      insert(j, i);
+    make_room(i, m_found.size());
+    std::copy(m_found.begin(), m_found.end(), m_pool.begin() + m_sets[i].first);
+    m_sets[i].size = static_cast<std::uint32_t>(m_found.size());
+  }
+
+  void erase(Index i, Index neighbor)
+  {
+    Set& s = m_sets[i];
+    const auto first = m_pool.begin() + s.first, last = first + s.size;
+    std::copy(std::lower_bound(first, last, neighbor) + 1, last,
+              std::lower_bound(first, last, neighbor));
+    --s.size;
+  }
+
+  void insert(Index i, Index neighbor)
+  {
+    make_room(i, m_sets[i].size + 1);
+    Set& s = m_sets[i];
+    const auto first = m_pool.begin() + s.first, last = first + s.size;
+    const auto position = std::lower_bound(first, last, neighbor);
+    std::copy_backward(position, last, last + 1);
+    *position = neighbor;
+    ++s.size;
+  }
+
+  /// moves a set that grows too large to the end of the pool; `build()` closes the gaps
+  void make_room(Index i, std::size_t size)
+  {
+    Set& s = m_sets[i];
+    if (size <= s.capacity)
+      return;
+    s.capacity = static_cast<std::uint32_t>(size + size / 2 + 1);
+    const std::size_t first = m_pool.size();
+    m_pool.resize(first + s.capacity);
+    std::copy_n(m_pool.begin() + s.first, s.size, m_pool.begin() + first);
+    s.first = first;
+  }
+
   double m_radius;
-  std::vector<std::size_t> m_first; // first neighbour of each bubble, and the end
-  std::vector<Index> m_neighbors;
-  std::vector<double> m_x, m_y, m_d; // at the last renewal
+  std::vector<Set> m_sets;
+  std::vector<Index> m_pool;
+  std::vector<double> m_x, m_y, m_d; // the references
+  std::unique_ptr<Bubble_buckets_2> m_buckets;
+  std::vector<Index> m_found, m_left, m_joined;
 };
 
 } // namespace internal

@@ -22,20 +22,27 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The displacements that an integrator wants the bubbles to make in one step.
+/// The displacements that an integrator wants the bubbles to make in one step, and which bubbles were
+/// moving in the step before.
 struct Displacements
 {
   std::vector<double> x, y;
+  std::vector<char> was_moving, is_moving;
 
-  void resize(std::size_t n)
+  void start_step(std::size_t n)
   {
     x.resize(n);
     y.resize(n);
+    if (is_moving.size() != n)
+      is_moving.assign(n, 1);
+    was_moving.swap(is_moving);
+    is_moving.resize(n);
   }
 };
 
 /// One step of eq. 3 in units of the local size, which makes it scale-free:
 ///   v <- (1 - h c/m) v + h k0/m F,   x <- x + h d v.
+/// A bubble sleeps while it and its neighbours hardly move: after some dozen steps most do.
 template <class Concurrency_tag>
 class Semi_implicit_euler
 {
@@ -44,16 +51,18 @@ public:
 
   explicit Semi_implicit_euler(const Relaxation_options& o)
     : m_force{o.force_coefficient}, m_step(o.time_step),
-      m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass)
+      m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass),
+      m_hardly(share_of_tolerance * o.displacement_tolerance)
   {}
 
   void operator()(Bubbles_2& b, const Neighbor_sets_2& neighbors, const Boundary_2& boundary,
                   Displacements& displacements) const
   {
-    displacements.resize(b.size());
+    displacements.start_step(b.size());
     parallel_for<Concurrency_tag>(b.size(), [&](std::size_t i) {
-      if (b.is_corner(i)) {
-        displacements.x[i] = displacements.y[i] = 0;
+      if (b.is_corner(i) || sleeps(i, neighbors, displacements.was_moving)) {
+        displacements.x[i] = displacements.y[i] = b.vx[i] = b.vy[i] = 0;
+        displacements.is_moving[i] = 0;
         return;
       }
       Force f = resultant_force(m_force, neighbors, b.x.data(), b.y.data(), b.d.data(), i);
@@ -62,12 +71,29 @@ public:
       b.vy[i] = m_keep * b.vy[i] + m_push * f.y;
       displacements.x[i] = m_step * b.d[i] * b.vx[i];
       displacements.y[i] = m_step * b.d[i] * b.vy[i];
+      const double far = m_step * m_step * (b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i]);
+      displacements.is_moving[i] = far > m_hardly * m_hardly;
     });
   }
 
 private:
+  /// a bubble that moves less than this times the tolerance may fall asleep
+  static constexpr double share_of_tolerance = 0.2;
+
+  static bool sleeps(std::size_t i, const Neighbor_sets_2& neighbors,
+                     const std::vector<char>& was_moving)
+  {
+    if (was_moving[i])
+      return false;
+    for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
+      if (was_moving[*j])
+        return false;
+    return true;
+  }
+
   Bubble_force_2 m_force;
   double m_step, m_keep, m_push;
+  double m_hardly; // displacement over d
 };
 
 /// One step of eq. 3 by the classical Runge-Kutta method, in length units as in the paper. Sizes stay
@@ -86,7 +112,7 @@ public:
                   Displacements& displacements)
   {
     const std::size_t n = b.size();
-    displacements.resize(n);
+    displacements.start_step(n);
     for (std::vector<double>* a : {&m_x, &m_y, &m_next_x, &m_next_y, &m_vx, &m_vy, &m_sum_vx,
                                    &m_sum_vy})
       a->assign(n, 0);

@@ -17,7 +17,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/integrators.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
-#include <atomic>
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -60,7 +61,7 @@ private:
 };
 
 /// Makes or renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
-/// neighbours of neighbours; by default with buckets, as soon as a bubble has used up its skin.
+/// neighbours of neighbours; by default for the bubbles that have used up their skin, with buckets.
 class Renewal
 {
 public:
@@ -68,11 +69,13 @@ public:
     : m_neighbors(neighbors), m_interval(options.renewal_interval)
   {}
 
-  /// returns whether the sets were renewed
-  bool operator()(const Bubbles_2& bubbles, std::size_t step, bool skin_is_used_up)
+  /// `is_outrun`: whether each bubble has used up its skin; returns whether anything was renewed
+  bool operator()(const Bubbles_2& bubbles, std::size_t step, const std::vector<char>& is_outrun)
   {
-    if (step == 0 || (m_interval == 0 && skin_is_used_up))
+    if (step == 0)
       m_neighbors.build(bubbles);
+    else if (m_interval == 0 && std::find(is_outrun.begin(), is_outrun.end(), 1) != is_outrun.end())
+      m_neighbors.renew(bubbles, is_outrun);
     else if (m_interval != 0 && step % m_interval == 0)
       m_neighbors.renew_from_neighbors(bubbles);
     else
@@ -85,6 +88,16 @@ private:
   std::size_t m_interval;
 };
 
+/// What a step did to each bubble.
+struct Step_flags
+{
+  explicit Step_flags(std::size_t n) : rests(n, 0), returned(n, 0), is_outrun(n, 0) {}
+
+  std::vector<char> rests;     ///< moved less than the tolerance
+  std::vector<char> returned;  ///< left its face and was put back
+  std::vector<char> is_outrun; ///< has used up its skin
+};
+
 /// One round of Fig. 2 of the paper: steps until the bubbles rest, `number_of_iterations` at most.
 template <class Concurrency_tag, class Integrator, class Sizing, class Seconds>
 Round_result simulate_round(Bubbles_2& bubbles, Neighbor_sets_2& neighbors, Integrator integrator,
@@ -95,8 +108,7 @@ Round_result simulate_round(Bubbles_2& bubbles, Neighbor_sets_2& neighbors, Inte
   Renewal renew(neighbors, options);
   Size_update<Sizing> update_size(bubbles, sizing);
   Displacements displacements;
-  std::vector<char> rests(bubbles.size()), returned(bubbles.size());
-  std::atomic<bool> skin_is_used_up(false);
+  Step_flags flags(bubbles.size());
 
   while (result.steps < options.number_of_iterations && !result.is_at_rest) {
     if (!progress.report_step(result.steps, options.number_of_iterations)) {
@@ -105,27 +117,22 @@ Round_result simulate_round(Bubbles_2& bubbles, Neighbor_sets_2& neighbors, Inte
     }
     {
       const Phase_timer timer(seconds.renewal);
-      result.renewals += renew(bubbles, result.steps, skin_is_used_up);
-      skin_is_used_up = false;
+      result.renewals += renew(bubbles, result.steps, flags.is_outrun);
     }
     const Phase_timer timer(seconds.motion);
     integrator(bubbles, neighbors, boundary, displacements);
     parallel_for<Concurrency_tag>(bubbles.size(), [&](std::size_t i) {
       const double x = bubbles.x[i], y = bubbles.y[i];
-      returned[i] = boundary.move(bubbles, i, displacements.x[i], displacements.y[i]);
+      flags.returned[i] = boundary.move(bubbles, i, displacements.x[i], displacements.y[i]);
       update_size(bubbles, i);
       const double dx = bubbles.x[i] - x, dy = bubbles.y[i] - y;
       const double little = options.displacement_tolerance * bubbles.d[i];
-      rests[i] = dx * dx + dy * dy <= little * little;
-      if (neighbors.is_outrun_by(bubbles, i))
-        skin_is_used_up.store(true, std::memory_order_relaxed);
+      flags.rests[i] = dx * dx + dy * dy <= little * little;
+      flags.is_outrun[i] = neighbors.is_outrun_by(bubbles, i);
     });
     ++result.steps;
-    result.is_at_rest = true;
-    for (std::size_t i = 0; i < bubbles.size(); ++i) {
-      result.returns += returned[i];
-      result.is_at_rest = result.is_at_rest && rests[i];
-    }
+    result.returns += std::count(flags.returned.begin(), flags.returned.end(), 1);
+    result.is_at_rest = std::find(flags.rests.begin(), flags.rests.end(), 0) == flags.rests.end();
   }
   return result;
 }

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+/*!
+\ingroup PkgBubbleRelaxation2Concepts
+\cgalConcept
+
+The concept `BubbleSizingField_2` describes the wanted distance d of neighbouring bubbles as a function of
+the place.
+
+It is called many times, at points of the domain, its boundary included, where it must return a positive
+and finite number; everything else makes `npbs_relax()` throw. Its value must depend on the point only. It
+need not be continuous, but a mesh cannot follow a size that changes faster than about 0.3 times the
+distance. With `Parallel_tag` it is called by several threads at once.
+
+\cgalHasModelsBegin
+\cgalHasModels{any function object or lambda with this signature}
+\cgalHasModelsEnd
+
+\sa `CGAL::npbs_relax()`
+\sa `CGAL::Bubble_mesh_criteria_2`
+*/
+class BubbleSizingField_2
+{
+public:
+  /// the number type of the kernel, or another that converts to `double`
+  typedef unspecified_type FT;
+
+  /// the point type of the triangulation's traits
+  typedef unspecified_type Point_2;
+
+  /// returns the wanted distance at `p`, in the units of the coordinates.
+  FT operator()(const Point_2& p) const;
+};
