@@ -10,9 +10,13 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXAT
 cmake --build build/release
 mkdir -p build/figures
 cd build/figures
-for example in relax_a_square_with_hole refine_an_existing_mesh node_placement paper_figures; do
+for example in relax_a_square_with_hole refine_an_existing_mesh node_placement; do
   ../release/examples/Bubble_relaxation_2/$example
 done
-for picture in *.svg; do
-  rsvg-convert --width 1000 "$picture" -o "$here/doc/Bubble_relaxation_2/fig/${picture%.svg}.png"
+figures=$here/doc/Bubble_relaxation_2/fig
+../release/examples/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
+../release/examples/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
+# those that the manual shows
+for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
+  rsvg-convert --width 1000 "${picture%.png}.svg" -o "$figures/$picture"
 done

@@ -24,6 +24,8 @@
 
 namespace CGAL {
 
+#ifndef DOXYGEN_RUNNING
+
 namespace internal_np {
 
 #define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
@@ -87,9 +89,12 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 };
 
+#endif // DOXYGEN_RUNNING
+
 /// All names, CGAL's and the package's, to start a pack with: from here any order of setters works.
 namespace Bubble_relaxation_parameters {
 
+#ifndef DOXYGEN_RUNNING
 #define CGAL_add_named_parameter(X, Y, Z)                                                            \
   template <class K>                                                                                 \
   Bubble_relaxation_named_parameters<K, internal_np::X> Z(const K& k)                                \
@@ -117,6 +122,7 @@ namespace Bubble_relaxation_parameters {
 #undef CGAL_add_extra_named_parameter_with_compatibility
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
+#endif // DOXYGEN_RUNNING
 
 /*!
 \ingroup PkgBubbleRelaxation2Parameters
@@ -125,7 +131,7 @@ namespace Bubble_relaxation_parameters {
 
 `integrator(Bubble_integrator::RUNGE_KUTTA_4)`, `force_coefficient(1)`, `mass(1)`, `damping(3.8429)`,
 `time_step(0.02)`, `number_of_iterations(250)`, `number_of_rounds(6)`, `neighbor_radius(1.7)`,
-`renewal_interval(10)`, `initial_placement(Bubble_placement::RHOMBIC)` and
+`renewal_interval(10)`, `displacement_tolerance(0)`, `initial_placement(Bubble_placement::RHOMBIC)` and
 `population_control(Bubble_population::OVERLAP_RATIO)`. They are in units of length and time, for sizes
 of a few hundredths; the renewal interval, which the paper calls k, has no value there.
 */
@@ -140,11 +146,14 @@ inline auto npbs_paper_parameters()
     .number_of_rounds(std::size_t(6))
     .neighbor_radius(1.7)
     .renewal_interval(std::size_t(10))
+    .displacement_tolerance(0.)
     .initial_placement(Bubble_placement::RHOMBIC)
     .population_control(Bubble_population::OVERLAP_RATIO);
 }
 
 } // namespace Bubble_relaxation_parameters
+
+#ifndef DOXYGEN_RUNNING
 
 namespace parameters {
 
@@ -165,6 +174,8 @@ auto sizing_function(K&& k)
 #endif
 
 } // namespace parameters
+
+#endif // DOXYGEN_RUNNING
 
 using Bubble_relaxation_parameters::npbs_paper_parameters;
 

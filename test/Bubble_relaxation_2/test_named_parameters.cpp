@@ -92,6 +92,7 @@ TEST(Named_parameters, of_the_paper)
   EXPECT_EQ(o.number_of_iterations, 250u);
   EXPECT_EQ(o.neighbor_radius, 1.7);
   EXPECT_EQ(o.renewal_interval, 10u);
+  EXPECT_EQ(o.displacement_tolerance, 0);
   EXPECT_EQ(o.placement, CGAL::Bubble_placement::RHOMBIC);
   EXPECT_EQ(o.population, CGAL::Bubble_population::OVERLAP_RATIO);
 }
