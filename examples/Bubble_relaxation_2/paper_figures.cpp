@@ -104,7 +104,7 @@ void show_figures(const std::set<int>& figures)
          P::npbs_paper_parameters().number_of_iterations(d.iterations).number_of_rounds(d.rounds));
   }
   if (wanted(19))
-    show_refinement("paper", P::npbs_paper_parameters());
+    show_refinement("paper", P::npbs_paper_parameters().number_of_rounds(4));
 
   std::cout << "\nwith the defaults\n";
   print_header();

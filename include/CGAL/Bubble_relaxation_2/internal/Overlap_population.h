@@ -32,9 +32,9 @@ class Overlap_population
 {
 public:
   /// delete a bubble whose ratio is larger
-  double largest_ratio = 7.2;
+  double largest_ratio = 7;
   /// insert a bubble beside one whose ratio is smaller
-  double smallest_ratio = 5;
+  double smallest_ratio = 5.3;
   /// an inserted bubble is no nearer to another than this, in units of the mean size
   double least_distance = 0.75;
 
