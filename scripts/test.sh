@@ -21,9 +21,9 @@ build_and_test() { # NAME OPTION...
 build_and_test test -DCMAKE_BUILD_TYPE=Release
 
 # what reads and writes the most, with sanitizers
-build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" \
   -DBUBBLE_RELAXATION_2_SANITIZE=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF \
-  -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(relax|write_back|bad_input|domain)"
+  -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(bad_input|domain|neighbor_sets|degenerate_input)"
 
 # newer versions of CGAL, where they can be had
 if scripts/fetch_cgal.sh build/cgal > build/cgal.list; then

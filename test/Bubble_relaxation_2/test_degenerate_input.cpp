@@ -127,6 +127,20 @@ TEST(Degenerate_input, single_triangle)
   EXPECT_EQ(report.number_of_vertices, 3u);
 }
 
+TEST(Degenerate_input, size_that_falls_below_all_roundings)
+{
+  for (double x : {0., 1.}) { // the fine place is an end of edges, at zero and at a number with roundings
+    CDT cdt = domains::make({domains::square(0, 0, 1)});
+    const auto d = [x](const domains::Point& p) {
+      return 0.2 * std::hypot(p.x() - x, p.y() - x) + 1e-40;
+    };
+    const auto report = relax_and_validate(
+      cdt, CGAL::parameters::sizing_function(d).number_of_rounds(1).number_of_iterations(5));
+    EXPECT_GT(report.number_of_vertices, 500u);
+    EXPECT_LT(report.number_of_vertices, 20000u);
+  }
+}
+
 class Scaled_and_shifted : public testing::TestWithParam<std::pair<double, double>>
 {};
 

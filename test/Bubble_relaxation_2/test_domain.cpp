@@ -165,6 +165,29 @@ TEST(Walk, stops_at_edges_of_the_domain_exactly_when_it_must)
   EXPECT_GT(free, 100u);
 }
 
+TEST(Walk, locates_every_point_from_every_triangle)
+{
+  CDT cdt = domains::make(domains::random_star(validation::seed()));
+  const auto reading = read(cdt);
+  const auto& tr = reading->domain.triangulation();
+  std::mt19937 random(validation::seed());
+  std::uniform_real_distribution<double> uniform(-1.1, 1.1);
+  std::size_t inside = 0, outside = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Point q(uniform(random), uniform(random));
+    Index expected = no_index;
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      if (!tr.is_beyond(static_cast<Index>(t), 0, q) && !tr.is_beyond(static_cast<Index>(t), 1, q) &&
+          !tr.is_beyond(static_cast<Index>(t), 2, q))
+        expected = static_cast<Index>(t);
+    ++(expected == no_index ? outside : inside);
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      ASSERT_EQ(reading->domain.locate(q, static_cast<Index>(t)), expected) << q << " from " << t;
+  }
+  EXPECT_GT(inside, 100u);
+  EXPECT_GT(outside, 10u);
+}
+
 TEST(Walk, locates_points_and_knows_the_outside)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(0.25, 0.25, 0.5)});

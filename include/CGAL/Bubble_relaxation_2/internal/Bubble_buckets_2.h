@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +44,7 @@ public:
 
   void insert(Index id, double x, double y, double d)
   {
-    const int level = level_of(d);
+    const int level = level_of(x, y, d);
     if (m_bubbles.empty())
       m_highest = level;
     m_bubbles.push_back(Entry{x, y, d, id, no_index});
@@ -54,7 +55,8 @@ public:
   void move(std::size_t k, double x, double y, double d)
   {
     Entry& e = m_bubbles[k];
-    const Cell from = cell_at(level_of(e.d), e.x, e.y), to = cell_at(level_of(d), x, y);
+    const Cell from = cell_at(level_of(e.x, e.y, e.d), e.x, e.y);
+    const Cell to = cell_at(level_of(x, y, d), x, y);
     e.x = x;
     e.y = y;
     e.d = d;
@@ -75,7 +77,7 @@ public:
     if (m_bubbles.empty())
       return true;
     // up: cells of the own level and above that the reach can touch; at most 3 x 3 a level
-    const int own = level_of(d);
+    const int own = level_of(x, y, d);
     for (int level = m_highest; level > own; --level)
       if (!visit_level(level, x, y, d, false, visit))
         return false;
@@ -112,10 +114,20 @@ private:
   double bound(int level) const { return std::ldexp(m_unit, level); } // largest d in the level
   double side(int level) const { return m_reach * bound(level); }
 
-  int level_of(double d) const
+  /// the lowest level whose bound is at least d, but not so low that coordinates of cells overflow
+  int level_of(double x, double y, double d) const
+  {
+    constexpr int bits = 48;
+    const int level = exponent_above(d / m_unit);
+    const double far = (std::max)(std::abs(x - m_x0), std::abs(y - m_y0));
+    return far > 0 ? (std::max)(level, exponent_above(far / (m_reach * m_unit)) - bits) : level;
+  }
+
+  // the least e with value <= 2^e
+  static int exponent_above(double value)
   {
     int exponent;
-    const double mantissa = std::frexp(d / m_unit, &exponent);
+    const double mantissa = std::frexp(value, &exponent);
     return mantissa == 0.5 ? exponent - 1 : exponent;
   }
 

@@ -201,14 +201,9 @@ public:
     return end.is_blocked() ? no_index : end.triangle;
   }
 
-  /// the triangle of the domain's convex hull that contains `q`, found by a walk from a corner of
-  /// `hint` which ignores all edges; `no_index` if `q` lies outside the hull
-  Index locate(const Point& q, Index hint) const
-  {
-    const Walk_end end = walk_straight(m_marked.tr, hint, m_marked.tr.point(hint, 0), q,
-                                       [](Index, int) { return false; });
-    return end.is_blocked() ? no_index : end.triangle;
-  }
+  /// the triangle that contains `q`, in or out of the domain, searched from `hint`; `no_index` if `q`
+  /// lies outside of the convex hull
+  Index locate(const Point& q, Index hint) const { return internal::locate(m_marked.tr, hint, q); }
 
 private:
   struct Side

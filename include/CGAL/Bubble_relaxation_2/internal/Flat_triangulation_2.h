@@ -95,6 +95,31 @@ Walk_end walk_straight(const Flat_triangulation_2& tr, Index t, const Point& p, 
   }
 }
 
+/// The triangle that contains `q`, or `no_index` if `q` lies outside of the convex hull: a walk from `t`
+/// over edges that `q` lies beyond, in changing order, since a fixed order can go round in circles where
+/// the triangulation is not Delaunay.
+inline Index locate(const Flat_triangulation_2& tr, Index t, const Point& q)
+{
+  std::uint32_t order = 1;
+  int entry = -1;
+  for (;;) {
+    order = 1664525u * order + 1013904223u;
+    int exit = -1;
+    for (int k = 0; k < 3 && exit == -1; ++k) {
+      const int i = static_cast<int>(((order >> 16) + k) % 3);
+      if (i != entry && tr.is_beyond(t, i, q))
+        exit = i;
+    }
+    if (exit == -1)
+      return t;
+    const Index next = tr.neighbors[t][exit];
+    if (next == no_index)
+      return no_index;
+    entry = tr.index_of_neighbor(next, t);
+    t = next;
+  }
+}
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL

@@ -38,11 +38,11 @@ public:
   double operator()(double x, double y) const
   {
     const Point q(x, y);
-    const Index start = m_hint.load(std::memory_order_relaxed);
-    const Walk_end end =
-      walk_straight(m_tr, start, m_tr.point(start, 0), q, [](Index, int) { return false; });
-    m_hint.store(end.triangle, std::memory_order_relaxed);
-    return end.is_blocked() ? nearest_on_hull(q) : interpolate(end.triangle, q);
+    const Index found = locate(m_tr, m_hint.load(std::memory_order_relaxed), q);
+    if (found == no_index)
+      return nearest_on_hull(q);
+    m_hint.store(found, std::memory_order_relaxed);
+    return interpolate(found, q);
   }
 
   double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }

@@ -37,7 +37,14 @@ struct Edge_integral
   }
 };
 
-/// Integrates ds/d with steps that follow d, by the trapezoidal rule.
+/// The integral of ds/d over a piece of the given length on which d is linear.
+inline double integrate_piece(double length, double d, double next_d)
+{
+  return std::abs(next_d - d) < 1e-4 * d ? 2 * length / (d + next_d)
+                                         : length / (next_d - d) * std::log(next_d / d);
+}
+
+/// Integrates ds/d with steps that follow d, as if d were linear in each.
 template <class Sizing>
 Edge_integral integrate_edge(const Domain_2& domain, Index e, const Sizing& sizing)
 {
@@ -47,16 +54,17 @@ Edge_integral integrate_edge(const Domain_2& domain, Index e, const Sizing& sizi
   Edge_integral integral{{0}, {0}};
   double s = 0, d = sizing(domain.source(e));
   while (s < 1) {
-    double step = (std::min)(step_in_sizes * d / length, 1. / least_steps);
+    // s must grow even where d is less than the rounding of s
+    double step = (std::max)(1e-15, (std::min)(step_in_sizes * d / length, 1. / least_steps));
     double next = 0, next_d = 0;
     for (;; step /= 2) { // a steep fall of d asks for smaller steps
       next = s + step > 1 - step / 2 ? 1 : s + step;
       next_d = sizing(domain.point_on_edge(e, next));
-      if (next_d >= 0.5 * d || (next - s) * length < 0.01 * next_d)
+      if (next_d >= 0.5 * d || (next - s) * length < 0.01 * next_d || step < 2e-15)
         break;
     }
     integral.s.push_back(next);
-    integral.sum.push_back(integral.sum.back() + 0.5 * (next - s) * length * (1 / d + 1 / next_d));
+    integral.sum.push_back(integral.sum.back() + integrate_piece((next - s) * length, d, next_d));
     s = next;
     d = next_d;
   }
