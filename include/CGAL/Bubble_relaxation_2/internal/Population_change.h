@@ -57,6 +57,8 @@ inline void sort_in_space(Bubbles_2& bubbles)
 /// Carries out a change of the population.
 inline void apply(const Population_change& change, Bubbles_2& bubbles)
 {
+  if (change.is_empty())
+    return;
   std::vector<Index> kept;
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (!change.is_deleted[i])

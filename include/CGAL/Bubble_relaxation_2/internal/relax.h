@@ -36,8 +36,18 @@ Population_change adjust_population(const Domain_2& domain, const Sizing& sizing
   }
 }
 
+template <class Report>
+void add_to_report(const Round_result& result, unsigned evaluations_per_step, Report& report)
+{
+  ++report.number_of_rounds;
+  report.number_of_steps += result.steps;
+  report.number_of_force_evaluations += result.steps * evaluations_per_step;
+  report.number_of_renewals += result.renewals;
+  report.number_of_returns += result.returns;
+}
+
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
-/// the population, and again, until the population stays.
+/// the population, and again, until the bubbles rest and their population stays.
 template <class Concurrency_tag, class Integrator, class Sizing, class Report>
 void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
            Bubbles_2& bubbles, Progress& progress, Report& report)
@@ -50,37 +60,26 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
       simulate_round<Concurrency_tag>(bubbles, neighbors, Integrator(options), boundary, sizing,
                                       options, progress, report.seconds);
     add_to_report(result, Integrator::evaluations_per_step, report);
+    remove_coincident(domain, bubbles);
     if (result.is_cancelled) {
       report.stop_reason = Bubble_stop_reason::STOPPED_BY_CALLBACK;
       return;
     }
-    remove_coincident(domain, bubbles);
+
+    const bool is_last = round + 1 == options.number_of_rounds;
+    if (is_last && options.population != Bubble_population::NONE)
+      return; // what is inserted now would not be relaxed
     const Phase_timer timer(report.seconds.population);
-    const Population_change change = round + 1 == options.number_of_rounds
-                                       ? Population_change()
-                                       : adjust_population(domain, sizing, options, bubbles);
-    if (change.is_empty()) {
-      report.converged = result.is_at_rest;
-      if (result.is_at_rest)
-        report.stop_reason = Bubble_stop_reason::CONVERGED;
-      if (result.is_at_rest || round + 1 == options.number_of_rounds)
-        return;
-      continue;
+    const Population_change change = adjust_population(domain, sizing, options, bubbles);
+    if (change.is_empty() && result.is_at_rest) {
+      report.converged = true;
+      report.stop_reason = Bubble_stop_reason::CONVERGED;
+      return;
     }
     apply(change, bubbles);
     report.number_of_insertions += change.number_of_insertions();
     report.number_of_deletions += change.number_of_deletions();
   }
-}
-
-template <class Report>
-void add_to_report(const Round_result& result, unsigned evaluations_per_step, Report& report)
-{
-  ++report.number_of_rounds;
-  report.number_of_steps += result.steps;
-  report.number_of_force_evaluations += result.steps * evaluations_per_step;
-  report.number_of_renewals += result.renewals;
-  report.number_of_returns += result.returns;
 }
 
 } // namespace internal
