@@ -23,7 +23,7 @@ build_and_test test -DCMAKE_BUILD_TYPE=Release
 # what reads and writes the most, with sanitizers
 build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" \
   -DBUBBLE_RELAXATION_2_SANITIZE=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF \
-  -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(bad_input|domain|neighbor_sets|degenerate_input)"
+  -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(bad_input|domain)"
 
 # newer versions of CGAL, where they can be had
 if scripts/fetch_cgal.sh build/cgal > build/cgal.list; then
@@ -32,7 +32,7 @@ if scripts/fetch_cgal.sh build/cgal > build/cgal.list; then
     build_and_test "cgal-$version" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1" \
       -DBUBBLE_RELAXATION_2_EXAMPLES=OFF \
       -DCGAL_DIR="$(dirname "$(find "$path" -name CGALConfig.cmake | head -n 1)")" \
-      -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(relax|write_back|named_parameters|mesh_criteria)" < /dev/null
+      -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(write_back|named_parameters)" < /dev/null
   done
 fi
 grep '^skipped' build/cgal.list | sed 's/^/SKIPPED: /' || true
