@@ -18,11 +18,19 @@ shift
 suites=("$@")
 [ ${#suites[@]} -gt 0 ] || suites=(trixie forky)
 
-# the first mirror of the system's own sources, in either format
-mirror=$(cat /etc/apt/sources.list.d/*.sources 2>/dev/null |
-           sed -n 's/^URIs:[[:space:]]*\([^[:space:]]*\).*/\1/p' | head -n 1)
-[ -n "$mirror" ] || mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list 2>/dev/null |
-           sed -n 's/^deb[[:space:]]\(\[[^]]*\][[:space:]]*\)\{0,1\}\([^[:space:]]*\).*/\2/p' | head -n 1)
+# the first mirror of the system's own sources, in either format; a missing file is no error
+first_mirror() { # SED-SCRIPT FILE...
+  local script=$1 file
+  shift
+  for file in "$@"; do
+    [ ! -r "$file" ] || sed -n "$script" "$file"
+  done | sed -n 1p
+}
+mirror=$(first_mirror 's/^URIs:[[:space:]]*\([^[:space:]]*\).*/\1/p' \
+           /etc/apt/sources.list.d/*.sources)
+[ -n "$mirror" ] ||
+  mirror=$(first_mirror 's/^deb[[:space:]]\(\[[^]]*\][[:space:]]*\)\{0,1\}\([^[:space:]]*\).*/\2/p' \
+             /etc/apt/sources.list /etc/apt/sources.list.d/*.list)
 if [ -z "$mirror" ]; then
   echo "skipped: no package source is configured on this system"
   exit 77
