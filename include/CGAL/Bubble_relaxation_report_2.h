@@ -57,6 +57,7 @@ struct Bubble_relaxation_report_2
   std::size_t number_of_rounds = 0;            ///< rounds of simulation
   std::size_t number_of_steps = 0;             ///< time steps, all rounds together
   std::size_t number_of_force_evaluations = 0; ///< evaluations of all forces: one a step, four with Runge-Kutta
+  std::size_t number_of_moves = 0;             ///< bubbles that took part in a step, summed over all steps; the others slept
   std::size_t number_of_renewals = 0;          ///< how often neighbour sets were made or renewed
   std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control
   std::size_t number_of_deletions = 0;         ///< bubbles deleted by the population control

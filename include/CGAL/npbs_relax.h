@@ -89,17 +89,18 @@ those on edges lie exactly on them.
   \cgalParamNBegin{number_of_rounds}
     \cgalParamDescription{rounds of simulation at most; between two the population is adjusted}
     \cgalParamType{an integer, not negative}
-    \cgalParamDefault{8; the paper: 1 to 10}
+    \cgalParamDefault{10; the paper: 1 to 10}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{time steps in one round at most}
     \cgalParamType{an integer, not negative}
-    \cgalParamDefault{60; the paper: 250}
+    \cgalParamDefault{30; the paper: 250}
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
-    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step}
+    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default a
+                          bubble also sleeps while it and its neighbours move no more than this}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{0.001}
+    \cgalParamDefault{0.01; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
   \cgalParamNBegin{integrator}
     \cgalParamDescription{how the equation of motion (eq. 3 of the paper) is integrated}
@@ -124,7 +125,7 @@ those on edges lie exactly on them.
   \cgalParamNBegin{time_step}
     \cgalParamDescription{the length of a step in time}
     \cgalParamType{`double`, positive}
-    \cgalParamDefault{0.5; 0.02 with `RUNGE_KUTTA_4`}
+    \cgalParamDefault{0.6; 0.02 with `RUNGE_KUTTA_4`}
   \cgalParamNEnd
   \cgalParamNBegin{neighbor_radius}
     \cgalParamDescription{the radius of the neighbour sets in units of the mean of both sizes}

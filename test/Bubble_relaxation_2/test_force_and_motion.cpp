@@ -110,7 +110,7 @@ TEST(Runge_kutta, is_of_fourth_order)
     Runge_kutta_4<CGAL::Sequential_tag> rk(o);
     Displacements displacements;
     for (int k = 0; k < steps; ++k) {
-      rk(b, sets, boundary, displacements);
+      rk(b, {0, 1}, sets, boundary, displacements);
       for (std::size_t i = 0; i < b.size(); ++i)
         boundary.move(b, i, displacements.x[i], displacements.y[i]);
     }
@@ -130,14 +130,15 @@ TEST(Semi_implicit_euler, goes_by_its_formula_in_units_of_d)
 {
   const Domain_2 domain = unit_square();
   const Boundary_2 boundary(domain);
-  Relaxation_options o; // h = 0.5, gamma = 0.3
+  Relaxation_options o; // gamma = 0.3
+  o.time_step = 0.5;
   const double d = 0.1, w = 0.9;
   Bubbles_2 b = pair_at(domain, w * d, d);
   Neighbor_sets_2 sets(1.7);
   sets.build(b);
   b.vx[1] = 0.2;
   Displacements displacements;
-  Semi_implicit_euler<CGAL::Sequential_tag>{o}(b, sets, boundary, displacements);
+  Semi_implicit_euler<CGAL::Sequential_tag>{o}(b, {0, 1}, sets, boundary, displacements);
   const double v = (1 - 0.5 * 0.3) * 0.2 + 0.5 * Bubble_force_2{1}(w);
   EXPECT_NEAR(b.vx[1], v, 1e-12);
   EXPECT_NEAR(displacements.x[1], 0.5 * d * v, 1e-13);
@@ -153,14 +154,13 @@ TEST(Integrators, both_bring_a_pair_to_its_wanted_distance)
     sets.build(b);
     Displacements displacements;
     for (int k = 0; k < steps; ++k) {
-      integrator(b, sets, boundary, displacements);
+      integrator(b, {0, 1}, sets, boundary, displacements);
       for (std::size_t i = 0; i < b.size(); ++i)
         boundary.move(b, i, displacements.x[i], displacements.y[i]);
     }
     return b.x[1] - b.x[0];
   };
   Relaxation_options exact, paper;
-  exact.displacement_tolerance = 0; // or bubbles fall asleep a little before
   paper.time_step = 0.02;
   paper.damping = 3.8429;
   EXPECT_NEAR(settle(Semi_implicit_euler<CGAL::Sequential_tag>(exact), 300), 0.1, 1e-9);

@@ -13,7 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/integrators.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/simulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/Simulation_2.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <functional>
@@ -41,7 +41,8 @@ std::vector<Index> brute_force(const Bubbles_2& b, std::size_t i, double radius)
 {
   std::vector<Index> result;
   for (std::size_t j = 0; j < b.size(); ++j)
-    if (j != i && std::hypot(b.x[i] - b.x[j], b.y[i] - b.y[j]) < 0.5 * radius * (b.d[i] + b.d[j]))
+    if (j != i && !b.is_gone(i) && !b.is_gone(j) &&
+        std::hypot(b.x[i] - b.x[j], b.y[i] - b.y[j]) < 0.5 * radius * (b.d[i] + b.d[j]))
       result.push_back(static_cast<Index>(j));
   return result;
 }
@@ -148,46 +149,107 @@ namespace {
 /// an integrator that checks the sets before each step
 struct Checking_euler
 {
-  Semi_implicit_euler<CGAL::Sequential_tag> euler;
-  std::size_t* checked;
+  static constexpr unsigned evaluations_per_step = 1;
+  static constexpr bool lets_bubbles_sleep = true;
+  static std::size_t checked;
 
-  void operator()(Bubbles_2& b, const Neighbor_sets_2& sets, const Boundary_2& boundary,
-                  Displacements& displacements) const
+  explicit Checking_euler(const Relaxation_options& options) : euler(options) {}
+
+  void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& sets,
+                  const Boundary_2& boundary, Displacements& displacements) const
   {
     for (std::size_t i = 0; i < b.size(); ++i)
       for (Index j : brute_force(b, i, 1.5)) {
         ASSERT_TRUE(std::binary_search(sets.begin(i), sets.end(i), j)) << i << ' ' << j;
-        ++*checked;
+        ++checked;
       }
-    euler(b, sets, boundary, displacements);
+    euler(b, active, sets, boundary, displacements);
   }
+
+  Semi_implicit_euler<CGAL::Sequential_tag> euler;
 };
 
-} // namespace
+std::size_t Checking_euler::checked = 0;
 
-TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
+Domain_2 unit_square()
 {
   Domain_2 square;
-  ASSERT_EQ(square.build({Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)},
+  EXPECT_EQ(square.build({Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)},
                          {{0, 1, true, false}, {1, 2, true, false}, {2, 3, true, false},
                           {3, 0, true, false}}),
             Marking_error::NONE);
+  return square;
+}
+
+/// deletes every tenth bubble and inserts as many at random
+Population_change random_change(const Domain_2& domain, const Bubbles_2& b, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.05, 0.95);
+  Population_change change;
+  for (std::size_t i = 0; i < b.size(); i += 10)
+    if (!b.is_gone(i)) {
+      change.deleted.push_back(static_cast<Index>(i));
+      const Point p(uniform(random), uniform(random));
+      change.inserted.add(p, b.d[i], Bubbles_2::FACE, domain.locate(p, 0));
+    }
+  return change;
+}
+
+} // namespace
+
+TEST(Neighbor_sets, follow_deletions_and_additions)
+{
+  const Domain_2 domain = unit_square();
+  for (const auto& size : sizes) {
+    SCOPED_TRACE(size.first);
+    Bubbles_2 b = random_bubbles(300, validation::seed(), size.second);
+    Neighbor_sets_2 sets(1.7);
+    sets.build(b);
+    for (unsigned k = 0; k < 3; ++k) {
+      const Population_change change = random_change(domain, b, validation::seed() + k);
+      for (Index i : change.deleted) {
+        sets.remove(i);
+        b.remove(i);
+      }
+      for (std::size_t i = 0; i < change.inserted.size(); ++i) {
+        b.add(change.inserted.point(i), change.inserted.d[i], Bubbles_2::FACE, 0);
+        sets.add(b, static_cast<Index>(b.size()) - 1);
+      }
+      expect_equal_to_brute_force(b, sets);
+    }
+  }
+}
+
+TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
+{
+  const Domain_2 square = unit_square();
   const auto size = [](double x, double y) { return 0.02 + 0.15 * std::hypot(x - 0.5, y - 0.5); };
   Bubbles_2 b = random_bubbles(120, validation::seed(), size); // a start that moves a lot
   for (std::size_t i = 0; i < b.size(); ++i)
     b.place[i] = square.locate(b.point(i), 0);
-  Relaxation_options options;
-  options.number_of_iterations = 200;
-  options.displacement_tolerance = 0;
-  std::size_t checked = 0;
-  Neighbor_sets_2 sets(options.neighbor_radius);
-  Progress progress({}, 1);
-  CGAL::Bubble_relaxation_seconds seconds;
-  const Round_result result = simulate_round<CGAL::Sequential_tag>(
-    b, sets, Checking_euler{Semi_implicit_euler<CGAL::Sequential_tag>(options), &checked},
-    Boundary_2(square), size, options, progress, seconds);
-  EXPECT_EQ(result.steps, 200u);
-  EXPECT_GT(result.renewals, 1u);
-  EXPECT_LT(result.renewals, 200u);
-  EXPECT_GT(checked, 10000u);
+  for (double tolerance : {0., 0.01}) { // without and with sleeping bubbles
+    Relaxation_options options;
+    options.number_of_iterations = 100;
+    options.displacement_tolerance = tolerance;
+    Checking_euler::checked = 0;
+    Simulation_2<CGAL::Sequential_tag, Checking_euler, decltype(size)> simulation(square, size,
+                                                                                  options, b);
+    Progress progress({}, 1);
+    CGAL::Bubble_relaxation_seconds seconds;
+    for (unsigned round = 0; round < 3; ++round) {
+      const Round_result result = simulation.run_round(progress, seconds);
+      EXPECT_GT(result.renewals, 1u);
+      EXPECT_LT(result.renewals, result.steps);
+      if (tolerance == 0) {
+        EXPECT_EQ(result.steps, 100u);
+        EXPECT_GT(result.moves, 99 * 120u);
+      } else if (round > 0) { // most sleep
+        EXPECT_LT(result.moves, result.steps * b.size());
+      }
+      simulation.apply(random_change(square, b, validation::seed() + round));
+    }
+    EXPECT_GT(Checking_euler::checked, 10000u);
+    b.forget_gone();
+  }
 }

@@ -62,11 +62,16 @@ public:
     e.d = d;
     if (from == to)
       return;
-    Index* link = &m_slots[slot_of(from)].first;
-    while (*link != static_cast<Index>(k))
-      link = &m_bubbles[*link].next;
-    *link = e.next;
+    take_from_cell(from, static_cast<Index>(k));
     add_to_cell(to, static_cast<Index>(k));
+  }
+
+  /// takes out the bubble that was the `k`-th to be inserted; it still counts in `size()`
+  void erase(std::size_t k)
+  {
+    Entry& e = m_bubbles[k];
+    take_from_cell(cell_at(level_of(e.x, e.y, e.d), e.x, e.y), static_cast<Index>(k));
+    e.id = no_index;
   }
 
   /// calls `visit(id, squared distance, d_j)` for each bubble j near to one of size `d` at (x, y),
@@ -76,12 +81,20 @@ public:
   {
     if (m_bubbles.empty())
       return true;
-    // up: cells of the own level and above that the reach can touch; at most 3 x 3 a level
     const int own = level_of(x, y, d);
+    if (own > m_highest && is_wider_than_all(d))
+      return visit_all(x, y, d, visit);
+    // up: cells of the own level and above that the reach can touch; at most 3 x 3 a level
     for (int level = m_highest; level > own; --level)
       if (!visit_level(level, x, y, d, false, visit))
         return false;
     return visit_level((std::min)(own, m_highest), x, y, d, true, visit);
+  }
+
+  /// whether no bubble is near to one of size `d` at (x, y)
+  bool is_free(double x, double y, double d) const
+  {
+    return for_each_near(x, y, d, [](Index, double, double) { return false; });
   }
 
 private:
@@ -178,6 +191,14 @@ private:
     return m_slots[k];
   }
 
+  void take_from_cell(const Cell& cell, Index k)
+  {
+    Index* link = &m_slots[slot_of(cell)].first;
+    while (*link != k)
+      link = &m_bubbles[*link].next;
+    *link = m_bubbles[k].next;
+  }
+
   void add_to_cell(const Cell& cell, Index k)
   {
     Slot& slot = find_or_add(cell);
@@ -220,6 +241,30 @@ private:
       mark_ancestors(c);
   }
 
+  /// whether one that is larger than all inserted would look into more cells than there are bubbles
+  bool is_wider_than_all(double d) const
+  {
+    const double cells = d / bound(m_highest) + 3;
+    return cells * cells > static_cast<double>(m_bubbles.size());
+  }
+
+  template <class Visitor>
+  bool visit_all(double x, double y, double d, Visitor& visit) const
+  {
+    for (const Entry& e : m_bubbles)
+      if (e.id != no_index && !visit_if_near(e, x, y, d, visit))
+        return false;
+    return true;
+  }
+
+  template <class Visitor>
+  bool visit_if_near(const Entry& e, double x, double y, double d, Visitor& visit) const
+  {
+    const double dx = e.x - x, dy = e.y - y, reach = 0.5 * m_reach * (d + e.d);
+    const double squared = dx * dx + dy * dy;
+    return !(squared < reach * reach) || visit(e.id, squared, e.d);
+  }
+
   template <class Visitor>
   bool visit_level(int level, double x, double y, double d, bool descend, Visitor& visit) const
   {
@@ -239,13 +284,9 @@ private:
     const Slot* slot = find(cell);
     if (slot == nullptr)
       return true;
-    for (Index k = slot->first; k != no_index; k = m_bubbles[k].next) {
-      const Entry& e = m_bubbles[k];
-      const double dx = e.x - x, dy = e.y - y, reach = 0.5 * m_reach * (d + e.d);
-      const double squared = dx * dx + dy * dy;
-      if (squared < reach * reach && !visit(e.id, squared, e.d))
+    for (Index k = slot->first; k != no_index; k = m_bubbles[k].next)
+      if (!visit_if_near(m_bubbles[k], x, y, d, visit))
         return false;
-    }
     if (!descend || !slot->has_descendants)
       return true;
     const double r = slack * 0.5 * m_reach * (d + bound(cell.level - 1)), c = side(cell.level - 1);

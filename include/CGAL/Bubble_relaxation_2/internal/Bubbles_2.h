@@ -22,7 +22,7 @@ namespace internal {
 /// the order of indices, and indices follow space.
 struct Bubbles_2
 {
-  enum Dimension : unsigned char { CORNER = 0, EDGE = 1, FACE = 2 };
+  enum Dimension : unsigned char { CORNER = 0, EDGE = 1, FACE = 2, GONE = 3 };
 
   std::vector<double> x, y;   ///< centre
   std::vector<double> d;      ///< wanted distance to neighbours at the centre
@@ -39,6 +39,8 @@ struct Bubbles_2
   bool is_corner(std::size_t i) const { return dimension[i] == CORNER; }
   bool is_on_edge(std::size_t i) const { return dimension[i] == EDGE; }
   bool is_in_face(std::size_t i) const { return dimension[i] == FACE; }
+  bool is_gone(std::size_t i) const { return dimension[i] == GONE; }
+  bool can_move(std::size_t i) const { return is_on_edge(i) || is_in_face(i); }
 
   void reserve(std::size_t n)
   {
@@ -63,6 +65,20 @@ struct Bubbles_2
     tag.push_back(pinned);
   }
 
+  /// deletes a bubble; the others keep their indices until `forget_gone()`
+  void remove(std::size_t i) { dimension[i] = GONE; }
+
+  void forget_gone()
+  {
+    std::vector<Index> left;
+    left.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i)
+      if (!is_gone(i))
+        left.push_back(static_cast<Index>(i));
+    if (left.size() < size())
+      select(left);
+  }
+
   /// keeps the bubbles `order[0], order[1], …` in this order and forgets the others
   void select(const std::vector<Index>& order)
   {
@@ -73,11 +89,7 @@ struct Bubbles_2
     select(tag, order);
   }
 
-  void stop_all()
-  {
-    vx.assign(size(), 0);
-    vy.assign(size(), 0);
-  }
+  void stop(std::size_t i) { vx[i] = vy[i] = 0; }
 
 private:
   template <class T>

@@ -11,6 +11,8 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
 
 #include <algorithm>
@@ -24,7 +26,7 @@ namespace internal {
 
 /// The population control by the triangulation of the bubbles: a hole shows as a large empty circle
 /// and gets a bubble in its centre; a crowd shows as a short edge, or as a bubble with four neighbours
-/// or less, and loses one.
+/// or less, and loses one. It looks only where bubbles may have moved since it looked last.
 template <class Sizing>
 class Delaunay_population
 {
@@ -46,102 +48,99 @@ public:
     : m_domain(domain), m_sizing(sizing)
   {}
 
-  Population_change operator()(const Bubbles_2& bubbles) const
+  /// `touched`: the bubbles that may have moved
+  Population_change operator()(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
+                               const std::vector<Index>& touched)
   {
-    const Marked_triangulation_2 mesh = triangulate(m_domain, bubbles);
-    Population_change change;
-    change.is_deleted.assign(bubbles.size(), 0);
-    delete_crowded(bubbles, mesh, change);
-    insert_in_holes(bubbles, mesh, change);
-    insert_on_edges(bubbles, mesh, change);
-    return change;
+    const Local_triangulation_2 mesh(bubbles, neighbors, touched);
+    m_change = Population_change();
+    m_is_deleted.assign(bubbles.size(), 0);
+    delete_crowded(bubbles, mesh);
+    insert_in_holes(bubbles, mesh);
+    insert_on_edges(bubbles, neighbors);
+    std::sort(m_change.deleted.begin(), m_change.deleted.end());
+    return std::move(m_change);
   }
 
 private:
-  void delete_crowded(const Bubbles_2& b, const Marked_triangulation_2& mesh,
-                      Population_change& change) const
+  using Triangle = std::array<Index, 3>;
+
+  void remove(Index i)
   {
-    std::vector<int> degree(b.size(), 0);
-    std::vector<double> nearest(b.size(), 1e300); // distance over mean size, least over neighbours
-    for (std::size_t t = 0; t < mesh.inside.size(); ++t) {
-      if (!mesh.inside[t])
+    if (!m_is_deleted[i])
+      m_change.deleted.push_back(i);
+    m_is_deleted[i] = 1;
+  }
+
+  /// whether a triangle belongs to the domain; one with a corner in a face may reach over an edge, but
+  /// then bubbles are missing on this edge
+  bool is_inside(const Bubbles_2& b, const Triangle& t)
+  {
+    for (Index i : t)
+      if (b.is_in_face(i))
+        return true;
+    const Index triangle =
+      m_domain.locate(CGAL::centroid(b.point(t[0]), b.point(t[1]), b.point(t[2])), m_hint);
+    if (triangle == no_index)
+      return false;
+    m_hint = triangle;
+    return m_domain.is_inside(triangle);
+  }
+
+  void delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
+  {
+    const std::size_t n = mesh.number_of_bubbles();
+    std::vector<int> degree(n, 0);
+    std::vector<double> nearest(n, 1e300); // distance over mean size, least over neighbours
+    for (const Triangle& t : mesh.triangles()) {
+      const Triangle v = mesh.bubbles(t);
+      if (!is_inside(b, v))
         continue;
       for (int i = 0; i < 3; ++i) {
-        const Index p = mesh.tr.vertices[t][ccw(i)], q = mesh.tr.vertices[t][cw(i)];
-        ++degree[p];
-        const double w = relative_distance(b, p, q);
-        nearest[p] = (std::min)(nearest[p], w);
-        nearest[q] = (std::min)(nearest[q], w);
+        const double w = relative_distance(b, v[ccw(i)], v[cw(i)]);
+        ++degree[t[i]];
+        nearest[t[ccw(i)]] = (std::min)(nearest[t[ccw(i)]], w);
+        nearest[t[cw(i)]] = (std::min)(nearest[t[cw(i)]], w);
       }
     }
     // the worst first; the neighbours of a deleted bubble get room and stay
     std::vector<Index> candidates;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if ((b.is_in_face(i) && degree[i] <= ill_connected) ||
-          (!b.is_corner(i) && nearest[i] < least_distance))
-        candidates.push_back(static_cast<Index>(i));
-    std::sort(candidates.begin(), candidates.end(), [&](Index i, Index j) {
-      return nearest[i] < nearest[j] || (nearest[i] == nearest[j] && i < j);
+    for (std::size_t k = 0; k < mesh.number_of_touched(); ++k) {
+      const Index i = mesh.bubble(static_cast<Index>(k));
+      if ((b.is_in_face(i) && degree[k] <= ill_connected) ||
+          (b.can_move(i) && nearest[k] < least_distance))
+        candidates.push_back(static_cast<Index>(k));
+    }
+    std::sort(candidates.begin(), candidates.end(), [&](Index k, Index l) {
+      return nearest[k] < nearest[l] ||
+             (nearest[k] == nearest[l] && mesh.bubble(k) < mesh.bubble(l));
     });
     if (candidates.empty())
       return;
-    std::vector<char> is_candidate(b.size(), 0), is_kept(b.size(), 0);
-    for (Index i : candidates)
-      is_candidate[i] = 1;
-    std::vector<std::vector<Index>> neighbors(b.size());
-    for (std::size_t t = 0; t < mesh.inside.size(); ++t)
-      if (mesh.inside[t])
-        for (int i = 0; i < 3; ++i)
-          if (is_candidate[mesh.tr.vertices[t][i]]) {
-            neighbors[mesh.tr.vertices[t][i]].push_back(mesh.tr.vertices[t][ccw(i)]);
-            neighbors[mesh.tr.vertices[t][i]].push_back(mesh.tr.vertices[t][cw(i)]);
-          }
-    for (Index i : candidates) {
-      if (is_kept[i])
+    const std::vector<std::vector<Index>> around = mesh.neighbors_of(candidates);
+    std::vector<char> is_kept(n, 0);
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      if (is_kept[candidates[c]])
         continue;
-      change.is_deleted[i] = 1;
-      for (Index j : neighbors[i])
-        is_kept[j] = 1;
+      remove(mesh.bubble(candidates[c]));
+      for (Index k : around[c])
+        is_kept[k] = 1;
     }
   }
 
-  void insert_in_holes(const Bubbles_2& b, const Marked_triangulation_2& mesh,
-                       Population_change& change) const
+  struct Hole
   {
-    struct Hole
-    {
-      double radius; // over the size at the centre
-      Point center;
-      double d;
-      Index triangle; // of the domain
-    };
+    double radius; // over the size at the centre
+    Point center;
+    double d;
+    Index triangle; // of the domain
+  };
+
+  void insert_in_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)
+  {
     std::vector<Hole> holes;
-    Index hint = 0;
-    for (std::size_t t = 0; t < mesh.inside.size(); ++t) {
-      if (!mesh.inside[t])
-        continue;
-      const std::array<Index, 3>& v = mesh.tr.vertices[t];
-      if (change.is_deleted[v[0]] || change.is_deleted[v[1]] || change.is_deleted[v[2]])
-        continue;
-      const Point &p = mesh.tr.points[v[0]], &q = mesh.tr.points[v[1]], &r = mesh.tr.points[v[2]];
-      const Point center = CGAL::circumcenter(p, q, r);
-      const double radius = std::sqrt(CGAL::squared_distance(center, p));
-      // a cheap test first: d is not asked for all triangles
-      if (!(radius > 0.8 * largest_radius * (std::min)({b.d[v[0]], b.d[v[1]], b.d[v[2]]})))
-        continue;
-      const Point centroid = CGAL::centroid(p, q, r);
-      const Index start = m_domain.locate(centroid, hint);
-      if (start == no_index || !m_domain.is_inside(start))
-        continue;
-      hint = start;
-      const Walk_end end = m_domain.walk(start, centroid, center);
-      if (end.is_blocked())
-        continue;
-      // where d jumps, the bubbles around the hole count too
-      const double d = m_sizing(center), mean = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3;
-      if (radius > largest_radius * (std::max)(d, mean))
-        holes.push_back(Hole{radius / d, center, d, end.triangle});
-    }
+    for (const Triangle& t : mesh.triangles())
+      add_hole(b, mesh.bubbles(t), holes);
     if (holes.empty())
       return;
     std::sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& c) {
@@ -149,56 +148,66 @@ private:
     });
     Bubble_buckets_2 inserted(0.9, b.d[0], b.x[0], b.y[0], holes.size());
     for (const Hole& h : holes)
-      if (inserted.for_each_near(h.center.x(), h.center.y(), h.d,
-                                 [](Index, double, double) { return false; })) {
+      if (inserted.is_free(h.center.x(), h.center.y(), h.d)) {
         inserted.insert(0, h.center.x(), h.center.y(), h.d);
-        change.inserted.add(h.center, h.d, Bubbles_2::FACE, h.triangle);
+        m_change.inserted.add(h.center, h.d, Bubbles_2::FACE, h.triangle);
       }
   }
 
-  /// A gap is an edge of the mesh on the domain's boundary or on a constraint, so the only bubbles that
-  /// can have been pressed into it are opposite to it in its triangles.
-  void insert_on_edges(const Bubbles_2& b, const Marked_triangulation_2& mesh,
-                       Population_change& change) const
+  void add_hole(const Bubbles_2& b, const Triangle& v, std::vector<Hole>& holes)
   {
-    const std::vector<Domain_edge_2> pieces = cut_edges(m_domain, b);
-    const std::vector<Index> edge_of_piece = edges_of_pieces(b);
-    std::vector<char> is_cut(pieces.size(), 0);
-    for (std::size_t t = 0; t < mesh.inside.size(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        const Index piece = mesh.inside[t] ? mesh.edges[t][i] : no_index;
-        if (piece == no_index)
-          continue;
-        const Index u = pieces[piece].source, v = pieces[piece].target, apex = mesh.tr.vertices[t][i];
-        const Point middle = CGAL::midpoint(b.point(u), b.point(v));
-        if (relative_distance(b, u, v) <= longest_gap)
-          continue;
-        const double d = m_sizing(middle), cleared = cleared_radius * d;
-        if (!is_cut[piece]) {
-          is_cut[piece] = 1;
-          const Index e = edge_of_piece[piece];
-          const double s = 0.5 * (position(b, e, u) + position(b, e, v));
-          change.inserted.add(m_domain.point_on_edge(e, s), d, Bubbles_2::EDGE, e, s);
-        }
-        if (b.is_in_face(apex) &&
-            CGAL::squared_distance(b.point(apex), middle) < cleared * cleared)
-          change.is_deleted[apex] = 1;
-      }
+    if (m_is_deleted[v[0]] || m_is_deleted[v[1]] || m_is_deleted[v[2]])
+      return;
+    const Point p = b.point(v[0]), q = b.point(v[1]), r = b.point(v[2]);
+    const Point center = CGAL::circumcenter(p, q, r);
+    const double radius = std::sqrt(CGAL::squared_distance(center, p));
+    // a cheap test first: d is not asked for all triangles
+    if (!(radius > 0.8 * largest_radius * (std::min)({b.d[v[0]], b.d[v[1]], b.d[v[2]]})))
+      return;
+    const Point centroid = CGAL::centroid(p, q, r);
+    const Index start = m_domain.locate(centroid, m_hint);
+    if (start == no_index || !m_domain.is_inside(start))
+      return;
+    m_hint = start;
+    const Walk_end end = m_domain.walk(start, centroid, center);
+    if (end.is_blocked())
+      return;
+    // where d jumps, the bubbles around the hole count too
+    const double d = m_sizing(center), mean = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3;
+    if (radius > largest_radius * (std::max)(d, mean))
+      holes.push_back(Hole{radius / d, center, d, end.triangle});
   }
 
-  /// the domain's edge of each piece, in the order of `cut_edges()`
-  std::vector<Index> edges_of_pieces(const Bubbles_2& b) const
+  void insert_on_edges(const Bubbles_2& b, const Neighbor_sets_2& neighbors)
   {
     const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(m_domain, b);
-    std::vector<Index> result;
-    for (std::size_t e = 0; e < on_edge.size(); ++e)
-      result.insert(result.end(), on_edge[e].size() + 1, static_cast<Index>(e));
-    return result;
+    const std::vector<Index> on_corner = bubbles_on_corners(m_domain, b);
+    for (std::size_t e = 0; e < on_edge.size(); ++e) {
+      Index u = on_corner[m_domain.edges()[e].source];
+      double s = 0;
+      for (Index v : on_edge[e]) {
+        close_gap(b, neighbors, static_cast<Index>(e), u, v, 0.5 * (s + b.s[v]));
+        u = v;
+        s = b.s[v];
+      }
+      close_gap(b, neighbors, static_cast<Index>(e), u, on_corner[m_domain.edges()[e].target],
+                0.5 * (s + 1));
+    }
   }
 
-  double position(const Bubbles_2& b, Index e, Index i) const
+  void close_gap(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index e, Index u, Index v,
+                 double s)
   {
-    return b.is_on_edge(i) ? b.s[i] : b.place[i] == m_domain.edges()[e].source ? 0. : 1.;
+    if (relative_distance(b, u, v) <= longest_gap)
+      return;
+    const Point middle = m_domain.point_on_edge(e, s);
+    const double d = m_sizing(middle);
+    m_change.inserted.add(middle, d, Bubbles_2::EDGE, e, s);
+    for (Index end : {u, v})
+      for (const Index *j = neighbors.begin(end), *last = neighbors.end(end); j != last; ++j)
+        if (b.is_in_face(*j) &&
+            CGAL::squared_distance(b.point(*j), middle) < cleared_radius * cleared_radius * d * d)
+          remove(*j);
   }
 
   static double relative_distance(const Bubbles_2& b, Index i, Index j)
@@ -208,6 +217,9 @@ private:
 
   const Domain_2& m_domain;
   const Sizing& m_sizing;
+  Population_change m_change;
+  std::vector<char> m_is_deleted;
+  Index m_hint = 0; // a triangle of the domain near the last point
 };
 
 } // namespace internal

@@ -55,32 +55,57 @@ public:
                                                    bubbles.y[0], n);
     for (std::size_t i = 0; i < n; ++i)
       m_buckets->insert(static_cast<Index>(i), bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+    for (std::size_t i = 0; i < n; ++i)
+      if (bubbles.is_gone(i))
+        m_buckets->erase(i);
     for (std::size_t i = 0; i < n; ++i) {
-      find_neighbors(i);
+      m_found.clear();
+      if (!bubbles.is_gone(i))
+        find_neighbors(i);
       append(m_found);
     }
   }
 
+  /// takes bubble `i` out of all sets
+  void remove(Index i)
+  {
+    for (const Index *j = begin(i), *last = end(i); j != last; ++j)
+      erase(*j, i);
+    m_sets[i].size = 0;
+    if (m_buckets)
+      m_buckets->erase(i);
+  }
+
+  /// makes the set of a bubble that was added to `bubbles` after the last, and puts it into those of its
+  /// neighbours
+  /// \pre the sets were made by `build()`
+  void add(const Bubbles_2& bubbles, Index i)
+  {
+    m_x.push_back(bubbles.x[i]);
+    m_y.push_back(bubbles.y[i]);
+    m_d.push_back(bubbles.d[i]);
+    m_buckets->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+    m_found.clear();
+    append(m_found);
+    find_neighbors(i);
+    replace(i);
+  }
+
   /// renews the bubbles that have used up their skin, in the sets of their neighbours too
   /// \pre the sets were made by `build()` from as many bubbles
-  void renew(const Bubbles_2& bubbles, const std::vector<char>& is_outrun)
+  void renew(const Bubbles_2& bubbles, const std::vector<Index>& outrun)
   {
-    std::size_t number = 0;
-    for (char outrun : is_outrun)
-      number += outrun;
-    if (3 * number > bubbles.size()) {
+    if (3 * outrun.size() > bubbles.size()) {
       build(bubbles);
       return;
     }
-    for (std::size_t i = 0; i < is_outrun.size(); ++i) {
-      if (!is_outrun[i])
-        continue;
+    for (Index i : outrun) {
       m_x[i] = bubbles.x[i];
       m_y[i] = bubbles.y[i];
       m_d[i] = bubbles.d[i];
       m_buckets->move(i, m_x[i], m_y[i], m_d[i]);
       find_neighbors(i);
-      replace(static_cast<Index>(i));
+      replace(i);
     }
   }
 

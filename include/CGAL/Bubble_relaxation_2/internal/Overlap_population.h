@@ -50,7 +50,6 @@ public:
     for (std::size_t i = 0; i < b.size(); ++i)
       ratio[i] = overlapping_ratio(b, neighbors, i);
     Population_change change;
-    change.is_deleted.assign(b.size(), 0);
     delete_overlapping(b, neighbors, ratio, change);
     insert_beside_lonely(b, neighbors, ratio, change);
     return change;
@@ -85,7 +84,7 @@ private:
     for (Index i : crowded) {
       if (left[i] <= largest_ratio)
         continue;
-      change.is_deleted[i] = 1;
+      change.deleted.push_back(i);
       for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
         left[*j] -= (std::max)(0., 2 * b.d[*j] + b.d[i] - 2 * distance(b, i, *j)) / b.d[*j];
     }
@@ -94,12 +93,15 @@ private:
   void insert_beside_lonely(const Bubbles_2& b, const Neighbor_sets_2& neighbors,
                             const std::vector<double>& ratio, Population_change& change) const
   {
+    std::vector<char> is_left(b.size(), 1);
+    for (Index i : change.deleted)
+      is_left[i] = 0;
     Bubble_buckets_2 buckets(least_distance, b.d[0], b.x[0], b.y[0], b.size());
     for (std::size_t i = 0; i < b.size(); ++i)
-      if (!change.is_deleted[i])
+      if (is_left[i] && !b.is_gone(i))
         buckets.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
     for (std::size_t i = 0; i < b.size(); ++i) {
-      if (!b.is_in_face(i) || change.is_deleted[i] || ratio[i] >= smallest_ratio)
+      if (!b.is_in_face(i) || !is_left[i] || ratio[i] >= smallest_ratio)
         continue;
       const double angle = middle_of_largest_gap(b, neighbors, i);
       const Point p(b.x[i] + b.d[i] * std::cos(angle), b.y[i] + b.d[i] * std::sin(angle));
@@ -107,7 +109,7 @@ private:
       if (end.is_blocked())
         continue;
       const double d = m_sizing(p);
-      if (!buckets.for_each_near(p.x(), p.y(), d, [](Index, double, double) { return false; }))
+      if (!buckets.is_free(p.x(), p.y(), d))
         continue;
       buckets.insert(static_cast<Index>(b.size()), p.x(), p.y(), d);
       change.inserted.add(p, d, Bubbles_2::FACE, end.triangle);

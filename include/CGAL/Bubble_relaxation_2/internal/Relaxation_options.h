@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-constexpr std::size_t default_number_of_iterations = 60;
-constexpr std::size_t default_number_of_rounds = 8;
+constexpr std::size_t default_number_of_iterations = 30;
+constexpr std::size_t default_number_of_rounds = 10;
 constexpr std::size_t default_maximum_number_of_bubbles = 100000000;
-constexpr double default_displacement_tolerance = 1e-3;
+constexpr double default_displacement_tolerance = 0.01;
 
 /// The values of the named parameters that steer the simulation, checked.
 struct Relaxation_options
@@ -34,7 +34,7 @@ struct Relaxation_options
   double force_coefficient = 1;
   double mass = 1;
   double damping = 0.3;
-  double time_step = 0.5;
+  double time_step = 0.6;
   std::size_t number_of_iterations = default_number_of_iterations;
   std::size_t number_of_rounds = default_number_of_rounds;
   double neighbor_radius = 1.7;

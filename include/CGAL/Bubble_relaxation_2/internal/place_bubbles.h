@@ -18,8 +18,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/place_rhombic.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -100,6 +105,21 @@ void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const 
     directions.push_back(around.direction);
   }
   Frontal_placement<Sizing>(reading.domain, sizing, bubbles)(std::move(directions));
+}
+
+/// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
+inline void sort_in_space(Bubbles_2& bubbles)
+{
+  std::vector<Point> points;
+  points.reserve(bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    points.push_back(bubbles.point(i));
+  std::vector<std::size_t> order(bubbles.size());
+  std::iota(order.begin(), order.end(), 0);
+  using Map = Pointer_property_map<Point>::type;
+  hilbert_sort(order.begin(), order.end(),
+               Spatial_sort_traits_adapter_2<Kernel, Map>(make_property_map(points)));
+  bubbles.select(std::vector<Index>(order.begin(), order.end()));
 }
 
 /// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces. If the user

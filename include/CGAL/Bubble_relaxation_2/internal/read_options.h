@@ -53,9 +53,9 @@ Relaxation_options read_options(const NamedParameters& np)
   o.force_coefficient = choose_parameter(get_parameter(np, internal_np::force_coefficient), 1.);
   o.mass = choose_parameter(get_parameter(np, internal_np::mass), 1.);
   o.damping = choose_parameter(get_parameter(np, internal_np::damping),
-                               in_length_units ? 3.8429 : 0.3);
+                               in_length_units ? 3.8429 : o.damping);
   o.time_step = choose_parameter(get_parameter(np, internal_np::time_step),
-                                 in_length_units ? 0.02 : 0.5);
+                                 in_length_units ? 0.02 : o.time_step);
   o.number_of_iterations = read_count(
     "number_of_iterations",
     choose_parameter(get_parameter(np, internal_np::number_of_iterations),
@@ -72,7 +72,8 @@ Relaxation_options read_options(const NamedParameters& np)
   o.placement = choose_parameter(get_parameter(np, internal_np::initial_placement), o.placement);
   o.population = choose_parameter(get_parameter(np, internal_np::population_control), o.population);
   o.displacement_tolerance = choose_parameter(
-    get_parameter(np, internal_np::displacement_tolerance), default_displacement_tolerance);
+    get_parameter(np, internal_np::displacement_tolerance),
+    in_length_units ? 1e-3 : default_displacement_tolerance);
   o.maximum_number_of_bubbles = read_count(
     "maximum_number_of_bubbles",
     choose_parameter(get_parameter(np, internal_np::maximum_number_of_bubbles),

@@ -13,26 +13,26 @@
 #include <CGAL/Bubble_relaxation_2/internal/Delaunay_population.h>
 #include <CGAL/Bubble_relaxation_2/internal/Overlap_population.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
-#include <CGAL/Bubble_relaxation_2/internal/simulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/Simulation_2.h>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// How the bubbles' number should change, by the rule the user chose.
-template <class Sizing>
+template <class Simulation, class Sizing>
 Population_change adjust_population(const Domain_2& domain, const Sizing& sizing,
-                                    const Relaxation_options& options, const Bubbles_2& bubbles)
+                                    const Relaxation_options& options, const Bubbles_2& bubbles,
+                                    const Simulation& simulation)
 {
   switch (options.population) {
   case Bubble_population::OVERLAP_RATIO:
     return Overlap_population<Sizing>(domain, sizing)(bubbles);
   case Bubble_population::DELAUNAY:
-    return Delaunay_population<Sizing>(domain, sizing)(bubbles);
+    return Delaunay_population<Sizing>(domain, sizing)(bubbles, simulation.neighbors(),
+                                                       simulation.touched());
   default:
-    Population_change nothing;
-    nothing.is_deleted.assign(bubbles.size(), 0);
-    return nothing;
+    return Population_change();
   }
 }
 
@@ -42,6 +42,7 @@ void add_to_report(const Round_result& result, unsigned evaluations_per_step, Re
   ++report.number_of_rounds;
   report.number_of_steps += result.steps;
   report.number_of_force_evaluations += result.steps * evaluations_per_step;
+  report.number_of_moves += result.moves;
   report.number_of_renewals += result.renewals;
   report.number_of_returns += result.returns;
 }
@@ -52,34 +53,34 @@ template <class Concurrency_tag, class Integrator, class Sizing, class Report>
 void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
            Bubbles_2& bubbles, Progress& progress, Report& report)
 {
-  const Boundary_2 boundary(domain);
-  Neighbor_sets_2 neighbors(options.neighbor_radius);
+  Simulation_2<Concurrency_tag, Integrator, Sizing> simulation(domain, sizing, options, bubbles);
   for (std::size_t round = 0; round < options.number_of_rounds; ++round) {
     progress.start_round(round);
-    const Round_result result =
-      simulate_round<Concurrency_tag>(bubbles, neighbors, Integrator(options), boundary, sizing,
-                                      options, progress, report.seconds);
+    const Round_result result = simulation.run_round(progress, report.seconds);
     add_to_report(result, Integrator::evaluations_per_step, report);
-    remove_coincident(domain, bubbles);
     if (result.is_cancelled) {
       report.stop_reason = Bubble_stop_reason::STOPPED_BY_CALLBACK;
-      return;
+      break;
     }
-
     const bool is_last = round + 1 == options.number_of_rounds;
-    if (is_last && options.population != Bubble_population::NONE)
-      return; // what is inserted now would not be relaxed
+    if (is_last && !result.is_at_rest)
+      break;
     const Phase_timer timer(report.seconds.population);
-    const Population_change change = adjust_population(domain, sizing, options, bubbles);
+    const Population_change change =
+      adjust_population(domain, sizing, options, bubbles, simulation);
     if (change.is_empty() && result.is_at_rest) {
-      report.converged = true;
       report.stop_reason = Bubble_stop_reason::CONVERGED;
-      return;
+      break;
     }
-    apply(change, bubbles);
-    report.number_of_insertions += change.number_of_insertions();
-    report.number_of_deletions += change.number_of_deletions();
+    if (is_last)
+      break; // what is inserted now would not be relaxed
+    simulation.apply(change);
+    report.number_of_insertions += change.inserted.size();
+    report.number_of_deletions += change.deleted.size();
   }
+  report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
+  bubbles.forget_gone();
+  remove_coincident(domain, bubbles);
 }
 
 } // namespace internal

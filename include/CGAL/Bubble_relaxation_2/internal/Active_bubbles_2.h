@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ACTIVE_BUBBLES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ACTIVE_BUBBLES_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The bubbles that take part in a step: those that moved in the step before, and their neighbours. The
+/// others sleep. After some dozen steps most do, and what a step costs is what still moves.
+class Active_bubbles_2
+{
+public:
+  const std::vector<Index>& indices() const { return m_indices; }
+
+  /// all bubbles that were active since the last call of `forget_touched()`
+  const std::vector<Index>& touched() const { return m_touched; }
+
+  void forget_touched()
+  {
+    for (Index i : m_touched)
+      m_is_touched[i] = 0;
+    m_touched.clear();
+    for (Index i : m_indices)
+      touch(i);
+  }
+
+  void wake_all(const Bubbles_2& bubbles)
+  {
+    start(bubbles);
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      add(bubbles, static_cast<Index>(i));
+  }
+
+  /// a bubble that is new or has lost a neighbour takes part in the next step
+  void wake(const Bubbles_2& bubbles, Index i)
+  {
+    m_added_in.resize(bubbles.size(), 0);
+    m_is_touched.resize(bubbles.size(), 0);
+    add(bubbles, i);
+  }
+
+  void forget_gone(const Bubbles_2& bubbles)
+  {
+    const auto is_gone = [&bubbles](Index i) { return bubbles.is_gone(i); };
+    m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(), is_gone), m_indices.end());
+  }
+
+  /// goes on to the next step; `is_moving[k]`: whether the `k`-th of `indices()` moves noticeably
+  void advance(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
+               const std::vector<char>& is_moving)
+  {
+    m_before.swap(m_indices);
+    start(bubbles);
+    for (std::size_t k = 0; k < m_before.size(); ++k) {
+      if (!is_moving[k])
+        continue;
+      const Index i = m_before[k];
+      add(bubbles, i);
+      for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
+        add(bubbles, *j);
+    }
+    for (Index i : m_before)
+      if (m_added_in[i] != m_step)
+        bubbles.stop(i);
+  }
+
+private:
+  void start(const Bubbles_2& bubbles)
+  {
+    m_indices.clear();
+    ++m_step;
+    m_added_in.resize(bubbles.size(), 0);
+    m_is_touched.resize(bubbles.size(), 0);
+  }
+
+  void add(const Bubbles_2& bubbles, Index i)
+  {
+    if (m_added_in[i] == m_step || !bubbles.can_move(i))
+      return;
+    m_added_in[i] = m_step;
+    m_indices.push_back(i);
+    touch(i);
+  }
+
+  void touch(Index i)
+  {
+    if (m_is_touched[i])
+      return;
+    m_is_touched[i] = 1;
+    m_touched.push_back(i);
+  }
+
+  std::vector<Index> m_indices, m_before, m_touched;
+  std::vector<char> m_is_touched;
+  std::vector<std::uint64_t> m_added_in; // the step in which a bubble was added last
+  std::uint64_t m_step = 1;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ACTIVE_BUBBLES_2_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Active_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Boundary_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
+#include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
+#include <CGAL/Bubble_relaxation_2/internal/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/integrators.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What one round of simulation did.
+struct Round_result
+{
+  std::size_t steps = 0;
+  std::size_t moves = 0;     ///< bubbles that took part, summed over the steps
+  std::size_t renewals = 0;
+  std::size_t returns = 0;   ///< bubbles put back into the domain
+  bool is_at_rest = false;   ///< no bubble moved more than the tolerance in the last step
+  bool is_cancelled = false;
+};
+
+/// Keeps the sizes of the bubbles up to date. d is asked again only where a bubble has moved more than
+/// `tolerance` times its size since it was asked last: most bubbles soon hardly move.
+template <class Sizing>
+class Size_update
+{
+public:
+  static constexpr double tolerance = 0.01;
+
+  Size_update(const Bubbles_2& b, const Sizing& sizing) : m_sizing(sizing), m_x(b.x), m_y(b.y) {}
+
+  void operator()(Bubbles_2& b, std::size_t i)
+  {
+    const double dx = b.x[i] - m_x[i], dy = b.y[i] - m_y[i], far = tolerance * b.d[i];
+    if (dx * dx + dy * dy <= far * far)
+      return;
+    b.d[i] = m_sizing(b.x[i], b.y[i]);
+    m_x[i] = b.x[i];
+    m_y[i] = b.y[i];
+  }
+
+  /// a bubble added after the last; its size is known
+  void add(const Bubbles_2& b, std::size_t i)
+  {
+    m_x.push_back(b.x[i]);
+    m_y.push_back(b.y[i]);
+  }
+
+private:
+  const Sizing& m_sizing;
+  std::vector<double> m_x, m_y; // where d was asked
+};
+
+/// What a step did to each active bubble, by its position among them.
+struct Step_flags
+{
+  std::vector<char> rests;     ///< moved less than the tolerance
+  std::vector<char> returned;  ///< left its face and was put back
+  std::vector<char> is_outrun; ///< has used up its skin
+
+  void start_step(std::size_t n)
+  {
+    rests.resize(n);
+    returned.resize(n);
+    is_outrun.resize(n);
+  }
+};
+
+/// The bubbles in motion, with all that outlasts a round: neighbour sets, sizes, and who sleeps.
+template <class Concurrency_tag, class Integrator, class Sizing>
+class Simulation_2
+{
+public:
+  Simulation_2(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
+               Bubbles_2& bubbles)
+    : m_options(options), m_boundary(domain), m_integrator(options), m_bubbles(bubbles),
+      m_neighbors(options.neighbor_radius), m_update_size(bubbles, sizing)
+  {
+    m_active.wake_all(bubbles);
+  }
+
+  const Neighbor_sets_2& neighbors() const { return m_neighbors; }
+
+  /// the bubbles that may have moved in the last round
+  const std::vector<Index>& touched() const { return m_active.touched(); }
+
+  /// One round of Fig. 2 of the paper: steps until the bubbles rest, `number_of_iterations` at most.
+  template <class Seconds>
+  Round_result run_round(Progress& progress, Seconds& seconds)
+  {
+    Round_result result;
+    m_active.forget_touched();
+    while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
+      if (!progress.report_step(result.steps, m_options.number_of_iterations)) {
+        result.is_cancelled = true;
+        break;
+      }
+      {
+        const Phase_timer timer(seconds.renewal);
+        result.renewals += renew_neighbors(result.steps);
+      }
+      const Phase_timer timer(seconds.motion);
+      step(result);
+    }
+    return result;
+  }
+
+  /// Carries out a change of the population. Indices stay: new bubbles come after the last.
+  void apply(const Population_change& change)
+  {
+    for (Index i : change.deleted) {
+      const std::vector<Index> bereft(m_neighbors.begin(i), m_neighbors.end(i));
+      m_neighbors.remove(i);
+      m_bubbles.remove(i);
+      for (Index j : bereft)
+        m_active.wake(m_bubbles, j);
+    }
+    m_active.forget_gone(m_bubbles);
+    m_outrun.erase(std::remove_if(m_outrun.begin(), m_outrun.end(),
+                                  [this](Index i) { return m_bubbles.is_gone(i); }),
+                   m_outrun.end());
+    const Bubbles_2& in = change.inserted;
+    for (std::size_t k = 0; k < in.size(); ++k) {
+      const Index i = static_cast<Index>(m_bubbles.size());
+      m_bubbles.add(in.point(k), in.d[k], static_cast<Bubbles_2::Dimension>(in.dimension[k]),
+                    in.place[k], in.s[k]);
+      m_neighbors.add(m_bubbles, i);
+      m_update_size.add(m_bubbles, i);
+      m_active.wake(m_bubbles, i);
+      for (const Index *j = m_neighbors.begin(i), *end = m_neighbors.end(i); j != end; ++j)
+        m_active.wake(m_bubbles, *j);
+    }
+  }
+
+private:
+  /// Makes or renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
+  /// neighbours of neighbours; by default for the bubbles that have used up their skin, with buckets.
+  bool renew_neighbors(std::size_t step)
+  {
+    const std::size_t interval = m_options.renewal_interval;
+    if (m_neighbors.number_of_bubbles() == 0 || (interval != 0 && step == 0))
+      m_neighbors.build(m_bubbles);
+    else if (interval == 0 && !m_outrun.empty())
+      m_neighbors.renew(m_bubbles, m_outrun);
+    else if (interval != 0 && step % interval == 0)
+      m_neighbors.renew_from_neighbors(m_bubbles);
+    else
+      return false;
+    m_outrun.clear();
+    return true;
+  }
+
+  void step(Round_result& result)
+  {
+    const std::vector<Index>& active = m_active.indices();
+    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements);
+    m_flags.start_step(active.size());
+    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) { move(k, active[k]); });
+    ++result.steps;
+    result.moves += active.size();
+    result.returns += std::count(m_flags.returned.begin(), m_flags.returned.end(), 1);
+    result.is_at_rest =
+      std::find(m_flags.rests.begin(), m_flags.rests.end(), 0) == m_flags.rests.end();
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (m_flags.is_outrun[k])
+        m_outrun.push_back(active[k]);
+    if (Integrator::lets_bubbles_sleep)
+      m_active.advance(m_bubbles, m_neighbors, m_displacements.is_moving);
+  }
+
+  void move(std::size_t k, Index i)
+  {
+    Bubbles_2& b = m_bubbles;
+    const double x = b.x[i], y = b.y[i];
+    m_flags.returned[k] = m_boundary.move(b, i, m_displacements.x[k], m_displacements.y[k]);
+    m_update_size(b, i);
+    const double dx = b.x[i] - x, dy = b.y[i] - y;
+    const double little = m_options.displacement_tolerance * b.d[i];
+    m_flags.rests[k] = dx * dx + dy * dy <= little * little;
+    m_flags.is_outrun[k] = m_neighbors.is_outrun_by(b, i);
+  }
+
+  const Relaxation_options& m_options;
+  const Boundary_2 m_boundary;
+  Integrator m_integrator;
+  Bubbles_2& m_bubbles;
+  Neighbor_sets_2 m_neighbors;
+  Active_bubbles_2 m_active;
+  Size_update<Sizing> m_update_size;
+  Displacements m_displacements;
+  Step_flags m_flags;
+  std::vector<Index> m_outrun; // waiting for their renewal
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_2_H
