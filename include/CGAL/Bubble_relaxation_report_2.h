@@ -13,7 +13,6 @@
 #include <CGAL/Mesh_quality_2.h>
 
 #include <cstddef>
-#include <ostream>
 
 namespace CGAL {
 
