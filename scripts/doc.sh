@@ -4,7 +4,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
 cd "$here"
 
-command -v doxygen > /dev/null || { echo "doxygen is missing: apt-get install doxygen" >&2; exit 1; }
+scripts/install_dependencies.sh doxygen
 mkdir -p build/doc
 doxygen doc/Bubble_relaxation_2/standalone/Doxyfile
 echo "build/doc/html/index.html"

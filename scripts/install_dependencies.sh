@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
-# Installs what is missing to build the package, its examples and its tests, on Debian.
+# Installs what is missing of the given packages, on Debian; without arguments, of those that the package,
+# its examples and its tests need:
+#   install_dependencies.sh [PACKAGE ...]
 set -euo pipefail
 
-packages=(g++ cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-dev
-          libboost-program-options-dev libmuparser-dev libtbb-dev libgtest-dev libbenchmark-dev)
+packages=("$@")
+[ ${#packages[@]} -gt 0 ] ||
+  packages=(g++ cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-dev
+            libboost-program-options-dev libmuparser-dev libtbb-dev libgtest-dev libbenchmark-dev)
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' ||

@@ -69,16 +69,34 @@ private:
   std::shared_ptr<State> m; // the parser knows where its variables are
 };
 
-/// a bar on a terminal, nothing elsewhere; Ctrl-C stops the simulation and keeps its mesh
-bool show_progress(double fraction, bool quiet)
+/// A bar on a terminal, nothing elsewhere. Its line ends with its life, however far it is: what is printed
+/// next, an error too, starts on a line of its own.
+class Progress_bar
 {
-  if (!quiet && isatty(STDERR_FILENO)) {
-    const int done = static_cast<int>(40 * fraction);
-    std::cerr << "\r[" << std::string(done, '#') << std::string(40 - done, ' ') << "] "
-              << static_cast<int>(100 * fraction) << " %" << (fraction < 1 ? "" : "\n") << std::flush;
+public:
+  explicit Progress_bar(bool is_shown) : m_is_shown(is_shown && isatty(STDERR_FILENO)) {}
+  ~Progress_bar()
+  {
+    if (m_percent >= 0)
+      std::cerr << std::endl;
   }
-  return is_interrupted == 0;
-}
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+
+  void show(double fraction)
+  {
+    const int percent = static_cast<int>(100 * fraction), done = static_cast<int>(40 * fraction);
+    if (!m_is_shown || percent == m_percent)
+      return;
+    m_percent = percent;
+    std::cerr << "\r[" << std::string(done, '#') << std::string(40 - done, ' ') << "] " << percent
+              << " %" << std::flush;
+  }
+
+private:
+  bool m_is_shown;
+  int m_percent = -1; // what the bar shows, -1 before it is drawn
+};
 
 po::variables_map read_arguments(int argc, char** argv)
 {
@@ -91,8 +109,8 @@ po::variables_map read_arguments(int argc, char** argv)
     ("output,o", po::value<std::string>(), "the mesh, .vtu")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
     ("paper", "the parameters of the paper instead of the defaults")
-    ("rounds", po::value<int>()->default_value(8), "rounds of simulation at most")
-    ("iterations", po::value<int>()->default_value(60), "steps in a round at most")
+    ("rounds", po::value<int>()->default_value(8), "rounds of simulation at most; with --paper 6")
+    ("iterations", po::value<int>()->default_value(60), "steps in a round at most; with --paper 250")
     ("max-bubbles", po::value<long>()->default_value(20000000), "refuse sizes that ask for more vertices")
     ("quiet,q", "no progress and no statistics");
   po::positional_options_description positional;
@@ -108,17 +126,32 @@ po::variables_map read_arguments(int argc, char** argv)
   return arguments;
 }
 
+/// what the user asks for, else what `parameters` hold, else the default that --help shows
+template <class Parameters, class Tag>
+int count(const po::variable_value& argument, const Parameters& parameters, Tag tag)
+{
+  using namespace CGAL::parameters;
+  if (!argument.defaulted())
+    return argument.as<int>();
+  return static_cast<int>(choose_parameter(get_parameter(parameters, tag), argument.as<int>()));
+}
+
 /// calls npbs_relax with what the arguments say, on top of `parameters`
 template <class Parameters>
 auto mesh(Domain_file& domain, const po::variables_map& arguments, const Parameters& parameters)
 {
+  namespace np = CGAL::internal_np;
   const std::set<CDT::Vertex_handle> pinned(domain.pinned.begin(), domain.pinned.end());
-  const bool quiet = arguments.count("quiet") > 0;
-  const auto all = parameters.number_of_rounds(arguments["rounds"].as<int>())
-                     .number_of_iterations(arguments["iterations"].as<int>())
-                     .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>())
-                     .vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(pinned))
-                     .callback([quiet](double fraction) { return show_progress(fraction, quiet); });
+  Progress_bar bar(arguments.count("quiet") == 0);
+  const auto all =
+    parameters.number_of_rounds(count(arguments["rounds"], parameters, np::number_of_rounds))
+      .number_of_iterations(count(arguments["iterations"], parameters, np::number_of_iterations))
+      .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>())
+      .vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(pinned))
+      .callback([&bar](double fraction) {
+        bar.show(fraction);
+        return is_interrupted == 0; // Ctrl-C stops the simulation and keeps its mesh
+      });
   const auto relax = [&](const auto& p) {
     return domain.has_seeds ? CGAL::npbs_relax(domain.cdt, p.seeds(domain.holes))
                             : CGAL::npbs_relax(domain.cdt, p);
@@ -138,7 +171,8 @@ try {
                         : mesh(domain, arguments, CGAL::parameters::force_coefficient(1.));
 
   if (arguments.count("quiet") == 0)
-    std::cout << report.quality << "  seconds" << std::string(31, ' ') << report.seconds.total() << '\n';
+    std::cout << report.quality << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'
+              << "  seconds" << std::string(29, ' ') << report.seconds.total() << '\n';
   if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
   if (arguments.count("output") > 0) {

@@ -21,8 +21,10 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -64,66 +66,95 @@ Report show(const std::string& file, const std::string& name, paper::CDT& cdt, c
   return report;
 }
 
-/// Figures 3 and 5: the initial bubbles of example 1, and the same after 750 steps, one round
-void show_example_1()
+/// the name of a figure's picture
+std::string file_name(int figure, const std::string& kind)
+{
+  std::ostringstream name;
+  name << "figure_" << std::setw(2) << std::setfill('0') << figure << '_' << kind;
+  return name.str();
+}
+
+/// Figures 3 and 5: the initial bubbles of example 1, and the same after one round without population
+/// control
+template <class Parameters>
+void show_example_1(const std::string& kind, const std::string& round, const Parameters& parameters)
 {
   const paper::Domain domain = paper::square_with_hole(1);
   paper::CDT initial = paper::triangulate(domain);
-  show("figure_03_paper", "Fig. 3: initial bubbles", initial, domain.d,
-       P::npbs_paper_parameters().number_of_rounds(0));
+  show(file_name(3, kind), "Fig. 3: initial bubbles", initial, domain.d, parameters.number_of_rounds(0));
   paper::CDT simulated = paper::triangulate(domain);
-  show("figure_05_paper", "Fig. 5: 750 steps", simulated, domain.d,
-       P::npbs_paper_parameters().number_of_rounds(1).number_of_iterations(750));
+  show(file_name(5, kind), "Fig. 5: " + round, simulated, domain.d, parameters.number_of_rounds(1));
 }
 
-/// Figures 19 to 21: the mesh of example 1, refined by another d
+/// a figure of section 2.1.5
 template <class Parameters>
-void show_refinement(const std::string& kind, const Parameters& parameters)
+void show_domain(const paper::Domain& domain, const std::string& kind, const Parameters& parameters)
+{
+  paper::CDT cdt = paper::triangulate(domain);
+  show(file_name(domain.figure, kind), "Fig. " + std::to_string(domain.figure) + ": " + domain.name, cdt,
+       domain.d, parameters);
+}
+
+/// Figures 19 to 21: the mesh of example 1, and `refining` it by another d
+template <class Parameters, class Refining>
+void show_refinement(const std::string& kind, const Parameters& parameters, const Refining& refining)
 {
   const paper::Domain domain = paper::square_with_hole(1);
   paper::CDT cdt = paper::triangulate(domain);
-  show("figure_19_" + kind, "Fig. 19: mesh of example 1", cdt, domain.d, parameters);
-  show("figure_21_" + kind, "Fig. 20, 21: refined, eq. 12", cdt, paper::refined_size(1),
-       parameters.initial_placement(CGAL::Bubble_placement::KEEP));
+  show(file_name(19, kind), "Fig. 19: mesh of example 1", cdt, domain.d, parameters);
+  show(file_name(21, kind), "Fig. 20, 21: refined, eq. 12", cdt, paper::refined_size(1), refining);
 }
 
-void show_figures(const std::set<int>& figures)
+void show_figures_of_paper(const std::set<int>& figures)
 {
-  const auto wanted = [&](int figure) { return figures.empty() || figures.count(figure) > 0; };
   std::cout << "with the paper's parameters and numbers of steps\n";
   print_header();
-  if (wanted(3) || wanted(5))
-    show_example_1();
-  for (const paper::Domain& d : paper::all_domains(1)) {
-    if (!wanted(d.figure))
-      continue;
-    paper::CDT cdt = paper::triangulate(d);
-    std::ostringstream file;
-    file << "figure_" << std::setw(2) << std::setfill('0') << d.figure << "_paper";
-    show(file.str(), "Fig. " + std::to_string(d.figure) + ": " + d.name, cdt, d.d,
-         P::npbs_paper_parameters().number_of_iterations(d.iterations).number_of_rounds(d.rounds));
-  }
-  if (wanted(19))
-    show_refinement("paper", P::npbs_paper_parameters().number_of_rounds(4));
+  const auto parameters = P::npbs_paper_parameters();
+  if (figures.count(3) > 0)
+    show_example_1("paper", "750 steps", parameters.number_of_iterations(750));
+  for (const paper::Domain& d : paper::all_domains(1))
+    if (figures.count(d.figure) > 0)
+      show_domain(d, "paper",
+                  parameters.number_of_iterations(d.iterations).number_of_rounds(d.rounds));
+  const auto four_rounds = parameters.number_of_rounds(4);
+  if (figures.count(19) > 0)
+    show_refinement("paper", four_rounds,
+                    four_rounds.initial_placement(CGAL::Bubble_placement::KEEP));
+}
 
+void show_figures_with_defaults(const std::set<int>& figures)
+{
   std::cout << "\nwith the defaults\n";
   print_header();
-  for (const paper::Domain& d : paper::all_domains(1)) {
-    if (!wanted(d.figure))
-      continue;
-    paper::CDT cdt = paper::triangulate(d);
-    std::ostringstream file;
-    file << "figure_" << std::setw(2) << std::setfill('0') << d.figure << "_default";
-    show(file.str(), "Fig. " + std::to_string(d.figure) + ": " + d.name, cdt, d.d,
-         P::force_coefficient(1.));
+  const auto defaults = P::force_coefficient(1.);
+  if (figures.count(3) > 0)
+    show_example_1("default", "one round", defaults);
+  for (const paper::Domain& d : paper::all_domains(1))
+    if (figures.count(d.figure) > 0)
+      show_domain(d, "default", defaults);
+  if (figures.count(19) > 0)
+    show_refinement("default", defaults, defaults);
+}
+
+/// what is shown together goes by the number of its first figure
+const std::map<int, int> figure_groups{{3, 3},   {5, 3},   {6, 6},   {7, 7},   {8, 8},   {9, 9},  {10, 10},
+                                       {11, 11}, {12, 12}, {13, 13}, {19, 19}, {20, 19}, {21, 19}};
+
+/// \throws std::invalid_argument with one line for the user
+std::set<int> read_figures(const std::string& list)
+{
+  std::set<int> figures;
+  std::istringstream in(list);
+  for (std::string text; std::getline(in, text, ',');) {
+    int figure = 0;
+    std::istringstream number(text);
+    if (!(number >> figure) || !number.eof() || figure_groups.count(figure) == 0)
+      throw std::invalid_argument("there is no figure '" + text + "', only 3, 5 to 13 and 19 to 21");
+    figures.insert(figure_groups.at(figure));
   }
-  if (wanted(19)) {
-    const paper::Domain domain = paper::square_with_hole(1);
-    paper::CDT cdt = paper::triangulate(domain);
-    show("figure_19_default", "Fig. 19: mesh of example 1", cdt, domain.d, P::force_coefficient(1.));
-    show("figure_21_default", "Fig. 20, 21: refined, eq. 12", cdt, paper::refined_size(1),
-         P::force_coefficient(1.));
-  }
+  if (figures.empty())
+    throw std::invalid_argument("--figures needs numbers, such as 6,12");
+  return figures;
 }
 
 /// the defaults at about `n` vertices: d is scaled by what comes out at first
@@ -149,8 +180,10 @@ void show_size(std::size_t n)
 }
 
 int main(int argc, char** argv)
-{
+try {
   std::set<int> figures;
+  for (const auto& group : figure_groups)
+    figures.insert(group.second);
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--sizes") {
@@ -158,13 +191,13 @@ int main(int argc, char** argv)
       show_size(10000);
       return 0;
     }
-    if (argument != "--figures" || i + 1 == argc) {
-      std::cerr << "usage: paper_figures [--figures 6,12] [--sizes]\n";
-      return 1;
-    }
-    std::istringstream list(argv[++i]);
-    for (std::string number; std::getline(list, number, ',');)
-      figures.insert(std::stoi(number));
+    if (argument != "--figures" || i + 1 == argc)
+      throw std::invalid_argument("usage: paper_figures [--figures 6,12] [--sizes]");
+    figures = read_figures(argv[++i]);
   }
-  show_figures(figures);
+  show_figures_of_paper(figures);
+  show_figures_with_defaults(figures);
+} catch (const std::exception& e) {
+  std::cerr << "paper_figures: " << e.what() << '\n';
+  return 1;
 }

@@ -21,10 +21,12 @@ enum class Bubble_integrator
   SEMI_IMPLICIT_EULER  ///< the default: one force evaluation a step, in units of the local size, hence scale-free
 };
 
-/// Where the bubbles of the faces start.
+/// Where the bubbles of the faces start. Those of edges cut them in equal parts of the integral of ds/d.
 enum class Bubble_placement
 {
-  KEEP,     ///< the free vertices that exist are the bubbles
+  /// the free vertices that exist are the bubbles, in the faces whatever d asks, on an edge if it has as many
+  /// as the integral of ds/d asks, rounded; else the edge is cut anew, also with `Bubble_population::NONE`
+  KEEP,
   RHOMBIC,  ///< the paper's: recursive subdivision in rhombic cells with angles of 60 and 120 degrees
   FRONTAL   ///< the default: a front of hexagonally aligned candidates
 };
@@ -32,7 +34,7 @@ enum class Bubble_placement
 /// How the number of bubbles is adjusted between two rounds of simulation.
 enum class Bubble_population
 {
-  NONE,           ///< the number stays as placed
+  NONE,           ///< the number stays as placed, but for bubbles that come to lie in one place
   OVERLAP_RATIO,  ///< the paper's: delete where bubbles overlap too much, insert where too little
   DELAUNAY        ///< the default: insert at large circumcircles, delete crowded and ill-connected bubbles
 };
@@ -41,7 +43,7 @@ enum class Bubble_population
 enum class Bubble_stop_reason
 {
   CONVERGED,          ///< no bubble moved more than the tolerance and the population stayed as it was
-  ITERATION_LIMIT,    ///< all rounds were done with all their steps
+  ITERATION_LIMIT,    ///< all rounds were done
   STOPPED_BY_CALLBACK ///< the callback returned `false`
 };
 

@@ -13,26 +13,26 @@
 #include <CGAL/Mesh_quality_2.h>
 
 #include <cstddef>
-#include <ostream>
 
 namespace CGAL {
 
 /*!
 \ingroup PkgBubbleRelaxation2Ref
 
-Seconds of wall-clock time that a relaxation spent in each of its phases.
+Seconds of wall-clock time that a relaxation spent in each of its phases. What lies between them is in none:
+the removal of bubbles in one place, and the copy of the triangulation that is kept until all went well.
 */
 struct Bubble_relaxation_seconds
 {
-  double reading = 0;    ///< from the triangulation to the domain and its bubbles
-  double placement = 0;  ///< initial bubbles
+  double reading = 0;    ///< from the triangulation to the domain, and to the default sizes if none are given
+  double placement = 0;  ///< the check of the expected number, and the initial bubbles
   double renewal = 0;    ///< neighbour sets
   double motion = 0;     ///< forces, steps and the boundary
-  double population = 0; ///< insertion and deletion of bubbles between rounds
+  double population = 0; ///< insertion and deletion of bubbles between rounds, and whether any is needed
   double writing = 0;    ///< from the bubbles to the triangulation
   double evaluation = 0; ///< statistics of the mesh
 
-  /// the sum of all phases
+  /// the sum of all phases, less than the whole time
   double total() const
   {
     return reading + placement + renewal + motion + population + writing + evaluation;
@@ -54,14 +54,16 @@ struct Bubble_relaxation_report_2
   std::size_t number_of_vertices = 0;          ///< vertices of the mesh of the domain
   std::size_t number_of_triangles = 0;         ///< triangles of the mesh of the domain
   std::size_t number_of_initial_bubbles = 0;   ///< bubbles after the initial placement
-  std::size_t number_of_rounds = 0;            ///< rounds of simulation
+  std::size_t number_of_rounds = 0;            ///< rounds of simulation, with one that was stopped
   std::size_t number_of_steps = 0;             ///< time steps, all rounds together
   std::size_t number_of_force_evaluations = 0; ///< evaluations of all forces: one a step, four with Runge-Kutta
   std::size_t number_of_moves = 0;             ///< bubbles that took part in a step, summed over all steps; the others slept
   std::size_t number_of_renewals = 0;          ///< how often neighbour sets were made or renewed
   std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control
-  std::size_t number_of_deletions = 0;         ///< bubbles deleted by the population control
-  std::size_t number_of_returns = 0;           ///< face bubbles that left the domain and were put back
+  /// bubbles deleted by the population control; not those removed because they were in one place with another
+  std::size_t number_of_deletions = 0;
+  /// how often a face bubble was stopped at an edge: put back, or left where it was if there was no room
+  std::size_t number_of_returns = 0;
   bool converged = false;                      ///< whether `stop_reason` is `CONVERGED`
   Bubble_stop_reason stop_reason = Bubble_stop_reason::ITERATION_LIMIT; ///< why it ended
   Bubble_relaxation_seconds seconds;           ///< time spent in each phase

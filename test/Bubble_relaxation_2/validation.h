@@ -123,20 +123,47 @@ double domain_area(const CDT& cdt)
 }
 
 /// valid, Delaunay, bounded by constraints; and every vertex that is no end of a constraint lies in the
-/// domain
+/// domain, but for those that were outside of it before: pass these as `outside`
 template <class CDT>
-void expect_valid_mesh(const CDT& cdt)
+void expect_valid_mesh(const CDT& cdt, const std::set<Xy>& outside = {})
 {
   EXPECT_TRUE(cdt.is_valid());
+  std::set<typename CDT::Vertex_handle> in_domain;
   for (auto f : cdt.all_face_handles()) {
     if (cdt.is_infinite(f)) {
       EXPECT_FALSE(f->is_in_domain());
       continue;
     }
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
       if (!f->is_constrained(i)) {
         EXPECT_EQ(f->is_in_domain(), f->neighbor(i)->is_in_domain());
       }
+      if (f->is_in_domain())
+        in_domain.insert(f->vertex(i));
+    }
+  }
+  for (auto v : cdt.finite_vertex_handles())
+    if (!cdt.are_there_incident_constraints(v) && outside.count(xy(v)) == 0) {
+      EXPECT_EQ(in_domain.count(v), 1u) << "vertex (" << xy(v).first << ", " << xy(v).second << ")";
+    }
+}
+
+/// No vertex of the domain is nearer to another than `least` times the mean of d at both, but two of
+/// `fixed`, whose distance is the user's. Only edges are looked at: in a Delaunay triangulation each
+/// vertex is joined to its nearest one.
+template <class CDT, class Sizing>
+void expect_no_vertices_nearer(const CDT& cdt, const Sizing& d, double least,
+                               const std::set<Xy>& fixed)
+{
+  for (const auto& e : cdt.finite_edges()) {
+    const auto u = e.first->vertex(cdt.ccw(e.second)), v = e.first->vertex(cdt.cw(e.second));
+    if (!e.first->is_in_domain() && !e.first->neighbor(e.second)->is_in_domain())
+      continue;
+    if (fixed.count(xy(u)) > 0 && fixed.count(xy(v)) > 0)
+      continue;
+    EXPECT_GE(length({xy(u), xy(v)}), 0.5 * least * (d(u->point()) + d(v->point())))
+      << "from (" << xy(u).first << ", " << xy(u).second << ") to (" << xy(v).first << ", "
+      << xy(v).second << ")";
   }
 }
 
