@@ -121,6 +121,40 @@ TEST(Domain_reading, a_crossing_of_constraints_is_a_corner)
   EXPECT_EQ(reading->domain.edges().size(), 7u);
 }
 
+TEST(Domain_reading, a_sliver_with_straight_sides_keeps_all_its_edges)
+{
+  // the hole's corner in the middle is off the opposite edge by one rounding: it looks like a split of a
+  // second edge with the same two ends
+  const double above = std::nextafter(1., 2.);
+  CDT cdt = domains::make({domains::square(0, 0, 4), {{1, 1}, {3, 1}, {2, above}}});
+  ASSERT_EQ(cdt.number_of_vertices(), 7u);
+  const auto reading = read(cdt);
+  EXPECT_EQ(reading->domain.corners().size(), 7u);
+  ASSERT_EQ(reading->domain.edges().size(), 7u);
+  std::set<std::pair<Index, Index>> ends;
+  for (const Domain_edge_2& e : reading->domain.edges())
+    ends.insert(std::minmax(e.source, e.target));
+  EXPECT_EQ(ends.size(), 7u);
+  const auto is_inside = [&](double x, double y) {
+    return reading->domain.is_inside(reading->domain.locate(Point(x, y), 0));
+  };
+  EXPECT_TRUE(is_inside(2, 1.5));
+  EXPECT_TRUE(is_inside(2, 0.5));
+}
+
+TEST(Domain_marking, an_edge_may_be_given_once_only)
+{
+  const std::vector<Point> points{Point(0, 0), Point(1, 0), Point(0, 1)};
+  Marked_triangulation_2 result;
+  const std::vector<Domain_edge_2> once{{0, 1, true, false}, {1, 2, true, false}, {2, 0, true, false}};
+  EXPECT_EQ(mark_triangulation(points, once, result), Marking_error::NONE);
+  for (const Domain_edge_2& second : {Domain_edge_2{0, 1, false, true}, Domain_edge_2{1, 0, true, false}}) {
+    std::vector<Domain_edge_2> twice = once;
+    twice.push_back(second);
+    EXPECT_EQ(mark_triangulation(points, twice, result), Marking_error::EDGE_TWICE);
+  }
+}
+
 TEST(Domain_reading, free_vertices)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(0.2, 0.2, 0.3)});

@@ -46,7 +46,7 @@ struct Marked_triangulation_2
 };
 
 /// What `mark_triangulation()` found wrong with its edges.
-enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, POINTS_COINCIDE };
+enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE };
 
 /// Makes a `Marked_triangulation_2` of points and of edges between them: triangulates, copies to arrays,
 /// enters the edges, and floods the marks of their sides.
@@ -131,11 +131,20 @@ private:
     // an edge that passes through a third point is there in parts only
     if (!m_cdt.is_edge(m_handles[e.source], m_handles[e.target], f, i))
       return Marking_error::EDGE_THROUGH_POINT;
+    // two edges with the same ends have different marks, and a bubble could not tell which it is on
+    const Index g = f->neighbor(i)->info();
+    const int j = m_cdt.mirror_index(f, i);
+    if (has_edge(f->info(), i) || has_edge(g, j))
+      return Marking_error::EDGE_TWICE;
     const bool f_is_left = f->vertex(m_cdt.ccw(i)) == m_handles[e.source];
     enter_side(f->info(), i, edge_index, f_is_left ? e.inside_left : e.inside_right);
-    enter_side(f->neighbor(i)->info(), m_cdt.mirror_index(f, i), edge_index,
-               f_is_left ? e.inside_right : e.inside_left);
+    enter_side(g, j, edge_index, f_is_left ? e.inside_right : e.inside_left);
     return Marking_error::NONE;
+  }
+
+  bool has_edge(Index t, int i) const
+  {
+    return t != no_index && m_result.edges[t][i] != no_index;
   }
 
   void enter_side(Index t, int i, Index edge_index, bool inside)
