@@ -144,7 +144,7 @@ those on edges lie exactly on them.
   \cgalParamNBegin{callback}
     \cgalParamDescription{is called with the progress, between 0 and 1, at every step; when it returns
                           `false` the simulation stops, and `cdt` becomes the mesh of the bubbles as
-                          they are}
+                          they are. The last call, with 1, comes just before `cdt` is changed}
     \cgalParamType{an object that converts to `std::function<bool(double)>`}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -161,9 +161,11 @@ those on edges lie exactly on them.
 finite, if a size is not positive, or if there is no domain with constraints all around it
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
 
-Exceptions of the sizing function and of the callback pass through. After any exception `cdt` has the
-content that it had; handles stay valid if it was thrown by the user's functions during the simulation, or
-by the checks before.
+Exceptions of the sizing function and of the callback pass through. All calls of them, of the property map
+and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
+above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the identifiers
+of its constraints. After `std::bad_alloc`, an exception of CGAL, or a `std::runtime_error` while the mesh is
+written, `cdt` has the content that it had, but all handles and identifiers of constraints are invalid.
 
 \sa `npbs_place_nodes()`
 \sa `refine_Delaunay_mesh_2()`
@@ -185,12 +187,13 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     reading_time.stop();
     const Bubbles_2 bubbles =
       simulate_bubbles<Concurrency<NamedParameters>>(cdt, *reading, sizing, options, progress, report);
+    evaluate(reading->domain, bubbles, sizing, report);
+    progress.report(1);
+    // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
     Restore_on_throw<CDT> guard(cdt);
     write_back(cdt, *reading, bubbles, report);
-    evaluate(cdt, np, sizing, report);
     guard.all_went_well();
   });
-  progress.report(1);
   return report;
 }
 

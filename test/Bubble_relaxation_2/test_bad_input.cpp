@@ -91,15 +91,11 @@ TEST(Bad_size, throws_at_any_call)
     SCOPED_TRACE(at);
     std::size_t left = at;
     CDT cdt = square();
-    const validation::Snapshot before = validation::snapshot(cdt);
-    EXPECT_THROW(CGAL::npbs_relax(cdt, P::sizing_function([&left](const Point&) {
-                   if (--left == 0)
-                     throw My_error("enough");
-                   return 0.1;
-                 })),
-                 My_error);
-    EXPECT_TRUE(validation::snapshot(cdt) == before);
-    EXPECT_TRUE(cdt.is_valid());
+    expect_throw<My_error>(cdt, P::sizing_function([&left](const Point&) {
+                             if (--left == 0)
+                               throw My_error("enough");
+                             return 0.1;
+                           }), {"enough"});
   }
 }
 
@@ -260,4 +256,12 @@ TEST(Callback, may_throw)
   expect_throw<My_error>(cdt, P::sizing_function(0.1).callback([&left](double) {
                            return --left > 0 ? true : throw My_error("stop");
                          }), {"stop"});
+}
+
+TEST(Callback, may_throw_at_the_last_call)
+{
+  CDT cdt = square();
+  expect_throw<My_error>(cdt, P::sizing_function(0.1).callback([](double fraction) {
+                           return fraction < 1 ? true : throw My_error("at the end");
+                         }), {"at the end"});
 }

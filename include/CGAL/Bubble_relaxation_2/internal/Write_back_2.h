@@ -291,17 +291,21 @@ void write_back(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubbles_2&
   Write_back_2<Cdt>(cdt, reading, bubbles)();
 }
 
-/// Gives a triangulation its former content back unless it is told that all went well.
+/// Gives a triangulation its former content back unless it is told that all went well. The content is
+/// that of a copy, so handles and identifiers of constraints do not outlive it.
 template <class Cdt>
 class Restore_on_throw
 {
 public:
-  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt) {}
+  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt.geom_traits())
+  {
+    copy_to_swap(m_cdt, m_backup);
+  }
 
   ~Restore_on_throw()
   {
     if (!m_all_went_well)
-      m_cdt.swap(m_backup);
+      swap_with_copy(m_cdt, m_backup);
   }
 
   void all_went_well() { m_all_went_well = true; }
