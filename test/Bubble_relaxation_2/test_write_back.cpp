@@ -362,6 +362,39 @@ TEST(Write_back_plus, content_comes_back_after_an_error_of_the_writing)
   EXPECT_GT(after_line.vertices.size(), 90u);
 }
 
+TEST(Write_back_plus, points_of_polylines_are_those_of_their_vertices)
+{
+  Plus cdt;
+  make_polylines(cdt);
+  for (int k = 0; k < 3; ++k)
+    for (double d : {0.1, 0.05}) {
+      CGAL::npbs_relax(cdt, size(d));
+      for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+        std::vector<domains::Point> of_vertices;
+        for (auto v = cdt.vertices_in_constraint_begin(*c); v != cdt.vertices_in_constraint_end(*c); ++v)
+          of_vertices.push_back((*v)->point());
+        const std::vector<domains::Point> points(cdt.points_in_constraint_begin(*c),
+                                                 cdt.points_in_constraint_end(*c));
+        EXPECT_EQ(points, of_vertices);
+      }
+    }
+}
+
+TEST(Write_back_plus, points_that_the_user_kept_stay)
+{
+  // as after a simplification of polylines that keeps the points
+  Plus cdt;
+  const std::vector<domains::Point> line{{0, 0}, {0.5, 0.1}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+  const auto id = cdt.insert_constraint(line.begin(), line.end());
+  cdt.simplify(std::next(cdt.vertices_in_constraint_begin(id)));
+  for (double d : {0.1, 0.2}) {
+    CGAL::npbs_relax(cdt, size(d));
+    EXPECT_EQ(std::count(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id), line[1]), 1);
+    EXPECT_EQ(std::distance(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id)),
+              1 + std::distance(cdt.vertices_in_constraint_begin(id), cdt.vertices_in_constraint_end(id)));
+  }
+}
+
 TEST(Write_back_report, describes_the_mesh_that_is_written)
 {
   domains::CDT cdt = domains::make({slanted, hole});

@@ -64,10 +64,13 @@ private:
     if (chain.splits.empty())
       return;
     if constexpr (Has_constraint_hierarchy<Cdt>::value) {
-      const Vertex_handle a = corner(chain.source), first = chain.splits.front();
-      const auto context = *m_cdt.contexts_begin(a, first);
+      auto context = *m_cdt.contexts_begin(corner(chain.source), chain.splits.front());
+      auto it = context.current(); // the end of the piece that comes first in the polyline
+      const bool is_forward = *it == corner(chain.source);
+      if (is_forward)
+        ++it;
       for (std::size_t k = 0; k < chain.splits.size(); ++k)
-        simplify(context, chain.splits[k]);
+        simplify(context.id(), is_forward ? it++ : it--);
     } else {
       for (Vertex_handle v : chain.splits) {
         m_cdt.remove_incident_constraints(v);
@@ -77,15 +80,14 @@ private:
     }
   }
 
-  template <class Context>
-  void simplify(Context context, Vertex_handle v)
+  /// also forgets the point, which a polyline keeps of a vertex that is gone: with each relaxation there
+  /// would be more
+  template <class Constraint_id, class Vertex_iterator>
+  void simplify(Constraint_id id, Vertex_iterator v)
   {
-    for (auto it = m_cdt.vertices_in_constraint_begin(context.id());
-         it != m_cdt.vertices_in_constraint_end(context.id()); ++it)
-      if (*it == v) {
-        m_cdt.simplify(it);
-        return;
-      }
+    const typename Cdt::Points_in_constraint_iterator point = v;
+    m_cdt.simplify(v);
+    id.vl_ptr()->erase(point.base());
   }
 
   void split_constraints()
