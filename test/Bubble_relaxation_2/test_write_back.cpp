@@ -432,6 +432,16 @@ TEST(Write_back_exact, bubbles_lie_exactly_on_their_edges)
     }
 }
 
+TEST(Write_back_exact, the_size_may_be_a_number_of_the_kernel)
+{
+  Exact_cdt cdt = domains::make<Exact_cdt>({slanted}), other = cdt;
+  CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(Exact::FT(0.1)));
+  CGAL::npbs_relax(other, size(0.1));
+  EXPECT_TRUE(validation::snapshot(cdt) == validation::snapshot(other));
+  EXPECT_THROW(CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(Exact::FT(-1))),
+               std::invalid_argument);
+}
+
 TEST(Write_back_plain, faces_need_no_mark)
 {
   CGAL::Constrained_Delaunay_triangulation_2<K> cdt;
