@@ -60,7 +60,7 @@ public:
   template <class Point_2>
   void add_triangle(const Point_2& p, const Point_2& q, const Point_2& r)
   {
-    const double quality = radius_ratio_2(p, q, r);
+    const double quality = radius_ratio(p, q, r);
     if (m_qualities.empty() || quality < m.minimum_quality) {
       m.minimum_quality = quality;
       m.worst_x = CGAL::to_double(p.x() + q.x() + r.x()) / 3;
