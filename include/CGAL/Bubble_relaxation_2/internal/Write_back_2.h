@@ -129,7 +129,7 @@ private:
       return {Edge(f, i), target};
     Vertex_handle next; // a vertex outside of the domain may lie on the constraint
     if (!m_cdt.includes_edge(u, target, next, f, i))
-      throw std::runtime_error("npbs_relax: a constraint got lost; please report this");
+      throw std::runtime_error("Bubble_relaxation_2: a constraint got lost; please report this");
     return {Edge(f, i), next};
   }
 
@@ -171,7 +171,7 @@ private:
             return Cdt_point(x, y);
         }
     }
-    throw std::runtime_error("npbs_relax: the triangulation is too flat beside a constraint to "
+    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to "
                              "split it there");
   }
 

@@ -137,7 +137,7 @@ double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
   if (expected > static_cast<double>(maximum)) {
     std::ostringstream message;
-    message << "npbs_relax: parameter maximum_number_of_bubbles = " << maximum
+    message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
             << ": the domain and the sizing function ask for more, at least " << expected;
     throw std::length_error(message.str());
   }

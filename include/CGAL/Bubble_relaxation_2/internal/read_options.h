@@ -28,7 +28,7 @@ namespace internal {
 [[noreturn]] inline void throw_invalid_count(const char* name, const std::string& value,
                                              const std::string& requirement)
 {
-  throw std::invalid_argument(std::string("npbs_relax: parameter ") + name + " = " + value + " must be " +
+  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " + value + " must be " +
                               requirement);
 }
 
