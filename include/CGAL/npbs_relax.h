@@ -37,10 +37,14 @@ marked if the face base has marks.
 - Every vertex that is a corner or an end of a constraint, every pinned vertex, and all that lies outside
   of the domain is still there, with its coordinates and what its vertex base carries, and its handle
   stays valid.
-- Every constraint of the input is the union of constraints of the output. A vertex with two constrained
+- Every constraint of the input is the union of constraints of the output: exactly with exact
+  constructions, else up to the rounding of the vertices that split it. A vertex with two constrained
   edges, straight up to rounding, only splits a constraint: it is a bubble of an edge and may slide and go,
   unless it is pinned. A `Constrained_triangulation_plus_2` knows which vertices these are, and its
   constraints keep their identifiers.
+- A vertex inside the domain that is no end of a constraint is a free bubble, which moves and may go.
+  CGAL's triangulations know constraints as edges only: an isolated vertex that is to stay, and to carry a
+  bubble as the boundary does, is pinned by `vertex_is_constrained_map`.
 - All other vertices of the domain are new, and handles to them and to faces are invalid.
 
 The result is the same to the last bit for the same input, with any number of threads.
@@ -56,7 +60,7 @@ those on edges lie exactly on them.
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
     \cgalParamDescription{the wanted distance d of neighbouring vertices, in the units of the coordinates}
-    \cgalParamType{a model of `BubbleSizingField_2`, or a number}
+    \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{the mean length of the edges around each vertex of `cdt`, linear between vertices}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
@@ -71,7 +75,8 @@ those on edges lie exactly on them.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{the pinned vertices: they stay where they are}
+    \cgalParamDescription{the pinned vertices: they stay where they are, isolated ones inside the domain and
+                          those that only split a constraint as well}
     \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
     \cgalParamDefault{no vertex is pinned}
   \cgalParamNEnd
@@ -138,7 +143,7 @@ those on edges lie exactly on them.
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_bubbles}
     \cgalParamDescription{the most bubbles that `sizing_function` may ask for}
-    \cgalParamType{an integer, positive}
+    \cgalParamType{an integer, positive, at most 2<sup>31</sup> - 1}
     \cgalParamDefault{100 000 000}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
@@ -160,6 +165,9 @@ those on edges lie exactly on them.
 \throws std::invalid_argument if a parameter is out of its range, if a coordinate or a size is not
 finite, if a size is not positive, or if there is no domain with constraints all around it
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
+\throws std::runtime_error if edges of the domain lie nearer to each other than the rounding of the bubbles
+on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is
+too flat for the numbers of the kernel
 
 Exceptions of the sizing function and of the callback pass through. All calls of them, of the property map
 and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
