@@ -17,6 +17,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace CGAL {
@@ -69,8 +70,8 @@ public:
   class Is_bad
   {
   public:
-    Is_bad(const SizingField& sizing, double shape_bound)
-      : m_sizing(sizing), m_shape_bound(shape_bound)
+    Is_bad(std::shared_ptr<const SizingField> sizing, double shape_bound)
+      : m_sizing(std::move(sizing)), m_shape_bound(shape_bound)
     {}
 
     Mesh_2::Face_badness operator()(const Quality& q) const
@@ -95,7 +96,7 @@ public:
       }
       std::sort(squared, squared + 3);
       const double d =
-        Checked_sizing(m_sizing)(x[0] + ((x[1] - x[0]) + (x[2] - x[0])) / 3,
+        Checked_sizing(*m_sizing)(x[0] + ((x[1] - x[0]) + (x[2] - x[0])) / 3,
                                  y[0] + ((y[1] - y[0]) + (y[2] - y[0])) / 3);
       const double twice_area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
       q.size = squared[2] / (size_factor * size_factor * d * d);
@@ -104,7 +105,7 @@ public:
     }
 
   private:
-    SizingField m_sizing;
+    std::shared_ptr<const SizingField> m_sizing;
     double m_shape_bound;
   };
 
@@ -112,14 +113,15 @@ public:
   /// \param shape_bound the square of the sine of the smallest allowed angle; refinement is known to end
   /// for 0.125, about 20.7 degrees, or less
   explicit Bubble_mesh_criteria_2(SizingField sizing, double shape_bound = 0.125)
-    : m_sizing(std::move(sizing)), m_shape_bound(shape_bound)
+    : m_sizing(std::make_shared<const SizingField>(std::move(sizing))), m_shape_bound(shape_bound)
   {}
 
   /// the predicate that the mesher calls
   Is_bad is_bad_object() const { return Is_bad(m_sizing, m_shape_bound); }
 
 private:
-  SizingField m_sizing;
+  // shared, since a lambda cannot be assigned, and the mesher assigns its criteria
+  std::shared_ptr<const SizingField> m_sizing;
   double m_shape_bound;
 };
 

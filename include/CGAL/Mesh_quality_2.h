@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/Checked_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Mesh_quality_accumulator_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/print_mesh_quality.h>
@@ -22,6 +23,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -141,7 +143,7 @@ private:
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
     \cgalParamDescription{the wanted length d of edges, in the units of the coordinates}
-    \cgalParamType{a model of `BubbleSizingField_2`, or a number}
+    \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{none: there are no length ratios}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
@@ -157,7 +159,8 @@ private:
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws std::invalid_argument if the triangulation has no domain
+\throws std::invalid_argument if the triangulation has no domain, if an edge around the domain is not
+constrained, or if a size is not positive and finite
 */
 template <class CDT, class NamedParameters = parameters::Default_named_parameters>
 auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::default_values())
@@ -167,9 +170,11 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
   const Domain_marks_2<CDT> is_inside(cdt, np);
   Mesh_quality_accumulator_2 accumulator;
   add_domain(cdt, is_inside, accumulator);
-  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value)
-    add_lengths(cdt, is_inside,
-                parameters::get_parameter_reference(np, internal_np::sizing_function), accumulator);
+  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
+    const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
+    const Checked_sizing_field_2<typename CDT::Geom_traits::Point_2, std::decay_t<decltype(f)>> sizing(f);
+    add_lengths(cdt, is_inside, sizing, accumulator);
+  }
   return Mesh_quality_2<FT>(accumulator.statistics());
 }
 

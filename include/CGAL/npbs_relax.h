@@ -37,10 +37,14 @@ marked if the face base has marks.
 - Every vertex that is a corner or an end of a constraint, every pinned vertex, and all that lies outside
   of the domain is still there, with its coordinates and what its vertex base carries, and its handle
   stays valid.
-- Every constraint of the input is the union of constraints of the output. A vertex with two constrained
+- Every constraint of the input is the union of constraints of the output: exactly with exact
+  constructions, else up to the rounding of the vertices that split it. A vertex with two constrained
   edges, straight up to rounding, only splits a constraint: it is a bubble of an edge and may slide and go,
   unless it is pinned. A `Constrained_triangulation_plus_2` knows which vertices these are, and its
   constraints keep their identifiers.
+- A vertex inside the domain that is no end of a constraint is a free bubble, which moves and may go.
+  CGAL's triangulations know constraints as edges only: an isolated vertex that is to stay, and to carry a
+  bubble as the boundary does, is pinned by `vertex_is_constrained_map`.
 - All other vertices of the domain are new, and handles to them and to faces are invalid.
 
 The result is the same to the last bit for the same input, with any number of threads.
@@ -56,7 +60,7 @@ those on edges lie exactly on them.
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
     \cgalParamDescription{the wanted distance d of neighbouring vertices, in the units of the coordinates}
-    \cgalParamType{a model of `BubbleSizingField_2`, or a number}
+    \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{the mean length of the edges around each vertex of `cdt`, linear between vertices}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
@@ -71,7 +75,8 @@ those on edges lie exactly on them.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{the pinned vertices: they stay where they are}
+    \cgalParamDescription{the pinned vertices: they stay where they are, isolated ones inside the domain and
+                          those that only split a constraint as well}
     \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
     \cgalParamDefault{no vertex is pinned}
   \cgalParamNEnd
@@ -139,13 +144,13 @@ those on edges lie exactly on them.
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_bubbles}
     \cgalParamDescription{the most bubbles that `sizing_function` may ask for}
-    \cgalParamType{an integer, positive}
+    \cgalParamType{an integer, positive, at most 2<sup>31</sup> - 1}
     \cgalParamDefault{100 000 000}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{is called with the progress, between 0 and 1, at every step; when it returns
                           `false` the simulation stops, and `cdt` becomes the mesh of the bubbles as
-                          they are}
+                          they are. The last call, with 1, comes just before `cdt` is changed}
     \cgalParamType{an object that converts to `std::function<bool(double)>`}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -161,10 +166,15 @@ those on edges lie exactly on them.
 \throws std::invalid_argument if a parameter is out of its range, if a coordinate or a size is not
 finite, if a size is not positive, or if there is no domain with constraints all around it
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
+\throws std::runtime_error if edges of the domain lie nearer to each other than the rounding of the bubbles
+on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is
+too flat for the numbers of the kernel
 
-Exceptions of the sizing function and of the callback pass through. After any exception `cdt` has the
-content that it had; handles stay valid if it was thrown by the user's functions during the simulation, or
-by the checks before.
+Exceptions of the sizing function and of the callback pass through. All calls of them, of the property map
+and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
+above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the identifiers
+of its constraints. After `std::bad_alloc`, an exception of CGAL, or a `std::runtime_error` while the mesh is
+written, `cdt` has the content that it had, but all handles and identifiers of constraints are invalid.
 
 \sa `npbs_place_nodes()`
 \sa `refine_Delaunay_mesh_2()`
@@ -186,12 +196,13 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     reading_time.stop();
     const Bubbles_2 bubbles =
       simulate_bubbles<Concurrency<NamedParameters>>(cdt, *reading, sizing, options, progress, report);
+    evaluate(reading->domain, bubbles, sizing, report);
+    progress.report(1);
+    // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
     Restore_on_throw<CDT> guard(cdt);
     write_back(cdt, *reading, bubbles, report);
-    evaluate(cdt, np, sizing, report);
     guard.all_went_well();
   });
-  progress.report(1);
   return report;
 }
 

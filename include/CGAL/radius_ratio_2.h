@@ -11,26 +11,18 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
 
-/*!
-\ingroup PkgBubbleRelaxation2Functions
-
-\brief returns q = 2 r_in / r_out of the triangle `pqr`, twice the radius of its inscribed circle over the
-radius of its circumscribed circle (eq. 11 of the paper): 1 if it is equilateral, 0 if it is degenerate.
-
-The value does not depend on the orientation, nor on the scale: coordinates may be as large or small as
-their differences can be represented.
-
-\tparam Point_2 a point with the coordinates `x()` and `y()`
-*/
 template <class Point_2>
-double radius_ratio_2(const Point_2& p, const Point_2& q, const Point_2& r)
+double radius_ratio(const Point_2& p, const Point_2& q, const Point_2& r)
 {
   // With the area A and the sides a, b, c:  r_in = 2 A / (a+b+c),  r_out = a b c / (4 A). The area comes
   // from a cross product: the product of differences in eq. 11 loses all digits of a flat triangle.
@@ -48,6 +40,29 @@ double radius_ratio_2(const Point_2& p, const Point_2& q, const Point_2& r)
   const double b = std::sqrt(vx * vx + vy * vy), c = std::sqrt(ux * ux + uy * uy);
   const double twice_area = ux * vy - uy * vx, sides = a * b * c * (a + b + c);
   return sides > 0 ? (std::min)(1., 4 * twice_area * twice_area / sides) : 0.;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief returns q = 2 r_in / r_out of the triangle `pqr`, twice the radius of its inscribed circle over the
+radius of its circumscribed circle (eq. 11 of the paper): 1 if it is equilateral, 0 if it is degenerate.
+
+The value does not depend on the orientation, nor on the scale: coordinates may be as large or small as
+their differences can be represented.
+
+\tparam Point_2 the point type of a model of `Kernel`; the value is of its type `FT`, with the digits of
+`double` also if that is exact
+*/
+template <class Point_2>
+typename Kernel_traits<Point_2>::Kernel::FT radius_ratio_2(const Point_2& p, const Point_2& q,
+                                                           const Point_2& r)
+{
+  using FT = typename Kernel_traits<Point_2>::Kernel::FT;
+  return FT(Bubble_relaxation_2::internal::radius_ratio(p, q, r));
 }
 
 } // namespace CGAL

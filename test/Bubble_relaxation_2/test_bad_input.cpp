@@ -91,15 +91,11 @@ TEST(Bad_size, throws_at_any_call)
     SCOPED_TRACE(at);
     std::size_t left = at;
     CDT cdt = square();
-    const validation::Snapshot before = validation::snapshot(cdt);
-    EXPECT_THROW(CGAL::npbs_relax(cdt, P::sizing_function([&left](const Point&) {
-                   if (--left == 0)
-                     throw My_error("enough");
-                   return 0.1;
-                 })),
-                 My_error);
-    EXPECT_TRUE(validation::snapshot(cdt) == before);
-    EXPECT_TRUE(cdt.is_valid());
+    expect_throw<My_error>(cdt, P::sizing_function([&left](const Point&) {
+                             if (--left == 0)
+                               throw My_error("enough");
+                             return 0.1;
+                           }), {"enough"});
   }
 }
 
@@ -113,6 +109,19 @@ TEST(Bad_size, too_many_bubbles)
     cdt, P::sizing_function([](const Point& p) { return 1e-7 + 1e-6 * std::abs(p.x()); }),
     {"maximum_number_of_bubbles"});
   EXPECT_NO_THROW(CGAL::npbs_relax(cdt, P::sizing_function(0.05).maximum_number_of_bubbles(1000)));
+}
+
+TEST(Bad_size, too_many_bubbles_on_edges)
+{
+  // the area would hold 46 bubbles
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 0.001}, {0, 0.001}}});
+  expect_throw<std::length_error>(cdt, P::sizing_function(0.005).maximum_number_of_bubbles(390),
+                                  {"maximum_number_of_bubbles", "390"});
+  const auto report = CGAL::npbs_relax(cdt, P::sizing_function(0.005).maximum_number_of_bubbles(410));
+  EXPECT_NEAR(double(report.number_of_initial_bubbles), 402, 8);
+  // soon refused, however fine it is on the edges alone
+  CDT needle = domains::make({{{0, 0}, {1, 0}, {1, 1e-14}, {0, 1e-14}}});
+  expect_throw<std::length_error>(needle, P::sizing_function(1e-10), {"maximum_number_of_bubbles"});
 }
 
 TEST(Bad_parameter, out_of_range)
@@ -137,6 +146,32 @@ TEST(Bad_parameter, out_of_range)
   expect_throw<std::invalid_argument>(cdt, size.renewal_interval(-3), {"renewal_interval", "-3"});
   expect_throw<std::invalid_argument>(cdt, size.maximum_number_of_bubbles(0),
                                       {"maximum_number_of_bubbles", "0"});
+}
+
+TEST(Bad_parameter, counts_are_integers)
+{
+  CDT cdt = square();
+  const auto size = P::sizing_function(0.1);
+  for (double bad : {2.5, -1., not_a_number, infinity, -infinity, 1e30}) {
+    expect_throw<std::invalid_argument>(cdt, size.number_of_rounds(bad), {"number_of_rounds"});
+    expect_throw<std::invalid_argument>(cdt, size.number_of_iterations(bad), {"number_of_iterations"});
+    expect_throw<std::invalid_argument>(cdt, size.renewal_interval(bad), {"renewal_interval"});
+    expect_throw<std::invalid_argument>(cdt, size.maximum_number_of_bubbles(bad),
+                                        {"maximum_number_of_bubbles"});
+  }
+  expect_throw<std::invalid_argument>(cdt, size.number_of_rounds(2.5f), {"number_of_rounds", "2.5", "integer"});
+  EXPECT_NO_THROW(CGAL::npbs_relax(cdt, size.number_of_rounds(2.).number_of_iterations(3.f)));
+}
+
+TEST(Bad_parameter, more_bubbles_than_there_are_indices)
+{
+  CDT cdt = square();
+  const auto size = P::sizing_function(0.1);
+  EXPECT_NO_THROW(CGAL::npbs_relax(cdt, size.maximum_number_of_bubbles(2147483647)));
+  expect_throw<std::invalid_argument>(cdt, size.maximum_number_of_bubbles(2147483648u),
+                                      {"maximum_number_of_bubbles", "2147483648", "2147483647"});
+  expect_throw<std::invalid_argument>(cdt, size.maximum_number_of_bubbles(std::size_t(-1)),
+                                      {"maximum_number_of_bubbles", "18446744073709551615"});
 }
 
 TEST(Bad_parameter, wild_but_valid_values_give_a_valid_mesh)
@@ -260,4 +295,12 @@ TEST(Callback, may_throw)
   expect_throw<My_error>(cdt, P::sizing_function(0.1).callback([&left](double) {
                            return --left > 0 ? true : throw My_error("stop");
                          }), {"stop"});
+}
+
+TEST(Callback, may_throw_at_the_last_call)
+{
+  CDT cdt = square();
+  expect_throw<My_error>(cdt, P::sizing_function(0.1).callback([](double fraction) {
+                           return fraction < 1 ? true : throw My_error("at the end");
+                         }), {"at the end"});
 }

@@ -12,6 +12,7 @@
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
+#include <CGAL/npbs_relax.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 
@@ -35,6 +36,29 @@ TEST(Concurrency, same_bits_for_any_number_of_threads)
         EXPECT_TRUE(parallel.sizes == sequential.sizes) << threads;
       }
     }
+  }
+}
+
+TEST(Concurrency, same_bits_with_the_size_of_the_mesh)
+{
+  // bubbles slide exactly on inner edges of the mesh that gives the size: which triangle is found beside
+  // such an edge depends on what was asked before, and by which thread
+  paper::CDT cdt = paper::triangulate(paper::square_with_hole(0.5));
+  for (double c : {0.07, 0.13, 0.29}) {
+    cdt.insert_constraint(paper::Point(c - 0.9, 0.05), paper::Point(c - 0.9, 0.9));
+    cdt.insert_constraint(paper::Point(0.05, c - 0.95), paper::Point(0.9, c - 0.95));
+  }
+  CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(
+                          [](const paper::Point& p) { return 0.02 + 0.03 * std::abs(p.x() * p.y()); }));
+  const auto np = CGAL::parameters::number_of_rounds(4);
+  const auto sequential = CGAL::npbs_place_nodes(cdt, np.concurrency_tag(CGAL::Sequential_tag()));
+  ASSERT_GT(sequential.size(), 1000u);
+  EXPECT_TRUE(CGAL::npbs_place_nodes(cdt, np).points == sequential.points) << "the first call left a trace";
+  for (int threads : {1, 2, 3, 8}) {
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const auto parallel = CGAL::npbs_place_nodes(cdt, np.concurrency_tag(CGAL::Parallel_tag()));
+    EXPECT_TRUE(parallel.points == sequential.points) << threads;
+    EXPECT_TRUE(parallel.sizes == sequential.sizes) << threads;
   }
 }
 

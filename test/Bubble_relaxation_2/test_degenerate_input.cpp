@@ -72,6 +72,26 @@ TEST(Degenerate_input, slit_thinner_than_a_bubble)
   EXPECT_NEAR(validation::domain_area(cdt), 1 - 0.0006, 1e-9);
 }
 
+TEST(Degenerate_input, hole_as_thin_as_a_rounding)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 4), {{1, 1}, {3, 1}, {2, std::nextafter(1., 2.)}}});
+  const validation::Snapshot before = validation::snapshot(cdt);
+  for (double d : {5., 2.5}) { // no bubble between the hole's corners
+    CGAL::npbs_relax(cdt, size(d));
+    validation::expect_valid_mesh(cdt);
+    const validation::Snapshot after = validation::snapshot(cdt);
+    validation::expect_vertices_kept(before.vertices, after);
+    for (const validation::Segment& s : before.constraints) // the hole's sides; the outer ones are split
+      EXPECT_TRUE(validation::length(s) > 3 || std::count(after.constraints.begin(),
+                                                         after.constraints.end(), s) == 1);
+    EXPECT_NEAR(validation::domain_area(cdt), 16, 1e-12);
+    std::size_t in_hole = 0;
+    for (auto f : cdt.finite_face_handles())
+      in_hole += !f->is_in_domain();
+    EXPECT_EQ(in_hole, 1u);
+  }
+}
+
 TEST(Degenerate_input, channel_thinner_than_a_bubble)
 {
   CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 0.49}, {2, 0.49}, {2, 0}, {3, 0}, {3, 1}, {2, 1},

@@ -65,6 +65,23 @@ TEST(Mesh_criteria, function_interface)
   EXPECT_LT(cdt.number_of_vertices(), 160u);
 }
 
+TEST(Mesh_criteria, of_a_lambda_can_be_set_anew)
+{
+  const paper::Domain domain = paper::l_shape(1);
+  CDT cdt = paper::triangulate(domain);
+  double d = 0.2;
+  const auto sizing = [&d](const paper::Point&) { return d; };
+  auto criteria = CGAL::make_bubble_mesh_criteria_2(cdt, sizing);
+  CGAL::Delaunay_mesher_2<CDT, decltype(criteria)> mesher(cdt, criteria);
+  mesher.refine_mesh();
+  const std::size_t n = cdt.number_of_vertices();
+  d = 0.1;
+  mesher.set_criteria(CGAL::make_bubble_mesh_criteria_2(cdt, sizing));
+  mesher.refine_mesh();
+  EXPECT_GT(cdt.number_of_vertices(), 2 * n);
+  criteria = CGAL::make_bubble_mesh_criteria_2(cdt, sizing, 0.1);
+}
+
 TEST(Mesh_criteria, a_bad_size_is_refused)
 {
   const paper::Domain domain = paper::l_shape(1);

@@ -13,8 +13,10 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Mesh_quality_2.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <sstream>
+#include <type_traits>
 
 using domains::CDT;
 using domains::Point;
@@ -67,7 +69,44 @@ TEST(Radius_ratio, does_not_depend_on_scale_orientation_or_order)
   EXPECT_NEAR(CGAL::radius_ratio_2(at(0, 1), at(2, 1), at(1, 1)), q, 1e-15);
   EXPECT_NEAR(CGAL::radius_ratio_2(at(1, 1), at(2, 1), at(0, 1)), q, 1e-15);
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-  EXPECT_NEAR(CGAL::radius_ratio_2(Exact::Point_2(0, 0), Exact::Point_2(3, 0), Exact::Point_2(3, 4)), 0.8, 1e-15);
+  const Exact::FT exact =
+    CGAL::radius_ratio_2(Exact::Point_2(0, 0), Exact::Point_2(3, 0), Exact::Point_2(3, 4));
+  EXPECT_NEAR(CGAL::to_double(exact), 0.8, 1e-15);
+}
+
+TEST(Radius_ratio, is_of_the_number_type_of_the_kernel)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Float = CGAL::Simple_cartesian<float>;
+  const auto returned = [](const auto& p) { return CGAL::radius_ratio_2(p, p, p); };
+  EXPECT_TRUE((std::is_same<decltype(returned(Point())), double>::value));
+  EXPECT_TRUE((std::is_same<decltype(returned(Float::Point_2())), float>::value));
+  EXPECT_TRUE((std::is_same<decltype(returned(Exact::Point_2())), Exact::FT>::value));
+}
+
+TEST(Mesh_quality, refuses_bad_sizes)
+{
+  const CDT cdt = domains::make({domains::square(0, 0, 1)});
+  for (double bad : {0., -1., std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(CGAL::mesh_quality_2(cdt, CGAL::parameters::sizing_function(bad)), std::invalid_argument);
+    try {
+      CGAL::mesh_quality_2(cdt, CGAL::parameters::sizing_function([bad](const Point&) { return bad; }));
+      ADD_FAILURE() << "no exception";
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string(e.what()).find("sizing_function: d("), std::string::npos) << e.what();
+      EXPECT_EQ(std::string(e.what()).find("npbs_relax"), std::string::npos) << e.what();
+    }
+  }
+}
+
+TEST(Mesh_quality, the_size_may_be_any_number_of_the_kernel)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<Exact>;
+  const auto cdt = domains::make<Exact_cdt>({domains::square(0, 0, 1)});
+  const Exact::FT d = Exact::FT(1) / 2;
+  EXPECT_EQ(CGAL::mesh_quality_2(cdt, CGAL::parameters::sizing_function(d)).length_ratio_percentile(1), 2);
+  EXPECT_EQ(CGAL::mesh_quality_2(cdt, CGAL::parameters::sizing_function(1)).length_ratio_percentile(1), 1);
 }
 
 TEST(Mesh_quality, of_a_hexagonal_patch)

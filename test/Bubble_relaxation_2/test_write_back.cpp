@@ -17,7 +17,9 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/npbs_relax.h>
 
+#include <array>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 using domains::K;
@@ -212,6 +214,207 @@ TEST(Write_back_plus, constraints_keep_their_identifiers)
   }
 }
 
+namespace {
+
+struct Enough : std::runtime_error
+{
+  Enough() : std::runtime_error("enough") {}
+};
+
+/// all that can be seen of a triangulation with its polylines, handles and identifiers included
+template <class Identifier>
+struct Everything
+{
+  std::vector<Plus::Vertex_handle> vertices;
+  std::vector<validation::Xy> points;
+  std::vector<std::array<Plus::Vertex_handle, 3>> faces;
+  std::vector<std::array<bool, 4>> marks; // of the faces' sides, and of the domain
+  std::vector<Identifier> constraints;
+  std::vector<std::vector<std::pair<Plus::Vertex_handle, bool>>> polylines; // with the input flags
+  std::vector<std::vector<domains::Point>> polyline_points;
+
+  friend bool operator==(const Everything& a, const Everything& b)
+  {
+    return a.vertices == b.vertices && a.points == b.points && a.faces == b.faces &&
+           a.marks == b.marks && a.constraints == b.constraints && a.polylines == b.polylines &&
+           a.polyline_points == b.polyline_points;
+  }
+};
+
+auto everything(const Plus& cdt)
+{
+  Everything<Plus::Constraint_id> e;
+  for (auto v : cdt.finite_vertex_handles()) {
+    e.vertices.push_back(v);
+    e.points.push_back(validation::xy(v));
+  }
+  for (auto f : cdt.all_face_handles()) {
+    e.faces.push_back({f->vertex(0), f->vertex(1), f->vertex(2)});
+    e.marks.push_back({f->is_constrained(0), f->is_constrained(1), f->is_constrained(2), f->is_in_domain()});
+  }
+  for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+    e.constraints.push_back(*c);
+    e.polylines.emplace_back();
+    for (auto v = cdt.vertices_in_constraint_begin(*c); v != cdt.vertices_in_constraint_end(*c); ++v)
+      e.polylines.back().push_back({*v, v.input()});
+    e.polyline_points.emplace_back(cdt.points_in_constraint_begin(*c), cdt.points_in_constraint_end(*c));
+  }
+  return e;
+}
+
+/// a mesh with polylines: one closed with a point given on a straight side, one open, one apart
+void make_polylines(Plus& cdt)
+{
+  const std::vector<domains::Point> line{{0, 0}, {0.4, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+  cdt.insert_constraint(line.begin(), line.end());
+  const std::vector<domains::Point> inner{{0.2, 0.3}, {0.5, 0.35}, {0.8, 0.7}};
+  cdt.insert_constraint(inner.begin(), inner.end());
+  cdt.insert_constraint(domains::Point(0.3, 0.1), domains::Point(0.35, 0.25));
+  CGAL::npbs_relax(cdt, size(0.15));
+}
+
+/// without handles: the polylines as points with their input flags
+auto polylines(const Plus& cdt)
+{
+  std::multiset<std::vector<std::pair<validation::Xy, bool>>> result;
+  for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+    std::vector<std::pair<validation::Xy, bool>> polyline;
+    for (auto v = cdt.vertices_in_constraint_begin(*c); v != cdt.vertices_in_constraint_end(*c); ++v)
+      polyline.push_back({validation::xy(*v), v.input()});
+    result.insert(polyline);
+  }
+  return result;
+}
+
+/// later relaxations do what they do in a triangulation in which nothing was ever thrown
+void expect_same_later(Plus& cdt)
+{
+  Plus other;
+  make_polylines(other);
+  for (double d : {0.07, 0.2}) {
+    CGAL::npbs_relax(cdt, size(d));
+    CGAL::npbs_relax(other, size(d));
+    EXPECT_TRUE(validation::snapshot(cdt) == validation::snapshot(other));
+    EXPECT_EQ(polylines(cdt), polylines(other));
+  }
+}
+
+} // namespace
+
+TEST(Write_back_plus, exceptions_of_the_size_leave_everything_as_it_was)
+{
+  std::size_t calls = 0;
+  const auto counting = [&](const domains::Point&) {
+    ++calls;
+    return 0.1;
+  };
+  Plus counted;
+  make_polylines(counted);
+  CGAL::npbs_relax(counted, CGAL::parameters::sizing_function(std::cref(counting)));
+  Plus cdt;
+  make_polylines(cdt);
+  const auto before = everything(cdt);
+  for (std::size_t at : {std::size_t(1), calls / 2, calls - 200, calls - 1, calls}) {
+    SCOPED_TRACE(at);
+    std::size_t left = at;
+    const auto throwing = [&left](const domains::Point&) { return --left == 0 ? throw Enough() : 0.1; };
+    EXPECT_THROW(CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(throwing)), Enough);
+    EXPECT_TRUE(everything(cdt) == before);
+  }
+  expect_same_later(cdt);
+}
+
+TEST(Write_back_plus, an_exception_of_the_last_callback_leaves_everything_as_it_was)
+{
+  Plus cdt;
+  make_polylines(cdt);
+  const auto before = everything(cdt);
+  const auto throwing = [](double fraction) { return fraction < 1 ? true : throw Enough(); };
+  EXPECT_THROW(CGAL::npbs_relax(cdt, size(0.1).callback(throwing)), Enough);
+  EXPECT_TRUE(everything(cdt) == before);
+  expect_same_later(cdt);
+}
+
+TEST(Write_back_plus, content_comes_back_after_an_error_of_the_writing)
+{
+  Plus cdt;
+  make_polylines(cdt);
+  const validation::Snapshot before = validation::snapshot(cdt);
+  const auto lines = polylines(cdt);
+  {
+    CGAL::Bubble_relaxation_2::internal::Restore_on_throw<Plus> guard(cdt);
+    cdt.insert(domains::Point(0.7, 0.2));
+    cdt.insert_constraint(domains::Point(0.6, 0.1), domains::Point(0.6, 0.4));
+    EXPECT_FALSE(validation::snapshot(cdt) == before);
+  }
+  EXPECT_TRUE(validation::snapshot(cdt) == before);
+  EXPECT_EQ(polylines(cdt), lines);
+  EXPECT_TRUE(cdt.is_valid());
+  const validation::Snapshot after_line = [&] {
+    cdt.insert_constraint(domains::Point(0.6, 0.1), domains::Point(0.6, 0.4));
+    for (auto f : cdt.all_face_handles()) // the new line's faces have no marks
+      f->set_in_domain(false);
+    CGAL::npbs_relax(cdt, size(0.1));
+    return validation::snapshot(cdt);
+  }();
+  validation::expect_valid_mesh(cdt);
+  EXPECT_EQ(cdt.number_of_constraints(), 4u);
+  EXPECT_GT(after_line.vertices.size(), 90u);
+}
+
+TEST(Write_back_plus, points_of_polylines_are_those_of_their_vertices)
+{
+  Plus cdt;
+  make_polylines(cdt);
+  for (int k = 0; k < 3; ++k)
+    for (double d : {0.1, 0.05}) {
+      CGAL::npbs_relax(cdt, size(d));
+      for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+        std::vector<domains::Point> of_vertices;
+        for (auto v = cdt.vertices_in_constraint_begin(*c); v != cdt.vertices_in_constraint_end(*c); ++v)
+          of_vertices.push_back((*v)->point());
+        const std::vector<domains::Point> points(cdt.points_in_constraint_begin(*c),
+                                                 cdt.points_in_constraint_end(*c));
+        EXPECT_EQ(points, of_vertices);
+      }
+    }
+}
+
+TEST(Write_back_plus, points_that_the_user_kept_stay)
+{
+  // as after a simplification of polylines that keeps the points
+  Plus cdt;
+  const std::vector<domains::Point> line{{0, 0}, {0.5, 0.1}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+  const auto id = cdt.insert_constraint(line.begin(), line.end());
+  cdt.simplify(std::next(cdt.vertices_in_constraint_begin(id)));
+  for (double d : {0.1, 0.2}) {
+    CGAL::npbs_relax(cdt, size(d));
+    EXPECT_EQ(std::count(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id), line[1]), 1);
+    EXPECT_EQ(std::distance(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id)),
+              1 + std::distance(cdt.vertices_in_constraint_begin(id), cdt.vertices_in_constraint_end(id)));
+  }
+}
+
+TEST(Write_back_report, describes_the_mesh_that_is_written)
+{
+  domains::CDT cdt = domains::make({slanted, hole});
+  domains::insert(cdt, {{0.2, 0.2}, {0.8, 0.3}}, false);
+  cdt.insert(domains::Point(2, 2)); // outside
+  const auto d = [](const domains::Point& p) { return 0.03 + 0.05 * p.x(); };
+  const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
+  const auto quality = CGAL::mesh_quality_2(cdt, CGAL::parameters::sizing_function(d));
+  EXPECT_EQ(report.number_of_vertices, quality.number_of_vertices());
+  EXPECT_EQ(report.number_of_triangles, quality.number_of_triangles());
+  EXPECT_EQ(report.quality.number_of_interior_vertices(), quality.number_of_interior_vertices());
+  EXPECT_EQ(report.quality.irregular_share(), quality.irregular_share());
+  EXPECT_NEAR(report.quality.minimum_quality(), quality.minimum_quality(), 1e-12);
+  EXPECT_NEAR(report.quality.mean_quality(), quality.mean_quality(), 1e-12);
+  EXPECT_NEAR(report.quality.minimum_angle(), quality.minimum_angle(), 1e-9);
+  EXPECT_NEAR(report.quality.mean_length_ratio(), quality.mean_length_ratio(), 1e-12);
+  EXPECT_NEAR(report.quality.length_ratio_deviation(), quality.length_ratio_deviation(), 1e-12);
+  EXPECT_NEAR(report.quality.length_ratio_percentile(99), quality.length_ratio_percentile(99), 1e-12);
+}
+
 TEST(Write_back_exact, bubbles_lie_exactly_on_their_edges)
 {
   Exact_cdt cdt = domains::make<Exact_cdt>({slanted});
@@ -227,6 +430,16 @@ TEST(Write_back_exact, bubbles_lie_exactly_on_their_edges)
         return t.has_on(s.source()) && t.has_on(s.target());
       }));
     }
+}
+
+TEST(Write_back_exact, the_size_may_be_a_number_of_the_kernel)
+{
+  Exact_cdt cdt = domains::make<Exact_cdt>({slanted}), other = cdt;
+  CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(Exact::FT(0.1)));
+  CGAL::npbs_relax(other, size(0.1));
+  EXPECT_TRUE(validation::snapshot(cdt) == validation::snapshot(other));
+  EXPECT_THROW(CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(Exact::FT(-1))),
+               std::invalid_argument);
 }
 
 TEST(Write_back_plain, faces_need_no_mark)

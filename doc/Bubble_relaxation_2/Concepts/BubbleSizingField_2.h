@@ -14,7 +14,9 @@ The concept `BubbleSizingField_2` describes the wanted distance d of neighbourin
 the place.
 
 It is called many times, at points of the domain, its boundary included, where it must return a positive
-and finite number; everything else makes `npbs_relax()` throw. Its value must depend on the point only. It
+and finite number; everything else makes `npbs_relax()` throw. Points on slanted edges are rounded: they may
+lie outside of the domain by a rounding of their coordinates, and a field that is defined in the domain only
+has to answer there as well. Its value must depend on the point only. It
 need not be continuous, but a mesh cannot follow a size that changes faster than about 0.3 times the
 distance. With `Parallel_tag` it is called by several threads at once.
 

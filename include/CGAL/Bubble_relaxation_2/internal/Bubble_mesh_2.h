@@ -112,7 +112,7 @@ inline Marked_triangulation_2 triangulate(const Domain_2& domain, const Bubbles_
     points.push_back(b.point(i));
   Marked_triangulation_2 mesh;
   if (mark_triangulation(points, cut_edges(domain, b), mesh) != Marking_error::NONE)
-    throw std::runtime_error("npbs_relax: edges of the domain lie nearer to each other than the "
+    throw std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the "
                              "rounding of bubbles on them");
   return mesh;
 }

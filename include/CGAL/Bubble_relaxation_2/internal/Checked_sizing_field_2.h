@@ -11,45 +11,72 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The user's d(x, y) as the simulation calls it: in doubles, and with a clear exception where the
-/// value is no length.
+/// value is no length. Instead of a function the user may give a number, of any type that becomes one of
+/// the kernel's.
 template <class User_point, class Sizing_function>
 class Checked_sizing_field_2
 {
+  using Kernel_number = typename Kernel_traits<User_point>::Kernel::FT;
+  static constexpr bool is_function =
+    std::is_invocable<const Sizing_function&, const User_point&>::value;
+  static_assert(is_function || std::is_convertible<const Sizing_function&, Kernel_number>::value,
+                "sizing_function must be callable, as a constant, with a point, or be a number");
+
 public:
-  explicit Checked_sizing_field_2(const Sizing_function& f) : m_f(f) {}
+  explicit Checked_sizing_field_2(const Sizing_function& f) : m_f(f)
+  {
+    if constexpr (!is_function) // once: lazy numbers are not for several threads
+      m_number = CGAL::to_double(static_cast<Kernel_number>(f));
+  }
 
   double operator()(double x, double y) const
   {
-    const double d = CGAL::to_double(m_f(User_point(x, y)));
+    const double d = value(x, y);
     if (!(d > 0) || !std::isfinite(d))
       throw_invalid(x, y, d);
     return d;
   }
 
-  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
+  /// for the points of the simulation, and for the user's
+  template <class Point_2>
+  double operator()(const Point_2& p) const
+  {
+    return (*this)(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  }
 
 private:
+  double value([[maybe_unused]] double x, [[maybe_unused]] double y) const
+  {
+    if constexpr (is_function)
+      return CGAL::to_double(m_f(User_point(x, y)));
+    else
+      return m_number;
+  }
+
   [[noreturn]] static void throw_invalid(double x, double y, double d)
   {
     std::ostringstream message;
     message.precision(17);
-    message << "npbs_relax: parameter sizing_function: d(" << x << ", " << y << ") = " << d
+    message << "Bubble_relaxation_2: parameter sizing_function: d(" << x << ", " << y << ") = " << d
             << " must be positive and finite";
     throw std::invalid_argument(message.str());
   }
 
   const Sizing_function& m_f;
+  double m_number = 0; // if the user gave one
 };
 
 } // namespace internal

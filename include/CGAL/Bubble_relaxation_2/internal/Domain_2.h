@@ -46,13 +46,12 @@ struct Marked_triangulation_2
 };
 
 /// What `mark_triangulation()` found wrong with its edges.
-enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, POINTS_COINCIDE };
+enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE };
 
-/// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
-/// edge gets the side's mark, and marks spread until the next edge.
+/// Makes a `Marked_triangulation_2` of points and of edges between them: triangulates, copies to arrays,
+/// enters the edges, and floods the marks of their sides.
 template <class Edge_range>
-Marking_error mark_triangulation(const std::vector<Point>& points, const Edge_range& edges,
-                                 Marked_triangulation_2& result)
+class Marking_2
 {
   using Vb = Triangulation_vertex_base_with_info_2<Index, Kernel>;
   using Fb = Triangulation_face_base_with_info_2<Index, Kernel,
@@ -63,75 +62,134 @@ Marking_error mark_triangulation(const std::vector<Point>& points, const Edge_ra
   using Vertex_handle = typename Cdt::Vertex_handle;
   using Face_handle = typename Cdt::Face_handle;
 
-  Cdt cdt;
-  std::vector<Vertex_handle> handles(points.size());
+public:
+  Marking_2(const std::vector<Point>& points, const Edge_range& edges, Marked_triangulation_2& result)
+    : m_points(points), m_edges(edges), m_result(result)
+  {}
+
+  Marking_error operator()()
+  {
+    const Marking_error error = triangulate();
+    if (error != Marking_error::NONE)
+      return error;
+    copy_to_arrays();
+    Index edge_index = 0;
+    for (const auto& e : m_edges) {
+      const Marking_error edge_error = enter_edge(e, edge_index++);
+      if (edge_error != Marking_error::NONE)
+        return edge_error;
+    }
+    flood();
+    return Marking_error::NONE;
+  }
+
+private:
+  Marking_error triangulate()
   {
     std::vector<std::pair<Point, Index>> numbered;
-    numbered.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      numbered.emplace_back(points[i], static_cast<Index>(i));
-    cdt.insert(numbered.begin(), numbered.end());
-  }
-  if (cdt.number_of_vertices() != points.size())
-    return Marking_error::POINTS_COINCIDE;
-  for (Vertex_handle v : cdt.finite_vertex_handles())
-    handles[v->info()] = v;
-  try {
-    for (const auto& e : edges)
-      cdt.insert_constraint(handles[e.source], handles[e.target]);
-  } catch (const typename Cdt::Intersection_of_constraints_exception&) {
-    return Marking_error::EDGES_CROSS;
-  }
-
-  result.tr.points = points;
-  result.tr.vertices.resize(cdt.number_of_faces());
-  result.tr.neighbors.resize(cdt.number_of_faces());
-  result.edges.assign(cdt.number_of_faces(), {no_index, no_index, no_index});
-  result.inside.assign(cdt.number_of_faces(), 0);
-  Index n = 0;
-  for (Face_handle f : cdt.all_face_handles())
-    f->info() = cdt.is_infinite(f) ? no_index : n++;
-  for (Face_handle f : cdt.finite_face_handles())
-    for (int i = 0; i < 3; ++i) {
-      result.tr.vertices[f->info()][i] = f->vertex(i)->info();
-      result.tr.neighbors[f->info()][i] = f->neighbor(i)->info();
+    numbered.reserve(m_points.size());
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      numbered.emplace_back(m_points[i], static_cast<Index>(i));
+    m_cdt.insert(numbered.begin(), numbered.end());
+    if (m_cdt.number_of_vertices() != m_points.size())
+      return Marking_error::POINTS_COINCIDE;
+    m_handles.resize(m_points.size());
+    for (Vertex_handle v : m_cdt.finite_vertex_handles())
+      m_handles[v->info()] = v;
+    try {
+      for (const auto& e : m_edges)
+        m_cdt.insert_constraint(m_handles[e.source], m_handles[e.target]);
+    } catch (const typename Cdt::Intersection_of_constraints_exception&) {
+      return Marking_error::EDGES_CROSS;
     }
+    return Marking_error::NONE;
+  }
 
-  std::vector<Index> stack;
-  std::vector<char> seen(n, 0);
-  const auto mark = [&](Index t, bool inside) {
-    if (t == no_index || seen[t])
-      return;
-    seen[t] = 1;
-    result.inside[t] = inside;
-    stack.push_back(t);
-  };
-  Index edge_index = 0;
-  for (const auto& e : edges) {
+  void copy_to_arrays()
+  {
+    const std::size_t n = m_cdt.number_of_faces();
+    m_result.tr.points = m_points;
+    m_result.tr.vertices.resize(n);
+    m_result.tr.neighbors.resize(n);
+    m_result.edges.assign(n, {no_index, no_index, no_index});
+    m_result.inside.assign(n, 0);
+    m_seen.assign(n, 0);
+    Index number = 0;
+    for (Face_handle f : m_cdt.all_face_handles())
+      f->info() = m_cdt.is_infinite(f) ? no_index : number++;
+    for (Face_handle f : m_cdt.finite_face_handles())
+      for (int i = 0; i < 3; ++i) {
+        m_result.tr.vertices[f->info()][i] = f->vertex(i)->info();
+        m_result.tr.neighbors[f->info()][i] = f->neighbor(i)->info();
+      }
+  }
+
+  Marking_error enter_edge(const Domain_edge_2& e, Index edge_index)
+  {
     Face_handle f;
     int i;
     // an edge that passes through a third point is there in parts only
-    if (!cdt.is_edge(handles[e.source], handles[e.target], f, i))
+    if (!m_cdt.is_edge(m_handles[e.source], m_handles[e.target], f, i))
       return Marking_error::EDGE_THROUGH_POINT;
-    const bool f_is_left = f->vertex(cdt.ccw(i)) == handles[e.source];
-    const Face_handle g = f->neighbor(i);
-    const int j = cdt.mirror_index(f, i);
-    if (f->info() != no_index)
-      result.edges[f->info()][i] = edge_index;
-    if (g->info() != no_index)
-      result.edges[g->info()][j] = edge_index;
-    mark(f->info(), f_is_left ? e.inside_left : e.inside_right);
-    mark(g->info(), f_is_left ? e.inside_right : e.inside_left);
-    ++edge_index;
+    // two edges with the same ends have different marks, and a bubble could not tell which it is on
+    const Index g = f->neighbor(i)->info();
+    const int j = m_cdt.mirror_index(f, i);
+    if (has_edge(f->info(), i) || has_edge(g, j))
+      return Marking_error::EDGE_TWICE;
+    const bool f_is_left = f->vertex(m_cdt.ccw(i)) == m_handles[e.source];
+    enter_side(f->info(), i, edge_index, f_is_left ? e.inside_left : e.inside_right);
+    enter_side(g, j, edge_index, f_is_left ? e.inside_right : e.inside_left);
+    return Marking_error::NONE;
   }
-  while (!stack.empty()) {
-    const Index t = stack.back();
-    stack.pop_back();
-    for (int i = 0; i < 3; ++i)
-      if (result.edges[t][i] == no_index)
-        mark(result.tr.neighbors[t][i], result.inside[t] != 0);
+
+  bool has_edge(Index t, int i) const
+  {
+    return t != no_index && m_result.edges[t][i] != no_index;
   }
-  return Marking_error::NONE;
+
+  void enter_side(Index t, int i, Index edge_index, bool inside)
+  {
+    if (t != no_index)
+      m_result.edges[t][i] = edge_index;
+    mark(t, inside);
+  }
+
+  void mark(Index t, bool inside)
+  {
+    if (t == no_index || m_seen[t])
+      return;
+    m_seen[t] = 1;
+    m_result.inside[t] = inside;
+    m_stack.push_back(t);
+  }
+
+  void flood()
+  {
+    while (!m_stack.empty()) {
+      const Index t = m_stack.back();
+      m_stack.pop_back();
+      for (int i = 0; i < 3; ++i)
+        if (m_result.edges[t][i] == no_index)
+          mark(m_result.tr.neighbors[t][i], m_result.inside[t] != 0);
+    }
+  }
+
+  const std::vector<Point>& m_points;
+  const Edge_range& m_edges;
+  Marked_triangulation_2& m_result;
+  Cdt m_cdt;
+  std::vector<Vertex_handle> m_handles; // by index of the point
+  std::vector<char> m_seen;             // triangles that have their mark
+  std::vector<Index> m_stack;           // triangles whose neighbours are to be marked
+};
+
+/// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
+/// edge gets the side's mark, and marks spread until the next edge.
+template <class Edge_range>
+Marking_error mark_triangulation(const std::vector<Point>& points, const Edge_range& edges,
+                                 Marked_triangulation_2& result)
+{
+  return Marking_2<Edge_range>(points, edges, result)();
 }
 
 /// The domain as the simulation sees it: corners, straight edges between them, and the constrained

@@ -52,7 +52,7 @@ public:
   {
     if (cdt.dimension() < 2) {
       std::ostringstream message;
-      message << "npbs_relax: the triangulation has " << cdt.number_of_vertices()
+      message << "Bubble_relaxation_2: the triangulation has " << cdt.number_of_vertices()
               << " vertices and the dimension " << cdt.dimension() << ", so it bounds no domain";
       throw std::invalid_argument(message.str());
     }
@@ -63,7 +63,7 @@ public:
     else if (!copy_marks())
       mark_by_nesting();
     if (m_number_of_faces == 0)
-      throw std::invalid_argument("npbs_relax: no face lies in the domain: the constraints close no "
+      throw std::invalid_argument("Bubble_relaxation_2: no face lies in the domain: the constraints close no "
                                   "region, or all regions are holes");
     check_boundary();
   }
@@ -171,7 +171,7 @@ private:
         const auto &p = f->vertex(m_cdt.ccw(i))->point(), &q = f->vertex(m_cdt.cw(i))->point();
         std::ostringstream message;
         message.precision(17);
-        message << "npbs_relax: the edge from (" << CGAL::to_double(p.x()) << ", "
+        message << "Bubble_relaxation_2: the edge from (" << CGAL::to_double(p.x()) << ", "
                 << CGAL::to_double(p.y()) << ") to (" << CGAL::to_double(q.x()) << ", "
                 << CGAL::to_double(q.y()) << ") bounds the domain and must be constrained";
         throw std::invalid_argument(message.str());
@@ -183,7 +183,7 @@ private:
   {
     std::ostringstream message;
     message.precision(17);
-    message << "npbs_relax: parameter seeds: (" << x << ", " << y << ") " << what;
+    message << "Bubble_relaxation_2: parameter seeds: (" << x << ", " << y << ") " << what;
     throw std::invalid_argument(message.str());
   }
 

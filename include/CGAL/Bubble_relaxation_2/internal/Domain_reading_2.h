@@ -52,8 +52,8 @@ struct Domain_reading_2
       if (error != Marking_error::NONE)
         throw std::invalid_argument(
           error == Marking_error::POINTS_COINCIDE
-            ? "npbs_relax: two vertices of the triangulation coincide when rounded to double"
-            : "npbs_relax: constraints of the triangulation cross when rounded to double");
+            ? "Bubble_relaxation_2: two vertices of the triangulation coincide when rounded to double"
+            : "Bubble_relaxation_2: constraints of the triangulation cross when rounded to double");
     }
     for (Vertex_handle v : cdt.finite_vertex_handles())
       if (!graph->contains(v) && is_inside(v->face()) && !cdt.are_there_incident_constraints(v))
@@ -102,7 +102,7 @@ private:
       if (std::isfinite(x) && std::isfinite(y))
         continue;
       std::ostringstream message;
-      message << "npbs_relax: a vertex of the triangulation has the coordinates (" << x << ", " << y
+      message << "Bubble_relaxation_2: a vertex of the triangulation has the coordinates (" << x << ", " << y
               << "), which must be finite";
       throw std::invalid_argument(message.str());
     }

@@ -15,7 +15,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -26,47 +26,67 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Values at the vertices of a triangulation, linear in its triangles, constant along the way out of
-/// its hull. A query walks from where the last one ended. The value does not depend on that: on an
-/// edge only the edge's ends count.
+/// its hull. A query walks from where the thread's last one ended. The value does not depend on that: on
+/// an edge, where either triangle may be found, only the edge's ends count, in the order of their numbers.
 class Interpolated_field_2
 {
 public:
   Interpolated_field_2(Flat_triangulation_2 tr, std::vector<double> values)
-    : m_tr(std::move(tr)), m_values(std::move(values)), m_hint(0)
-  {}
+    : m_tr(std::move(tr)), m_values(std::move(values))
+  {
+    for (std::size_t t = 0; t < m_tr.number_of_triangles(); ++t)
+      for (int i = 0; i < 3; ++i)
+        if (m_tr.neighbors[t][i] == no_index)
+          m_hull.push_back({m_tr.vertices[t][ccw(i)], m_tr.vertices[t][cw(i)]});
+  }
 
   double operator()(double x, double y) const
   {
+    // any triangle of the field will do as a start, one of another field's number as well
+    thread_local Index hint = 0;
+    const Index start = static_cast<std::size_t>(hint) < m_tr.number_of_triangles() ? hint : 0;
     const Point q(x, y);
-    const Index found = locate(m_tr, m_hint.load(std::memory_order_relaxed), q);
+    const Index found = locate(m_tr, start, q);
     if (found == no_index)
       return nearest_on_hull(q);
-    m_hint.store(found, std::memory_order_relaxed);
+    hint = found;
     return interpolate(found, q);
   }
 
   double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
 
 private:
-  double value(Index t, int i) const { return m_values[m_tr.vertices[t][i]]; }
+  using Edge = std::array<Index, 2>; // indices of its ends
 
   double interpolate(Index t, const Point& q) const
   {
-    // the vertices in the order of their numbers, so that neighbouring triangles agree to the last bit
-    int order[3] = {0, 1, 2};
-    std::sort(order, order + 3,
-              [&](int i, int j) { return m_tr.vertices[t][i] < m_tr.vertices[t][j]; });
+    int sides = 0, side = 0, off_side = 0; // sides that `q` lies on, and one that it does not lie on
+    for (int i = 0; i < 3; ++i)
+      if (CGAL::orientation(m_tr.point(t, ccw(i)), m_tr.point(t, cw(i)), q) == COLLINEAR) {
+        ++sides;
+        side = i;
+      } else {
+        off_side = i;
+      }
+    if (sides == 2) // the vertex where they meet is opposite to the third
+      return m_values[m_tr.vertices[t][off_side]];
+    if (sides == 0)
+      return interpolate_inside(t, q);
+    const Edge e{m_tr.vertices[t][ccw(side)], m_tr.vertices[t][cw(side)]};
+    return interpolate_on(e, nearest_on(e, q));
+  }
+
+  double interpolate_inside(Index t, const Point& q) const
+  {
     double sum = 0, weights = 0;
-    for (int i : order) {
+    for (int i = 0; i < 3; ++i) {
       const Point &a = m_tr.point(t, ccw(i)), &b = m_tr.point(t, cw(i));
-      if (CGAL::orientation(a, b, q) == COLLINEAR)
-        continue;
       const double weight = std::abs((b.x() - a.x()) * (q.y() - a.y()) -
                                      (b.y() - a.y()) * (q.x() - a.x())) / area(t);
-      sum += weight * value(t, i);
+      sum += weight * m_values[m_tr.vertices[t][i]];
       weights += weight;
     }
-    return sum / weights;
+    return weights > 0 ? sum / weights : m_values[m_tr.vertices[t][0]];
   }
 
   double area(Index t) const
@@ -75,30 +95,40 @@ private:
     return std::abs((b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y()));
   }
 
-  /// queries leave the hull by roundings only, so a search over the whole hull is rare
+  /// where on the edge, from its end with the lower number, in [0,1], is the point next to `q`
+  double nearest_on(const Edge& e, const Point& q) const
+  {
+    const Point &a = m_tr.points[(std::min)(e[0], e[1])], &b = m_tr.points[(std::max)(e[0], e[1])];
+    const double dx = b.x() - a.x(), dy = b.y() - a.y();
+    const double along = ((q.x() - a.x()) * dx + (q.y() - a.y()) * dy) / (dx * dx + dy * dy);
+    return (std::max)(0., (std::min)(1., along));
+  }
+
+  double interpolate_on(const Edge& e, double s) const
+  {
+    return (1 - s) * m_values[(std::min)(e[0], e[1])] + s * m_values[(std::max)(e[0], e[1])];
+  }
+
+  /// queries leave the hull by roundings only, where edges of the hull are slanted
   double nearest_on_hull(const Point& q) const
   {
     double least = -1, nearest = 0;
-    for (std::size_t t = 0; t < m_tr.number_of_triangles(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        if (m_tr.neighbors[t][i] != no_index)
-          continue;
-        const Point &a = m_tr.point(t, ccw(i)), &b = m_tr.point(t, cw(i));
-        const double dx = b.x() - a.x(), dy = b.y() - a.y();
-        const double along = ((q.x() - a.x()) * dx + (q.y() - a.y()) * dy) / (dx * dx + dy * dy);
-        const double s = (std::max)(0., (std::min)(1., along));
-        const double off = std::hypot(q.x() - a.x() - s * dx, q.y() - a.y() - s * dy);
-        if (least < 0 || off < least) {
-          least = off;
-          nearest = (1 - s) * value(t, ccw(i)) + s * value(t, cw(i));
-        }
+    for (const Edge& e : m_hull) {
+      const double s = nearest_on(e, q);
+      const Point &a = m_tr.points[(std::min)(e[0], e[1])], &b = m_tr.points[(std::max)(e[0], e[1])];
+      const double off = std::hypot(q.x() - a.x() - s * (b.x() - a.x()),
+                                    q.y() - a.y() - s * (b.y() - a.y()));
+      if (least < 0 || off < least) {
+        least = off;
+        nearest = interpolate_on(e, s);
       }
+    }
     return nearest;
   }
 
   Flat_triangulation_2 m_tr;
   std::vector<double> m_values;
-  mutable std::atomic<Index> m_hint;
+  std::vector<Edge> m_hull;
 };
 
 /// The size that a mesh has: at each vertex the mean length of its edges in the domain.

@@ -60,7 +60,7 @@ public:
   template <class Point_2>
   void add_triangle(const Point_2& p, const Point_2& q, const Point_2& r)
   {
-    const double quality = radius_ratio_2(p, q, r);
+    const double quality = radius_ratio(p, q, r);
     if (m_qualities.empty() || quality < m.minimum_quality) {
       m.minimum_quality = quality;
       m.worst_x = CGAL::to_double(p.x() + q.x() + r.x()) / 3;
@@ -175,15 +175,6 @@ void add_domain(const Cdt& cdt, const Is_inside& is_inside, Mesh_quality_accumul
   }
 }
 
-template <class Sizing, class Point_2>
-double wanted_length(const Sizing& sizing, const Point_2& p)
-{
-  if constexpr (std::is_arithmetic<Sizing>::value)
-    return static_cast<double>(sizing);
-  else
-    return CGAL::to_double(sizing(p));
-}
-
 /// adds the lengths of all edges of a domain
 template <class Cdt, class Is_inside, class Sizing>
 void add_lengths(const Cdt& cdt, const Is_inside& is_inside, const Sizing& sizing,
@@ -198,7 +189,7 @@ void add_lengths(const Cdt& cdt, const Is_inside& is_inside, const Sizing& sizin
     const double length =
       std::hypot(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()));
     const Point_2 middle(p.x() + (q.x() - p.x()) / 2, p.y() + (q.y() - p.y()) / 2);
-    accumulator.add_length(length / wanted_length(sizing, middle));
+    accumulator.add_length(length / sizing(middle));
   }
 }
 

@@ -52,7 +52,7 @@ struct Relaxation_options
 {
   std::ostringstream message;
   message.precision(17);
-  message << "npbs_relax: parameter " << name << " = " << value << " must be " << requirement;
+  message << "Bubble_relaxation_2: parameter " << name << " = " << value << " must be " << requirement;
   throw std::invalid_argument(message.str());
 }
 

@@ -64,10 +64,13 @@ private:
     if (chain.splits.empty())
       return;
     if constexpr (Has_constraint_hierarchy<Cdt>::value) {
-      const Vertex_handle a = corner(chain.source), first = chain.splits.front();
-      const auto context = *m_cdt.contexts_begin(a, first);
+      auto context = *m_cdt.contexts_begin(corner(chain.source), chain.splits.front());
+      auto it = context.current(); // the end of the piece that comes first in the polyline
+      const bool is_forward = *it == corner(chain.source);
+      if (is_forward)
+        ++it;
       for (std::size_t k = 0; k < chain.splits.size(); ++k)
-        simplify(context, chain.splits[k]);
+        simplify(context.id(), is_forward ? it++ : it--);
     } else {
       for (Vertex_handle v : chain.splits) {
         m_cdt.remove_incident_constraints(v);
@@ -77,15 +80,14 @@ private:
     }
   }
 
-  template <class Context>
-  void simplify(Context context, Vertex_handle v)
+  /// also forgets the point, which a polyline keeps of a vertex that is gone: with each relaxation there
+  /// would be more
+  template <class Constraint_id, class Vertex_iterator>
+  void simplify(Constraint_id id, Vertex_iterator v)
   {
-    for (auto it = m_cdt.vertices_in_constraint_begin(context.id());
-         it != m_cdt.vertices_in_constraint_end(context.id()); ++it)
-      if (*it == v) {
-        m_cdt.simplify(it);
-        return;
-      }
+    const typename Cdt::Points_in_constraint_iterator point = v;
+    m_cdt.simplify(v);
+    id.vl_ptr()->erase(point.base());
   }
 
   void split_constraints()
@@ -127,7 +129,7 @@ private:
       return {Edge(f, i), target};
     Vertex_handle next; // a vertex outside of the domain may lie on the constraint
     if (!m_cdt.includes_edge(u, target, next, f, i))
-      throw std::runtime_error("npbs_relax: a constraint got lost; please report this");
+      throw std::runtime_error("Bubble_relaxation_2: a constraint got lost; please report this");
     return {Edge(f, i), next};
   }
 
@@ -169,7 +171,7 @@ private:
             return Cdt_point(x, y);
         }
     }
-    throw std::runtime_error("npbs_relax: the triangulation is too flat beside a constraint to "
+    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to "
                              "split it there");
   }
 
@@ -291,17 +293,21 @@ void write_back(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubbles_2&
   Write_back_2<Cdt>(cdt, reading, bubbles)();
 }
 
-/// Gives a triangulation its former content back unless it is told that all went well.
+/// Gives a triangulation its former content back unless it is told that all went well. The content is
+/// that of a copy, so handles and identifiers of constraints do not outlive it.
 template <class Cdt>
 class Restore_on_throw
 {
 public:
-  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt) {}
+  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt.geom_traits())
+  {
+    copy_to_swap(m_cdt, m_backup);
+  }
 
   ~Restore_on_throw()
   {
     if (!m_all_went_well)
-      m_cdt.swap(m_backup);
+      swap_with_copy(m_cdt, m_backup);
   }
 
   void all_went_well() { m_all_went_well = true; }

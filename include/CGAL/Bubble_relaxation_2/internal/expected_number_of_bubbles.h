@@ -20,12 +20,13 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The integral of 2 / (sqrt(3) d^2), the density of the hexagonal lattice, over the domain.
+/// How many bubbles the domain and the sizing field ask for: on the corners, on the edges by the integral
+/// of 1/d, in the faces by the integral of 2 / (sqrt(3) d^2), the density of the hexagonal lattice.
 template <class Sizing>
 class Expected_number_of_bubbles
 {
 public:
-  /// `limit`: the sum is not followed beyond it
+  /// `limit`: sums are not followed beyond it
   Expected_number_of_bubbles(const Domain_2& domain, const Sizing& sizing, double limit)
     : m_domain(domain), m_sizing(sizing), m_limit(limit),
       m_coarsest((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
@@ -34,11 +35,35 @@ public:
 
   double operator()()
   {
+    const double in_area = integral_over_faces();
+    double on_edges = 0, cells_of_edges = 0;
+    for (std::size_t e = 0; e < m_domain.edges().size() && on_edges <= m_limit; ++e) {
+      const double between_ends = (std::max)(0., integral_over_edge(static_cast<Index>(e)) - 1);
+      const Domain_edge_2& edge = m_domain.edges()[e];
+      on_edges += between_ends;
+      cells_of_edges += 0.5 * between_ends * (edge.inside_left + edge.inside_right);
+    }
+    // the area around a bubble on an edge, on the sides that belong to the domain, is taken
+    return static_cast<double>(m_domain.corners().size()) + on_edges +
+           (std::max)(0., in_area - cells_of_edges);
+  }
+
+  /// the integral of the density over the domain
+  double integral_over_faces()
+  {
     m_sum = 0;
     const Flat_triangulation_2& tr = m_domain.triangulation();
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
       if (m_domain.is_inside(static_cast<Index>(t)))
         add(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), 0);
+    return m_sum;
+  }
+
+  /// the integral of 1/d along an edge
+  double integral_over_edge(Index e)
+  {
+    m_sum = 0;
+    add(m_domain.source(e), m_domain.target(e), 0);
     return m_sum;
   }
 
@@ -75,14 +100,28 @@ private:
     add(m, q, r, depth + 1);
   }
 
+  void add(const Point& p, const Point& q, int depth)
+  {
+    if (m_sum > m_limit)
+      return;
+    const Point m = CGAL::midpoint(p, q);
+    const double d = m_sizing(m), length = std::sqrt(CGAL::squared_distance(p, q));
+    if (length <= 2 * d || depth == deepest ||
+        (length <= m_coarsest && is_near(p, d) && is_near(q, d))) {
+      m_sum += length / d;
+      return;
+    }
+    add(p, m, depth + 1);
+    add(m, q, depth + 1);
+  }
+
   bool is_smooth(const Point& p, const Point& q, const Point& r, double d) const
   {
-    constexpr double tolerance = 0.05;
-    for (const Point& m : {CGAL::midpoint(p, q), CGAL::midpoint(q, r), CGAL::midpoint(r, p)})
-      if (std::abs(m_sizing(m) - d) > tolerance * d)
-        return false;
-    return true;
+    return is_near(CGAL::midpoint(p, q), d) && is_near(CGAL::midpoint(q, r), d) &&
+           is_near(CGAL::midpoint(r, p), d);
   }
+
+  bool is_near(const Point& p, double d) const { return std::abs(m_sizing(p) - d) <= 0.05 * d; }
 
   const Domain_2& m_domain;
   const Sizing& m_sizing;
@@ -98,8 +137,8 @@ double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
   if (expected > static_cast<double>(maximum)) {
     std::ostringstream message;
-    message << "npbs_relax: parameter maximum_number_of_bubbles = " << maximum
-            << ": the sizing function asks for more, at least " << expected;
+    message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
+            << ": the domain and the sizing function ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
   return expected;

@@ -12,29 +12,47 @@
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// a count given as any integer; a negative one would turn into a huge unsigned one silently
-template <class T>
-std::size_t read_count(const char* name, T value, std::size_t least)
+[[noreturn]] inline void throw_invalid_count(const char* name, const std::string& value,
+                                             const std::string& requirement)
 {
-  bool is_too_small = false;
+  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " + value + " must be " +
+                              requirement);
+}
+
+/// A count given as any number. A negative one would turn into a huge unsigned one silently, and what a
+/// floating-point number that is no integer turns into is not defined.
+template <class T>
+std::size_t read_count(const char* name, T value, std::size_t least,
+                       std::size_t largest = (std::numeric_limits<std::size_t>::max)())
+{
+  static_assert(std::is_arithmetic<T>::value, "a count must be given as a number");
+  std::ostringstream text;
+  text.precision(17);
+  text << +value;
+  if constexpr (std::is_floating_point<T>::value)
+    if (!(std::abs(value) < T(1e18)) || value != std::floor(value))
+      throw_invalid_count(name, text.str(), "an integer");
+  bool is_negative = false;
   if constexpr (std::is_signed<T>::value)
-    is_too_small = value < static_cast<T>(least);
-  else
-    is_too_small = static_cast<std::size_t>(value) < least;
-  if (is_too_small) {
-    std::ostringstream message;
-    message << "npbs_relax: parameter " << name << " = " << +value << " must be at least " << least;
-    throw std::invalid_argument(message.str());
-  }
+    is_negative = value < 0;
+  if (is_negative || static_cast<std::size_t>(value) < least)
+    throw_invalid_count(name, text.str(), "at least " + std::to_string(least));
+  if (static_cast<std::size_t>(value) > largest)
+    throw_invalid_count(name, text.str(), "at most " + std::to_string(largest) +
+                                          ", the largest index of a bubble");
   return static_cast<std::size_t>(value);
 }
 
@@ -77,7 +95,8 @@ Relaxation_options read_options(const NamedParameters& np)
   o.maximum_number_of_bubbles = read_count(
     "maximum_number_of_bubbles",
     choose_parameter(get_parameter(np, internal_np::maximum_number_of_bubbles),
-                     default_maximum_number_of_bubbles), 1);
+                     default_maximum_number_of_bubbles), 1,
+    static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
   o.callback = choose_parameter(get_parameter(np, internal_np::callback),
                                 std::function<bool(double)>());
 
