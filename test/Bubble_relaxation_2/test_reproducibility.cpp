@@ -124,6 +124,9 @@ template <class Cdt>
 std::vector<Outcome> relax_repeatedly(Cdt cdt)
 {
   std::vector<Outcome> outcomes;
+  Cdt bare = cdt;
+  const auto bare_report = CGAL::npbs_relax(bare); // at the sizes of the outline
+  outcomes.push_back(outcome(bare, bare_report));
   for (double factor : {1., 0.7, 1.4}) {
     const auto report = relax(cdt, factor);
     outcomes.push_back(outcome(cdt, report));
