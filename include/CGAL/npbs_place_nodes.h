@@ -81,7 +81,7 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
   Phase_timer reading_time(nodes.report.seconds.reading);
   const Domain_marks_2<CDT> is_inside(cdt, np);
   const auto reading = read_domain(cdt, np, is_inside);
-  with_sizing_field(cdt, np, is_inside, [&](const auto& sizing) {
+  with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
     reading_time.stop();
     const Bubbles_2 bubbles = simulate_bubbles<Concurrency<NamedParameters>>(
       cdt, *reading, sizing, options, progress, nodes.report);

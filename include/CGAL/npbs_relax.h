@@ -47,7 +47,9 @@ marked if the face base has marks.
   bubble as the boundary does, is pinned by `vertex_is_constrained_map`.
 - All other vertices of the domain are new, and handles to them and to faces are invalid.
 
-The result is the same to the last bit for the same input, with any number of threads.
+The result is the same to the last bit for the same domain: in every run, with any number of threads, and in
+whatever order its vertices and constraints were inserted. Only the order of the vertices and faces in
+`cdt` may be another then.
 
 \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose
 face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel bubbles move in `double`, and
@@ -61,7 +63,11 @@ those on edges lie exactly on them.
   \cgalParamNBegin{sizing_function}
     \cgalParamDescription{the wanted distance d of neighbouring vertices, in the units of the coordinates}
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
-    \cgalParamDefault{the mean length of the edges around each vertex of `cdt`, linear between vertices}
+    \cgalParamDefault{If the domain has free vertices: the mean length of the edges around each vertex of
+                      `cdt`, linear between vertices. If there is no mesh yet: at each vertex of a
+                      constraint the length of the shorter constraint beside it, or the width of the
+                      domain there if that is less, but not less than an eighth of it; growing by 0.2
+                      per unit of the distance from there}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
     \cgalParamDescription{points in the holes of the domain, or in the domain}
@@ -192,7 +198,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   Phase_timer reading_time(report.seconds.reading);
   const Domain_marks_2<CDT> is_inside(cdt, np);
   const auto reading = read_domain(cdt, np, is_inside);
-  with_sizing_field(cdt, np, is_inside, [&](const auto& sizing) {
+  with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
     reading_time.stop();
     const Bubbles_2 bubbles =
       simulate_bubbles<Concurrency<NamedParameters>>(cdt, *reading, sizing, options, progress, report);

@@ -28,6 +28,9 @@ namespace internal {
 /// The constrained edges of a user's triangulation that bound or cross the domain, as a graph, and the
 /// straight chains that they form between corners. A vertex that only splits a straight constraint is
 /// no corner, unless it is pinned.
+///
+/// Corners, chains and their directions are in the lexicographic order of points, so they depend neither
+/// on the order in which the constraints were inserted nor on where faces lie in memory.
 template <class Cdt>
 class Constraint_graph_2
 {
@@ -70,6 +73,12 @@ public:
   /// whether the vertex is an end of one of the graph's edges
   bool contains(Vertex_handle v) const { return m_index.is_defined(v); }
 
+  /// the lexicographic order of points
+  static bool is_before(Vertex_handle u, Vertex_handle v)
+  {
+    return CGAL::lexicographically_xy_smaller(u->point(), v->point());
+  }
+
   static Point to_point(Vertex_handle v)
   {
     return Point(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
@@ -85,44 +94,67 @@ private:
   struct Node
   {
     Vertex_handle handle;
-    std::vector<Half_edge> edges;
+    std::vector<Half_edge> edges; // in the order of their targets
     int degree = 0; // with constraints that have no part in the domain
+  };
+
+  struct Constrained_edge
+  {
+    Vertex_handle source, target;
+    bool inside_left, inside_right;
+
+    bool is_in_domain() const { return inside_left || inside_right; }
   };
 
   template <class Is_inside>
   void collect_edges(const Is_inside& is_inside)
   {
-    std::vector<Vertex_handle> ends_outside;
-    for (const auto& e : m_cdt.finite_edges()) {
-      if (!m_cdt.is_constrained(e))
-        continue;
-      const auto f = e.first;
-      const Vertex_handle u = f->vertex(m_cdt.ccw(e.second)), v = f->vertex(m_cdt.cw(e.second));
-      const bool left = is_inside(f), right = is_inside(f->neighbor(e.second));
-      if (left || right) {
-        const Index a = index(u), b = index(v);
-        m_nodes[a].edges.push_back(Half_edge{b, left, right});
-        m_nodes[b].edges.push_back(Half_edge{a, right, left});
-        ++m_nodes[a].degree;
-        ++m_nodes[b].degree;
-      } else {
-        ends_outside.push_back(u);
-        ends_outside.push_back(v);
+    const std::vector<Constrained_edge> edges = constrained_edges(is_inside);
+    number_nodes(edges);
+    for (const Constrained_edge& e : edges) {
+      if (e.is_in_domain()) {
+        const Index a = m_index[e.source], b = m_index[e.target];
+        m_nodes[a].edges.push_back(Half_edge{b, e.inside_left, e.inside_right});
+        m_nodes[b].edges.push_back(Half_edge{a, e.inside_right, e.inside_left});
       }
+      for (Vertex_handle v : {e.source, e.target})
+        if (contains(v))
+          ++m_nodes[m_index[v]].degree;
     }
-    for (Vertex_handle v : ends_outside)
-      if (contains(v))
-        ++m_nodes[m_index[v]].degree;
+    for (Node& node : m_nodes)
+      std::sort(node.edges.begin(), node.edges.end(),
+                [](const Half_edge& e, const Half_edge& f) { return e.to < f.to; });
   }
 
-  Index index(Vertex_handle v)
+  /// Every constrained edge once, from its lexicographically smaller end to the other. CGAL's iterator of
+  /// edges is of no use here: which side of an edge it gives depends on the addresses of the faces.
+  template <class Is_inside>
+  std::vector<Constrained_edge> constrained_edges(const Is_inside& is_inside) const
   {
-    Index& i = m_index[v];
-    if (i == no_index) {
-      i = static_cast<Index>(m_nodes.size());
+    std::vector<Constrained_edge> edges;
+    for (auto f : m_cdt.all_face_handles())
+      for (int i = 0; i < 3; ++i) {
+        if (!f->is_constrained(i))
+          continue;
+        const Vertex_handle u = f->vertex(m_cdt.ccw(i)), v = f->vertex(m_cdt.cw(i));
+        if (is_before(u, v))
+          edges.push_back(Constrained_edge{u, v, is_inside(f), is_inside(f->neighbor(i))});
+      }
+    return edges;
+  }
+
+  void number_nodes(const std::vector<Constrained_edge>& edges)
+  {
+    std::vector<Vertex_handle> ends;
+    for (const Constrained_edge& e : edges)
+      if (e.is_in_domain())
+        ends.insert(ends.end(), {e.source, e.target});
+    std::sort(ends.begin(), ends.end(), is_before);
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (Vertex_handle v : ends) {
+      m_index[v] = static_cast<Index>(m_nodes.size());
       m_nodes.push_back(Node{v, {}, 0});
     }
-    return i;
   }
 
   Point point(std::size_t v) const { return to_point(m_nodes[v].handle); }

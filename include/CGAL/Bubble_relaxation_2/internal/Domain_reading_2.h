@@ -12,8 +12,15 @@
 #include <CGAL/Bubble_relaxation_2/internal/Constraint_graph_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -31,8 +38,10 @@ struct Domain_reading_2
 
   Domain_2 domain;
   std::unique_ptr<Graph> graph;      ///< corners and chains, numbered as in `domain`
-  std::vector<Vertex_handle> pinned; ///< pinned vertices inside the domain that no constraint touches
-  std::vector<Vertex_handle> free;   ///< all other vertices inside the domain that no constraint touches
+
+  /// vertices inside the domain that no constraint touches: the pinned ones and all others. Only their
+  /// points decide their order, whatever the order in which they were inserted.
+  std::vector<Vertex_handle> pinned, free;
 
   /// How the existing mesh looks around a vertex.
   struct Surroundings
@@ -58,6 +67,8 @@ struct Domain_reading_2
     for (Vertex_handle v : cdt.finite_vertex_handles())
       if (!graph->contains(v) && is_inside(v->face()) && !cdt.are_there_incident_constraints(v))
         (is_pinned(v) ? pinned : free).push_back(v);
+    sort_by_place(pinned);
+    sort_by_place(free);
   }
 
   static Surroundings surroundings(const Cdt& cdt, Vertex_handle v)
@@ -65,7 +76,7 @@ struct Domain_reading_2
     const Point p = Graph::to_point(v);
     double sum = 0, shortest = 0, direction = 0;
     int degree = 0;
-    auto u = cdt.incident_vertices(v), start = u;
+    auto u = first_neighbor(cdt, v), start = u;
     do {
       if (cdt.is_infinite(u))
         continue;
@@ -81,6 +92,37 @@ struct Domain_reading_2
   }
 
 private:
+  /// Starts at the neighbour with the lexicographically smallest point: where CGAL starts depends on the
+  /// history of the triangulation, and a sum depends on the order of its terms.
+  static typename Cdt::Vertex_circulator first_neighbor(const Cdt& cdt, Vertex_handle v)
+  {
+    auto u = cdt.incident_vertices(v), start = u, first = u;
+    do {
+      if (!cdt.is_infinite(u) && (cdt.is_infinite(first) || Graph::is_before(u, first)))
+        first = u;
+    } while (++u != start);
+    return first;
+  }
+
+  /// sorts along a Hilbert curve, so that a search from one vertex to the next is short
+  static void sort_by_place(std::vector<Vertex_handle>& vertices)
+  {
+    // the curve leaves some of the order open where coordinates are equal
+    std::sort(vertices.begin(), vertices.end(), Graph::is_before);
+    std::vector<Point> points;
+    for (Vertex_handle v : vertices)
+      points.push_back(Graph::to_point(v));
+    std::vector<std::size_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), 0);
+    using Map = Pointer_property_map<Point>::type;
+    hilbert_sort(order.begin(), order.end(),
+                 Spatial_sort_traits_adapter_2<Kernel, Map>(make_property_map(points)));
+    std::vector<Vertex_handle> sorted;
+    for (std::size_t i : order)
+      sorted.push_back(vertices[i]);
+    vertices.swap(sorted);
+  }
+
   template <class Is_inside, class Is_pinned>
   Marking_error build(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned,
                       bool merge)

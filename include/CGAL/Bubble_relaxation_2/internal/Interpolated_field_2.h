@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -26,110 +27,129 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Values at the vertices of a triangulation, linear in its triangles, constant along the way out of
-/// its hull. A query walks from where the thread's last one ended. The value does not depend on that: on
-/// an edge, where either triangle may be found, only the edge's ends count, in the order of their numbers.
+/// its hull. A query walks from where the last one ended. The value does not depend on that: on an
+/// edge only the edge's ends count.
 class Interpolated_field_2
 {
 public:
   Interpolated_field_2(Flat_triangulation_2 tr, std::vector<double> values)
-    : m_tr(std::move(tr)), m_values(std::move(values))
-  {
-    for (std::size_t t = 0; t < m_tr.number_of_triangles(); ++t)
-      for (int i = 0; i < 3; ++i)
-        if (m_tr.neighbors[t][i] == no_index)
-          m_hull.push_back({m_tr.vertices[t][ccw(i)], m_tr.vertices[t][cw(i)]});
-  }
+    : m_tr(std::move(tr)), m_values(std::move(values)), m_hint(0)
+  {}
 
   double operator()(double x, double y) const
   {
-    // any triangle of the field will do as a start, one of another field's number as well
-    thread_local Index hint = 0;
-    const Index start = static_cast<std::size_t>(hint) < m_tr.number_of_triangles() ? hint : 0;
     const Point q(x, y);
-    const Index found = locate(m_tr, start, q);
+    const Index found = locate(m_tr, m_hint.load(std::memory_order_relaxed), q);
     if (found == no_index)
       return nearest_on_hull(q);
-    hint = found;
+    m_hint.store(found, std::memory_order_relaxed);
     return interpolate(found, q);
   }
 
   double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
 
 private:
-  using Edge = std::array<Index, 2>; // indices of its ends
+  double value(Index t, int i) const { return m_values[m_tr.vertices[t][i]]; }
 
   double interpolate(Index t, const Point& q) const
   {
-    int sides = 0, side = 0, off_side = 0; // sides that `q` lies on, and one that it does not lie on
-    for (int i = 0; i < 3; ++i)
-      if (CGAL::orientation(m_tr.point(t, ccw(i)), m_tr.point(t, cw(i)), q) == COLLINEAR) {
-        ++sides;
-        side = i;
-      } else {
-        off_side = i;
-      }
-    if (sides == 2) // the vertex where they meet is opposite to the third
-      return m_values[m_tr.vertices[t][off_side]];
-    if (sides == 0)
-      return interpolate_inside(t, q);
-    const Edge e{m_tr.vertices[t][ccw(side)], m_tr.vertices[t][cw(side)]};
-    return interpolate_on(e, nearest_on(e, q));
-  }
-
-  double interpolate_inside(Index t, const Point& q) const
-  {
     double sum = 0, weights = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (int i : vertices_in_order(t)) {
       const Point &a = m_tr.point(t, ccw(i)), &b = m_tr.point(t, cw(i));
-      const double weight = std::abs((b.x() - a.x()) * (q.y() - a.y()) -
-                                     (b.y() - a.y()) * (q.x() - a.x())) / area(t);
-      sum += weight * m_values[m_tr.vertices[t][i]];
+      if (CGAL::orientation(a, b, q) == COLLINEAR)
+        return on_side(t, i, q).value; // both triangles of the side must give the same bits
+      const double weight =
+        std::abs((b.x() - a.x()) * (q.y() - a.y()) - (b.y() - a.y()) * (q.x() - a.x()));
+      sum += weight * value(t, i);
       weights += weight;
     }
-    return weights > 0 ? sum / weights : m_values[m_tr.vertices[t][0]];
+    // in a triangle as thin as the rounding of its points all weights may be zero
+    return weights > 0 ? sum / weights : on_side(t, opposite_to_longest_side(t), q).value;
   }
 
-  double area(Index t) const
+  /// The vertices in the order of their points: the order in which they were inserted must not count.
+  std::array<int, 3> vertices_in_order(Index t) const
   {
-    const Point &a = m_tr.point(t, 0), &b = m_tr.point(t, 1), &c = m_tr.point(t, 2);
-    return std::abs((b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y()));
+    std::array<int, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(),
+              [&](int i, int j) { return m_tr.point(t, i) < m_tr.point(t, j); });
+    return order;
   }
 
-  /// where on the edge, from its end with the lower number, in [0,1], is the point next to `q`
-  double nearest_on(const Edge& e, const Point& q) const
+  int opposite_to_longest_side(Index t) const
   {
-    const Point &a = m_tr.points[(std::min)(e[0], e[1])], &b = m_tr.points[(std::max)(e[0], e[1])];
+    const std::array<int, 3> order = vertices_in_order(t);
+    return *std::max_element(order.begin(), order.end(), [&](int i, int j) {
+      return CGAL::squared_distance(m_tr.point(t, ccw(i)), m_tr.point(t, cw(i))) <
+             CGAL::squared_distance(m_tr.point(t, ccw(j)), m_tr.point(t, cw(j)));
+    });
+  }
+
+  struct Nearest
+  {
+    double distance, value;
+  };
+
+  /// the point of the side opposite to vertex `i` that is the nearest to `q`
+  Nearest on_side(Index t, int i, const Point& q) const
+  {
+    int from = ccw(i), to = cw(i);
+    if (m_tr.point(t, to) < m_tr.point(t, from))
+      std::swap(from, to);
+    const Point &a = m_tr.point(t, from), &b = m_tr.point(t, to);
     const double dx = b.x() - a.x(), dy = b.y() - a.y();
     const double along = ((q.x() - a.x()) * dx + (q.y() - a.y()) * dy) / (dx * dx + dy * dy);
-    return (std::max)(0., (std::min)(1., along));
+    const double s = (std::max)(0., (std::min)(1., along));
+    return Nearest{std::hypot(q.x() - a.x() - s * dx, q.y() - a.y() - s * dy),
+                   (1 - s) * value(t, from) + s * value(t, to)};
   }
 
-  double interpolate_on(const Edge& e, double s) const
-  {
-    return (1 - s) * m_values[(std::min)(e[0], e[1])] + s * m_values[(std::max)(e[0], e[1])];
-  }
-
-  /// queries leave the hull by roundings only, where edges of the hull are slanted
+  /// queries leave the hull by roundings only, so a search over the whole hull is rare
   double nearest_on_hull(const Point& q) const
   {
-    double least = -1, nearest = 0;
-    for (const Edge& e : m_hull) {
-      const double s = nearest_on(e, q);
-      const Point &a = m_tr.points[(std::min)(e[0], e[1])], &b = m_tr.points[(std::max)(e[0], e[1])];
-      const double off = std::hypot(q.x() - a.x() - s * (b.x() - a.x()),
-                                    q.y() - a.y() - s * (b.y() - a.y()));
-      if (least < 0 || off < least) {
-        least = off;
-        nearest = interpolate_on(e, s);
+    Nearest best{-1, 0};
+    for (std::size_t t = 0; t < m_tr.number_of_triangles(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        if (m_tr.neighbors[t][i] != no_index)
+          continue;
+        const Nearest n = on_side(static_cast<Index>(t), i, q);
+        if (best.distance < 0 || n.distance < best.distance)
+          best = n;
       }
-    }
-    return nearest;
+    return best.value;
   }
 
   Flat_triangulation_2 m_tr;
   std::vector<double> m_values;
-  std::vector<Edge> m_hull;
+  mutable std::atomic<Index> m_hint;
 };
+
+struct Edge_length
+{
+  std::array<Index, 2> ends;
+  double length;
+};
+
+/// At each vertex the mean length of its edges in the domain. `edges`: both ends and the length of each.
+inline std::vector<double> mean_edge_lengths(std::size_t number_of_vertices,
+                                             std::vector<Edge_length> edges)
+{
+  // in the order of lengths, so that sums are rounded the same way whatever the order of the faces is
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge_length& e, const Edge_length& f) { return e.length < f.length; });
+  std::vector<double> sum(number_of_vertices, 0), count(number_of_vertices, 0);
+  double all = 0;
+  for (const Edge_length& e : edges) {
+    for (Index v : e.ends) {
+      sum[v] += e.length;
+      ++count[v];
+    }
+    all += e.length;
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    sum[v] = count[v] > 0 ? sum[v] / count[v] : all / static_cast<double>(edges.size());
+  return sum;
+}
 
 /// The size that a mesh has: at each vertex the mean length of its edges in the domain.
 template <class Cdt, class Is_inside>
@@ -145,30 +165,20 @@ Interpolated_field_2 mean_edge_length_field(const Cdt& cdt, const Is_inside& is_
   Index n = 0;
   for (auto f : cdt.finite_face_handles())
     face_index[f] = n++;
-  std::vector<double> sum(tr.points.size(), 0), count(tr.points.size(), 0);
-  double all = 0, number = 0;
+  std::vector<Edge_length> edges;
   for (auto f : cdt.finite_face_handles()) {
     tr.vertices.push_back({vertex_index[f->vertex(0)], vertex_index[f->vertex(1)],
                            vertex_index[f->vertex(2)]});
     tr.neighbors.push_back({face_index[f->neighbor(0)], face_index[f->neighbor(1)],
                             face_index[f->neighbor(2)]});
-    if (!is_inside(f))
-      continue;
-    for (int i = 0; i < 3; ++i) { // an inner edge counts twice, from both sides
+    for (int i = 0; i < 3 && is_inside(f); ++i) {
       const Index a = tr.vertices.back()[ccw(i)], b = tr.vertices.back()[cw(i)];
-      const double weight = is_inside(f->neighbor(i)) ? 0.5 : 1;
-      const double length = weight * std::sqrt(CGAL::squared_distance(tr.points[a], tr.points[b]));
-      for (Index v : {a, b}) {
-        sum[v] += length;
-        count[v] += weight;
-      }
-      all += length;
-      number += weight;
+      if (a < b || !is_inside(f->neighbor(i))) // else it is added from the other side
+        edges.push_back({{a, b}, std::sqrt(CGAL::squared_distance(tr.points[a], tr.points[b]))});
     }
   }
-  for (std::size_t v = 0; v < sum.size(); ++v)
-    sum[v] = count[v] > 0 ? sum[v] / count[v] : all / number;
-  return Interpolated_field_2(std::move(tr), std::move(sum));
+  std::vector<double> sizes = mean_edge_lengths(tr.points.size(), std::move(edges));
+  return Interpolated_field_2(std::move(tr), std::move(sizes));
 }
 
 } // namespace internal

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,23 +54,21 @@ struct Mesh_statistics_2
   double length_percentile_1 = undefined, length_percentile_99 = undefined;
 };
 
-/// Collects triangles, vertices and edges one by one.
+/// Collects triangles, vertices and edges one by one. The statistics do not depend on their order, to the
+/// last bit.
 class Mesh_quality_accumulator_2
 {
 public:
   template <class Point_2>
   void add_triangle(const Point_2& p, const Point_2& q, const Point_2& r)
   {
-    const double quality = radius_ratio(p, q, r);
-    if (m_qualities.empty() || quality < m.minimum_quality) {
-      m.minimum_quality = quality;
-      m.worst_x = CGAL::to_double(p.x() + q.x() + r.x()) / 3;
-      m.worst_y = CGAL::to_double(p.y() + q.y() + r.y()) / 3;
-    }
-    m_qualities.push_back(quality);
-    add_angle(p, q, r);
-    add_angle(q, r, p);
-    add_angle(r, p, q);
+    // a vertex to begin with that only the points decide: what rounds depends on it
+    if (CGAL::lexicographically_xy_smaller(q, p) && CGAL::lexicographically_xy_smaller(q, r))
+      add_triangle_in_order(q, r, p);
+    else if (CGAL::lexicographically_xy_smaller(r, p))
+      add_triangle_in_order(r, p, q);
+    else
+      add_triangle_in_order(p, q, r);
   }
 
   void add_vertex(bool is_interior, std::size_t degree)
@@ -95,6 +94,29 @@ public:
 
 private:
   template <class Point_2>
+  void add_triangle_in_order(const Point_2& p, const Point_2& q, const Point_2& r)
+  {
+    const double quality = radius_ratio(p, q, r);
+    if (m_qualities.empty() || quality <= m.minimum_quality)
+      add_worst(quality, CGAL::to_double(p.x() + q.x() + r.x()) / 3,
+                CGAL::to_double(p.y() + q.y() + r.y()) / 3);
+    m_qualities.push_back(quality);
+    add_angle(p, q, r);
+    add_angle(q, r, p);
+    add_angle(r, p, q);
+  }
+
+  void add_worst(double quality, double x, double y)
+  {
+    const bool is_equal = !m_qualities.empty() && quality == m.minimum_quality;
+    if (is_equal && std::make_pair(m.worst_x, m.worst_y) <= std::make_pair(x, y))
+      return;
+    m.minimum_quality = quality;
+    m.worst_x = x;
+    m.worst_y = y;
+  }
+
+  template <class Point_2>
   void add_angle(const Point_2& p, const Point_2& q, const Point_2& r)
   {
     constexpr double degrees = 57.29577951308232;
@@ -110,8 +132,11 @@ private:
       m.maximum_angle = angle;
   }
 
+  // values are sorted before they are summed: the order of their terms decides how sums are rounded
+
   void finish_qualities()
   {
+    std::sort(m_qualities.begin(), m_qualities.end());
     double sum = 0;
     for (double q : m_qualities) {
       sum += q;
@@ -125,6 +150,7 @@ private:
 
   void finish_lengths()
   {
+    std::sort(m_lengths.begin(), m_lengths.end());
     double sum = 0, squares = 0;
     for (double l : m_lengths)
       sum += l;
@@ -136,13 +162,11 @@ private:
     m.length_percentile_99 = percentile(m_lengths, 99);
   }
 
-  /// the smallest value that at least `percent` of all values do not exceed
-  static double percentile(std::vector<double>& values, int percent)
+  /// the smallest of the sorted values that at least `percent` of all values do not exceed
+  static double percentile(const std::vector<double>& values, int percent)
   {
     const std::size_t rank = (values.size() * static_cast<std::size_t>(percent) + 99) / 100;
-    const auto it = values.begin() + static_cast<std::ptrdiff_t>((std::max)(rank, std::size_t(1)) - 1);
-    std::nth_element(values.begin(), it, values.end());
-    return *it;
+    return values[(std::max)(rank, std::size_t(1)) - 1];
   }
 
   Mesh_statistics_2 m;
@@ -181,16 +205,21 @@ void add_lengths(const Cdt& cdt, const Is_inside& is_inside, const Sizing& sizin
                  Mesh_quality_accumulator_2& accumulator)
 {
   using Point_2 = typename Cdt::Geom_traits::Point_2;
-  for (const auto& e : cdt.finite_edges()) {
-    if (!is_inside(e.first) && !is_inside(e.first->neighbor(e.second)))
-      continue;
-    const auto &p = e.first->vertex(cdt.ccw(e.second))->point(),
-               &q = e.first->vertex(cdt.cw(e.second))->point();
+  const auto add = [&](const Point_2& p, const Point_2& q) {
     const double length =
       std::hypot(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()));
     const Point_2 middle(p.x() + (q.x() - p.x()) / 2, p.y() + (q.y() - p.y()) / 2);
     accumulator.add_length(length / sizing(middle));
-  }
+  };
+  // from faces, since the direction that CGAL's iterator gives an edge depends on addresses
+  for (auto f : cdt.finite_face_handles())
+    for (int i = 0; i < 3 && is_inside(f); ++i) {
+      const auto &p = f->vertex(cdt.ccw(i))->point(), &q = f->vertex(cdt.cw(i))->point();
+      if (CGAL::lexicographically_xy_smaller(p, q))
+        add(p, q);
+      else if (!is_inside(f->neighbor(i))) // else it is added from the other side
+        add(q, p);
+    }
 }
 
 } // namespace internal
