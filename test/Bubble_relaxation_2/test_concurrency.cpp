@@ -14,9 +14,41 @@
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
+#include <random>
 
+#ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#endif
+
+TEST(Size_of_the_mesh, on_an_edge_does_not_depend_on_what_was_asked_before)
+{
+  // random points on both sides of x = 0.3, edges between them on x = 0.3
+  std::mt19937 random(validation::seed());
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  paper::CDT cdt;
+  const std::vector<paper::Point> outline{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  cdt.insert_constraint(outline.begin(), outline.end(), true);
+  cdt.insert_constraint(paper::Point(0.3, 0.01), paper::Point(0.3, 0.99));
+  for (int k = 0; k < 300; ++k)
+    cdt.insert(paper::Point(uniform(random), uniform(random)));
+  const auto field = CGAL::Bubble_relaxation_2::internal::mean_edge_length_field(
+    cdt, [&](paper::CDT::Face_handle f) { return !cdt.is_infinite(f); });
+  for (int k = 0; k < 1000; ++k) {
+    const double y = 0.01 + 0.98 * uniform(random);
+    field(0.29, y); // leaves the search on the left
+    const double from_left = field(0.3, y);
+    field(0.31, y);
+    EXPECT_EQ(from_left, field(0.3, y)) << y;
+  }
+  for (auto v : cdt.finite_vertex_handles()) {
+    field(0.01, 0.5);
+    const double from_left = field(v->point());
+    field(0.99, 0.5);
+    EXPECT_EQ(from_left, field(v->point()));
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
 
 TEST(Concurrency, same_bits_for_any_number_of_threads)
 {
