@@ -83,8 +83,11 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
   const auto reading = read_domain(cdt, np, is_inside);
   with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
     reading_time.stop();
-    const Bubbles_2 bubbles = simulate_bubbles<Concurrency<NamedParameters>>(
+    Bubbles_2 bubbles = simulate_bubbles<Concurrency<NamedParameters>>(
       cdt, *reading, sizing, options, progress, nodes.report);
+    // the simulation does not ask d again for every little displacement
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      bubbles.d[i] = sizing(bubbles.x[i], bubbles.y[i]);
     Neighbor_sets_2 neighbors(options.neighbor_radius);
     neighbors.build(bubbles);
     nodes.neighbor_offsets.push_back(0);

@@ -26,6 +26,7 @@ TEST(Place_nodes, neighbor_sets_equal_brute_force)
   ASSERT_EQ(nodes.dimensions.size(), nodes.size());
   EXPECT_EQ(nodes.neighbor_radius, 2.2);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ASSERT_EQ(nodes.sizes[i], domain.d(nodes.points[i]));
     std::vector<std::int32_t> expected;
     for (std::size_t j = 0; j < nodes.size(); ++j)
       if (j != i && paper::distance(nodes.points[i], nodes.points[j].x(), nodes.points[j].y()) <
