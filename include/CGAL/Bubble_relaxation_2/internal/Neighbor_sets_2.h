@@ -77,16 +77,17 @@ public:
   }
 
   /// makes the set of a bubble that was added to `bubbles` after the last, and puts it into those of its
-  /// neighbours
-  /// \pre the sets were made by `build()`
+  /// neighbours; after `renew_from_neighbors()` it stays empty until the next `build()`
   void add(const Bubbles_2& bubbles, Index i)
   {
     m_x.push_back(bubbles.x[i]);
     m_y.push_back(bubbles.y[i]);
     m_d.push_back(bubbles.d[i]);
-    m_buckets->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
     m_found.clear();
     append(m_found);
+    if (!m_buckets)
+      return;
+    m_buckets->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
     find_neighbors(i);
     replace(i);
   }

@@ -109,6 +109,10 @@ public:
   {
     Round_result result;
     m_active.forget_touched();
+    {
+      const Phase_timer timer(seconds.renewal);
+      result.renewals += build_neighbors_if_due();
+    }
     while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
       if (!progress.report_step(result.steps, m_options.number_of_iterations)) {
         result.is_cancelled = true;
@@ -152,16 +156,24 @@ public:
   }
 
 private:
-  /// Makes or renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
+  /// Makes the neighbour sets before the first round, in the paper before each.
+  bool build_neighbors_if_due()
+  {
+    if (m_neighbors.number_of_bubbles() != 0 && m_options.renewal_interval == 0)
+      return false;
+    m_neighbors.build(m_bubbles);
+    m_outrun.clear();
+    return true;
+  }
+
+  /// Renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
   /// neighbours of neighbours; by default for the bubbles that have used up their skin, with buckets.
   bool renew_neighbors(std::size_t step)
   {
     const std::size_t interval = m_options.renewal_interval;
-    if (m_neighbors.number_of_bubbles() == 0 || (interval != 0 && step == 0))
-      m_neighbors.build(m_bubbles);
-    else if (interval == 0 && !m_outrun.empty())
+    if (interval == 0 && !m_outrun.empty())
       m_neighbors.renew(m_bubbles, m_outrun);
-    else if (interval != 0 && step % interval == 0)
+    else if (interval != 0 && step != 0 && step % interval == 0)
       m_neighbors.renew_from_neighbors(m_bubbles);
     else
       return false;
