@@ -12,6 +12,8 @@
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
 #include "domain_file.h"
+#include "file_names.h"
+#include "size_formula.h"
 #include "svg_picture.h"
 
 #include <CGAL/IO/write_VTU.h>
@@ -19,55 +21,14 @@
 
 #include <boost/program_options.hpp>
 
-#include <muParser.h>
-
 #include <csignal>
 #include <iostream>
-#include <memory>
 #include <set>
 #include <unistd.h>
 
 namespace po = boost::program_options;
 
 volatile std::sig_atomic_t is_interrupted = 0;
-
-/// d as a formula in x and y
-class Formula
-{
-public:
-  explicit Formula(const std::string& text) : m(std::make_shared<State>())
-  {
-    m->parser.DefineVar("x", &m->x);
-    m->parser.DefineVar("y", &m->y);
-    m->parser.SetExpr(text);
-    check();
-  }
-
-  double operator()(const Point& p) const
-  {
-    m->x = p.x();
-    m->y = p.y();
-    return m->parser.Eval();
-  }
-
-private:
-  struct State
-  {
-    mu::Parser parser;
-    double x = 0, y = 0;
-  };
-
-  void check() const
-  {
-    try {
-      m->parser.Eval();
-    } catch (const mu::Parser::exception_type& e) {
-      throw std::runtime_error("--size: " + e.GetMsg());
-    }
-  }
-
-  std::shared_ptr<State> m; // the parser knows where its variables are
-};
 
 /// A bar on a terminal, nothing elsewhere. Its line ends with its life, however far it is: what is printed
 /// next, an error too, starts on a line of its own.
@@ -123,7 +84,22 @@ po::variables_map read_arguments(int argc, char** argv)
   }
   if (arguments.count("input") == 0)
     throw std::runtime_error("no input file; see npbs_mesh --help");
+  if (arguments.count("quiet") > 0 && arguments.count("output") + arguments.count("picture") == 0)
+    throw std::runtime_error("--quiet without --output or --picture leaves nothing to show");
   return arguments;
+}
+
+/// what would be found out only when the mesh is there
+void check_arguments(const po::variables_map& arguments)
+{
+  const auto check_file = [&](const char* option, const std::vector<std::string>& supported) {
+    if (arguments.count(option) == 0)
+      return;
+    check_extension(arguments[option].as<std::string>(), supported);
+    check_writable(arguments[option].as<std::string>());
+  };
+  check_file("output", {".vtu"});
+  check_file("picture", {".svg"});
 }
 
 /// what the user asks for, else what `parameters` hold, else the default that --help shows
@@ -158,12 +134,13 @@ auto mesh(Domain_file& domain, const po::variables_map& arguments, const Paramet
   };
   if (arguments.count("size") == 0)
     return relax(all);
-  return relax(all.sizing_function(Formula(arguments["size"].as<std::string>())));
+  return relax(all.sizing_function(Size_formula(arguments["size"].as<std::string>())));
 }
 
 int main(int argc, char** argv)
 try {
   const po::variables_map arguments = read_arguments(argc, argv);
+  check_arguments(arguments);
   Domain_file domain = read_domain_file(arguments["input"].as<std::string>());
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
   const auto report = arguments.count("paper") > 0
@@ -176,10 +153,8 @@ try {
   if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
   if (arguments.count("output") > 0) {
-    std::ofstream out(arguments["output"].as<std::string>());
-    CGAL::IO::write_VTU(out, domain.cdt);
-    if (!out.flush())
-      throw std::runtime_error(arguments["output"].as<std::string>() + ": cannot be written");
+    write_file(arguments["output"].as<std::string>(),
+               [&](std::ostream& out) { CGAL::IO::write_VTU(out, domain.cdt); });
   }
   if (arguments.count("picture") > 0) {
     Svg_picture picture;
