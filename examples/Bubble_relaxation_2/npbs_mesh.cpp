@@ -21,9 +21,13 @@
 
 #include <boost/program_options.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <csignal>
 #include <iostream>
-#include <set>
+#include <utility>
 #include <unistd.h>
 
 namespace po = boost::program_options;
@@ -59,12 +63,15 @@ private:
   int m_percent = -1; // what the bar shows, -1 before it is drawn
 };
 
-po::variables_map read_arguments(int argc, char** argv)
+po::options_description all_options()
 {
   po::options_description options("npbs_mesh INPUT [options]   meshes a domain by bubble simulation");
   options.add_options()
     ("help,h", "shows this")
-    ("input", po::value<std::string>(), "the domain: .poly (Triangle) or .wkt")
+    ("version", "shows the version")
+    ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele "
+                                        "with its .node; - is standard input")
+    ("format,f", po::value<std::string>()->default_value(""), "poly or wkt, whatever the ending")
     ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x and y; default: that of "
                                          "the domain's own edges")
     ("output,o", po::value<std::string>(), "the mesh, .vtu")
@@ -73,13 +80,34 @@ po::variables_map read_arguments(int argc, char** argv)
     ("rounds", po::value<int>()->default_value(8), "rounds of simulation at most; with --paper 6")
     ("iterations", po::value<int>()->default_value(60), "steps in a round at most; with --paper 250")
     ("max-bubbles", po::value<long>()->default_value(20000000), "refuse sizes that ask for more vertices")
+    ("threads", po::value<int>()->default_value(1), "threads at most, 0 for all; the mesh is the same")
     ("quiet,q", "no progress and no statistics");
+  return options;
+}
+
+void print_version()
+{
+  std::cout << "npbs_mesh " << NPBS_MESH_VERSION << ", CGAL " << CGAL_VERSION_STR << ", muParser "
+            << mu::Parser().GetVersion(mu::pviBRIEF)
+#ifdef CGAL_LINKED_WITH_TBB
+            << ", TBB"
+#endif
+            << '\n';
+}
+
+po::variables_map read_arguments(int argc, char** argv)
+{
+  const po::options_description options = all_options();
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map arguments;
   po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), arguments);
   if (arguments.count("help") > 0) {
     std::cout << options;
+    std::exit(0);
+  }
+  if (arguments.count("version") > 0) {
+    print_version();
     std::exit(0);
   }
   if (arguments.count("input") == 0)
@@ -100,6 +128,12 @@ void check_arguments(const po::variables_map& arguments)
   };
   check_file("output", {".vtu"});
   check_file("picture", {".svg"});
+  if (arguments["threads"].as<int>() < 0)
+    throw std::runtime_error("--threads must not be negative");
+#ifndef CGAL_LINKED_WITH_TBB
+  if (arguments["threads"].as<int>() != 1)
+    throw std::runtime_error("--threads: this npbs_mesh was built without TBB");
+#endif
 }
 
 /// what the user asks for, else what `parameters` hold, else the default that --help shows
@@ -114,38 +148,71 @@ int count(const po::variable_value& argument, const Parameters& parameters, Tag 
 
 /// calls npbs_relax with what the arguments say, on top of `parameters`
 template <class Parameters>
-auto mesh(Domain_file& domain, const po::variables_map& arguments, const Parameters& parameters)
+auto relax(Domain& domain, const po::variables_map& arguments, const Parameters& parameters)
 {
   namespace np = CGAL::internal_np;
-  const std::set<CDT::Vertex_handle> pinned(domain.pinned.begin(), domain.pinned.end());
   Progress_bar bar(arguments.count("quiet") == 0);
   const auto all =
     parameters.number_of_rounds(count(arguments["rounds"], parameters, np::number_of_rounds))
       .number_of_iterations(count(arguments["iterations"], parameters, np::number_of_iterations))
       .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>())
-      .vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(pinned))
+      .vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(domain.pinned))
+      .concurrency_tag(CGAL::Parallel_if_available_tag())
       .callback([&bar](double fraction) {
         bar.show(fraction);
         return is_interrupted == 0; // Ctrl-C stops the simulation and keeps its mesh
       });
-  const auto relax = [&](const auto& p) {
-    return domain.has_seeds ? CGAL::npbs_relax(domain.cdt, p.seeds(domain.holes))
-                            : CGAL::npbs_relax(domain.cdt, p);
-  };
   if (arguments.count("size") == 0)
-    return relax(all);
-  return relax(all.sizing_function(Size_formula(arguments["size"].as<std::string>())));
+    return CGAL::npbs_relax(domain.cdt, all);
+  return CGAL::npbs_relax(domain.cdt,
+                          all.sizing_function(Size_formula(arguments["size"].as<std::string>())));
+}
+
+/// what npbs_relax says, in the words of the command line
+std::string in_words_of_options(std::string text)
+{
+  const std::pair<std::string, std::string> words[] = {
+    {"npbs_relax: ", ""},
+    {"maximum_number_of_bubbles", "--max-bubbles"},
+    {"number_of_rounds", "--rounds"},
+    {"number_of_iterations", "--iterations"},
+    {"parameter --", "--"},
+    {"the sizing function", "--size"}};
+  for (const auto& word : words) {
+    const std::size_t found = text.find(word.first);
+    if (found != std::string::npos)
+      text.replace(found, word.first.size(), word.second);
+  }
+  return text;
+}
+
+/// \throws std::runtime_error with the name of the input
+auto mesh(Domain& domain, const po::variables_map& arguments)
+try {
+#ifdef CGAL_LINKED_WITH_TBB
+  const int threads = arguments["threads"].as<int>();
+  const tbb::global_control limit(
+    tbb::global_control::max_allowed_parallelism,
+    threads > 0 ? threads
+                : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+#endif
+  return arguments.count("paper") > 0
+           ? relax(domain, arguments, CGAL::npbs_paper_parameters())
+           : relax(domain, arguments, CGAL::parameters::force_coefficient(1.));
+} catch (const std::exception& e) {
+  throw std::runtime_error(arguments["input"].as<std::string>() + ": " + in_words_of_options(e.what()));
 }
 
 int main(int argc, char** argv)
 try {
   const po::variables_map arguments = read_arguments(argc, argv);
   check_arguments(arguments);
-  Domain_file domain = read_domain_file(arguments["input"].as<std::string>());
+  const std::string input = arguments["input"].as<std::string>();
+  Domain domain = read_domain_file(input, arguments["format"].as<std::string>());
+  for (const std::string& warning : domain.warnings)
+    std::cerr << "npbs_mesh: warning: " << input << ": " << warning << '\n';
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
-  const auto report = arguments.count("paper") > 0
-                        ? mesh(domain, arguments, CGAL::npbs_paper_parameters())
-                        : mesh(domain, arguments, CGAL::parameters::force_coefficient(1.));
+  const auto report = mesh(domain, arguments);
 
   if (arguments.count("quiet") == 0)
     std::cout << report.quality << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'

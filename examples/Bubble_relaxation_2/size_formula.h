@@ -16,24 +16,28 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
-/// d as a formula in x and y, as muParser reads it.
+/// d as a formula in x and y, as muParser reads it. Each thread has a parser of its own, which holds the place
+/// that it is at.
 class Size_formula
 {
 public:
   /// \throws std::runtime_error with one line if `text` is not one formula
-  explicit Size_formula(const std::string& text) : m_text(text), m(std::make_shared<State>())
+  explicit Size_formula(const std::string& text) : m_text(std::make_shared<const std::string>(text))
   {
-    check_that_nothing_is_assigned();
+    check_that_nothing_is_assigned(text);
+    int number_of_values = 0;
     try {
-      m->set(text);
-      m->parser.Eval();
+      const mu::Parser& parser = state().parser;
+      parser.Eval();
+      number_of_values = parser.GetNumResults();
     } catch (const mu::Parser::exception_type& e) {
       throw std::runtime_error("--size: " + e.GetMsg());
     }
     // muParser takes the last of several values, and so a decimal comma for another number
-    if (m->parser.GetNumResults() != 1)
-      throw std::runtime_error("--size: '" + text + "' has " + std::to_string(m->parser.GetNumResults()) +
+    if (number_of_values != 1)
+      throw std::runtime_error("--size: '" + text + "' has " + std::to_string(number_of_values) +
                                " values; one formula is needed, and numbers have a decimal point");
   }
 
@@ -41,9 +45,10 @@ public:
   template <class Point_2>
   double operator()(const Point_2& p) const
   {
-    m->x = p.x();
-    m->y = p.y();
-    const double d = m->parser.Eval();
+    State& s = state();
+    s.x = p.x();
+    s.y = p.y();
+    const double d = s.parser.Eval();
     if (!(d > 0) || !std::isfinite(d)) {
       std::ostringstream message;
       message << "--size: d(" << p.x() << ", " << p.y() << ") = " << d << " must be positive and finite";
@@ -55,31 +60,39 @@ public:
 private:
   struct State
   {
-    mu::Parser parser;
-    double x = 0, y = 0;
-
-    void set(const std::string& text)
+    explicit State(std::shared_ptr<const std::string> t) : text(std::move(t))
     {
       parser.DefineVar("x", &x);
       parser.DefineVar("y", &y);
-      parser.SetExpr(text);
+      parser.SetExpr(*text);
     }
+
+    std::shared_ptr<const std::string> text;
+    mu::Parser parser;
+    double x = 0, y = 0;
   };
 
-  /// `x = 0.1` would overwrite the place and be its own value, which nobody means
-  void check_that_nothing_is_assigned() const
+  State& state() const
   {
-    const auto is_comparison = [](char c) { return c == '=' || c == '<' || c == '>' || c == '!'; };
-    for (std::size_t k = m_text.find('='); k != std::string::npos; k = m_text.find('=', k + 1)) {
-      if (k + 1 < m_text.size() && m_text[k + 1] == '=')
+    thread_local std::unique_ptr<State> state; // of the formula that this thread asked last
+    if (!state || state->text != m_text)
+      state = std::make_unique<State>(m_text);
+    return *state;
+  }
+
+  /// `x = 0.1` would overwrite the place and be its own value, which nobody means
+  static void check_that_nothing_is_assigned(const std::string& text)
+  {
+    const auto is_comparison = [](char c) { return c == '<' || c == '>' || c == '!'; };
+    for (std::size_t k = text.find('='); k != std::string::npos; k = text.find('=', k + 1)) {
+      if (k + 1 < text.size() && text[k + 1] == '=')
         ++k;
-      else if (k == 0 || !is_comparison(m_text[k - 1]))
-        throw std::runtime_error("--size: '" + m_text + "' assigns a value; a formula in x and y is needed");
+      else if (k == 0 || !is_comparison(text[k - 1]))
+        throw std::runtime_error("--size: '" + text + "' assigns a value; a formula in x and y is needed");
     }
   }
 
-  std::string m_text;
-  std::shared_ptr<State> m; // the parser knows where its variables are
+  std::shared_ptr<const std::string> m_text;
 };
 
 #endif // BUBBLE_RELAXATION_2_EXAMPLES_SIZE_FORMULA_H
