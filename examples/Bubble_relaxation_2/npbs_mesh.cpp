@@ -11,12 +11,13 @@
 // A mesher for the command line:
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
+#include "bad_triangles.h"
 #include "domain_file.h"
 #include "file_names.h"
+#include "mesh_file.h"
 #include "size_formula.h"
 #include "svg_picture.h"
 
-#include <CGAL/IO/write_VTU.h>
 #include <CGAL/npbs_relax.h>
 
 #include <boost/program_options.hpp>
@@ -26,6 +27,7 @@
 #endif
 
 #include <csignal>
+#include <functional>
 #include <iostream>
 #include <utility>
 #include <unistd.h>
@@ -74,7 +76,8 @@ po::options_description all_options()
     ("format,f", po::value<std::string>()->default_value(""), "poly or wkt, whatever the ending")
     ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x and y; default: that of "
                                          "the domain's own edges")
-    ("output,o", po::value<std::string>(), "the mesh, .vtu")
+    ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh), or .node or .ele "
+                                           "(Triangle; both, and .poly)")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
     ("paper", "the parameters of the paper instead of the defaults")
     ("rounds", po::value<int>()->default_value(8), "rounds of simulation at most; with --paper 6")
@@ -117,17 +120,29 @@ po::variables_map read_arguments(int argc, char** argv)
   return arguments;
 }
 
+/// \throws std::runtime_error if the input is among the files of the output
+void check_that_input_stays(const std::string& input, const std::string& output)
+{
+  std::error_code ignored;
+  for (const std::string& file : mesh_files(output))
+    if (std::filesystem::equivalent(input, file, ignored))
+      throw std::runtime_error(file + ": is the input; give --output another name");
+}
+
 /// what would be found out only when the mesh is there
 void check_arguments(const po::variables_map& arguments)
 {
-  const auto check_file = [&](const char* option, const std::vector<std::string>& supported) {
-    if (arguments.count(option) == 0)
-      return;
-    check_extension(arguments[option].as<std::string>(), supported);
-    check_writable(arguments[option].as<std::string>());
-  };
-  check_file("output", {".vtu"});
-  check_file("picture", {".svg"});
+  if (arguments.count("output") > 0) {
+    const std::string output = arguments["output"].as<std::string>();
+    check_extension(output, mesh_endings());
+    check_that_input_stays(arguments["input"].as<std::string>(), output);
+    for (const std::string& file : mesh_files(output))
+      check_writable(file);
+  }
+  if (arguments.count("picture") > 0) {
+    check_extension(arguments["picture"].as<std::string>(), {".svg"});
+    check_writable(arguments["picture"].as<std::string>());
+  }
   if (arguments["threads"].as<int>() < 0)
     throw std::runtime_error("--threads must not be negative");
 #ifndef CGAL_LINKED_WITH_TBB
@@ -146,26 +161,29 @@ int count(const po::variable_value& argument, const Parameters& parameters, Tag 
   return static_cast<int>(choose_parameter(get_parameter(parameters, tag), argument.as<int>()));
 }
 
+using Size = std::function<double(const Point&)>;
+using Report = CGAL::Bubble_relaxation_report_2<double>;
+
 /// calls npbs_relax with what the arguments say, on top of `parameters`
 template <class Parameters>
-auto relax(Domain& domain, const po::variables_map& arguments, const Parameters& parameters)
+Report relax(Domain& domain, const po::variables_map& arguments, const Size& size,
+             const Parameters& parameters)
 {
   namespace np = CGAL::internal_np;
+  using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
   Progress_bar bar(arguments.count("quiet") == 0);
   const auto all =
     parameters.number_of_rounds(count(arguments["rounds"], parameters, np::number_of_rounds))
       .number_of_iterations(count(arguments["iterations"], parameters, np::number_of_iterations))
       .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>())
-      .vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(domain.pinned))
+      .vertex_is_constrained_map(Pinned(domain.pinned))
       .concurrency_tag(CGAL::Parallel_if_available_tag())
       .callback([&bar](double fraction) {
         bar.show(fraction);
         return is_interrupted == 0; // Ctrl-C stops the simulation and keeps its mesh
       });
-  if (arguments.count("size") == 0)
-    return CGAL::npbs_relax(domain.cdt, all);
-  return CGAL::npbs_relax(domain.cdt,
-                          all.sizing_function(Size_formula(arguments["size"].as<std::string>())));
+  return size ? CGAL::npbs_relax(domain.cdt, all.sizing_function(size))
+              : CGAL::npbs_relax(domain.cdt, all);
 }
 
 /// what npbs_relax says, in the words of the command line
@@ -187,7 +205,7 @@ std::string in_words_of_options(std::string text)
 }
 
 /// \throws std::runtime_error with the name of the input
-auto mesh(Domain& domain, const po::variables_map& arguments)
+Report mesh(Domain& domain, const po::variables_map& arguments, const Size& size)
 try {
 #ifdef CGAL_LINKED_WITH_TBB
   const int threads = arguments["threads"].as<int>();
@@ -197,10 +215,31 @@ try {
                 : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 #endif
   return arguments.count("paper") > 0
-           ? relax(domain, arguments, CGAL::npbs_paper_parameters())
-           : relax(domain, arguments, CGAL::parameters::force_coefficient(1.));
+           ? relax(domain, arguments, size, CGAL::npbs_paper_parameters())
+           : relax(domain, arguments, size, CGAL::parameters::force_coefficient(1.));
 } catch (const std::exception& e) {
   throw std::runtime_error(arguments["input"].as<std::string>() + ": " + in_words_of_options(e.what()));
+}
+
+void print_statistics(const Report& report)
+{
+  std::cout << report.quality << "  worst triangle, at" << std::string(19, ' ') << report.quality.worst_x()
+            << "  " << report.quality.worst_y() << '\n'
+            << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'
+            << "  seconds" << std::string(29, ' ') << report.seconds.total() << '\n';
+}
+
+void write_files(const Domain& domain, const Segment_markers& markers, const Report& report,
+                 const po::variables_map& arguments, const Size& size)
+{
+  if (arguments.count("output") > 0)
+    write_mesh_file(arguments["output"].as<std::string>(), make_mesh_arrays(domain, markers, size));
+  if (arguments.count("picture") > 0) {
+    Svg_picture picture;
+    picture.add_mesh(domain.cdt, "mesh, coloured by q");
+    picture.add_histogram(report.quality, "q = 2 r_in / r_out");
+    picture.write(arguments["picture"].as<std::string>());
+  }
 }
 
 int main(int argc, char** argv)
@@ -208,27 +247,27 @@ try {
   const po::variables_map arguments = read_arguments(argc, argv);
   check_arguments(arguments);
   const std::string input = arguments["input"].as<std::string>();
+  Size size;
+  if (arguments.count("size") > 0)
+    size = Size_formula(arguments["size"].as<std::string>());
   Domain domain = read_domain_file(input, arguments["format"].as<std::string>());
+  const auto warn = [&](const std::string& text) {
+    std::cerr << "npbs_mesh: warning: " << input << ": " << text << '\n';
+  };
   for (const std::string& warning : domain.warnings)
-    std::cerr << "npbs_mesh: warning: " << input << ": " << warning << '\n';
+    warn(warning);
+  const Segment_markers markers(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
-  const auto report = mesh(domain, arguments);
+  const Report report = mesh(domain, arguments, size);
 
   if (arguments.count("quiet") == 0)
-    std::cout << report.quality << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'
-              << "  seconds" << std::string(29, ' ') << report.seconds.total() << '\n';
+    print_statistics(report);
   if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
-  if (arguments.count("output") > 0) {
-    write_file(arguments["output"].as<std::string>(),
-               [&](std::ostream& out) { CGAL::IO::write_VTU(out, domain.cdt); });
-  }
-  if (arguments.count("picture") > 0) {
-    Svg_picture picture;
-    picture.add_mesh(domain.cdt, "mesh, coloured by q");
-    picture.add_histogram(report.quality, "q = 2 r_in / r_out");
-    picture.write(arguments["picture"].as<std::string>());
-  }
+  const Bad_triangle worst(domain);
+  if (worst.is_bad())
+    warn(worst.message(size));
+  write_files(domain, markers, report, arguments, size);
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';
   return 1;

@@ -18,8 +18,8 @@
 #include <string>
 #include <utility>
 
-/// d as a formula in x and y, as muParser reads it. Each thread has a parser of its own, which holds the place
-/// that it is at.
+/// d as a formula in x and y, as muParser reads it. Each thread has a parser of its own, which holds the
+/// place that it is at.
 class Size_formula
 {
 public:

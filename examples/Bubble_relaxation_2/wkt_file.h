@@ -165,8 +165,9 @@ private:
 
   std::string what_is_there() const
   {
-    return m_at < m_text.size() ? " before '" + m_text.substr(m_at, m_text.find_first_of(" \r\n", m_at) - m_at) + "'"
-                                : " at the end of the file";
+    if (m_at >= m_text.size())
+      return " at the end of the file";
+    return " before '" + m_text.substr(m_at, m_text.find_first_of(" ,)\r\n", m_at + 1) - m_at) + "'";
   }
 
   /// letters, in upper case
