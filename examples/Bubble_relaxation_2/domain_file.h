@@ -40,10 +40,14 @@ inline Domain read_domain_file(const std::string& name, const std::string& forma
                                          : std::string(": cannot be opened: ") + std::strerror(errno)));
   }
   std::istream& in = is_standard_input ? std::cin : file;
+  if (ending == ".node" || ending == ".ele") { // two or three files, and errors name the one
+    Domain domain = read_triangle_mesh(name);
+    pin_changes_of_markers(domain);
+    return domain;
+  }
   try {
-    Domain domain = ending == ".poly"  ? read_poly(in, is_standard_input ? std::string() : name)
-                    : ending == ".wkt" ? Wkt_reader(in).read()
-                                       : read_triangle_mesh(name);
+    Domain domain =
+      ending == ".poly" ? read_poly(in, is_standard_input ? std::string() : name) : Wkt_reader(in).read();
     pin_changes_of_markers(domain);
     return domain;
   } catch (const std::exception& e) {

@@ -204,6 +204,13 @@ std::string in_words_of_options(std::string text)
   return text;
 }
 
+/// the input as messages call it
+std::string input_name(const po::variables_map& arguments)
+{
+  const std::string input = arguments["input"].as<std::string>();
+  return input == "-" ? "standard input" : input;
+}
+
 /// \throws std::runtime_error with the name of the input
 Report mesh(Domain& domain, const po::variables_map& arguments, const Size& size)
 try {
@@ -218,7 +225,7 @@ try {
            ? relax(domain, arguments, size, CGAL::npbs_paper_parameters())
            : relax(domain, arguments, size, CGAL::parameters::force_coefficient(1.));
 } catch (const std::exception& e) {
-  throw std::runtime_error(arguments["input"].as<std::string>() + ": " + in_words_of_options(e.what()));
+  throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
 void print_statistics(const Report& report)
@@ -246,13 +253,13 @@ int main(int argc, char** argv)
 try {
   const po::variables_map arguments = read_arguments(argc, argv);
   check_arguments(arguments);
-  const std::string input = arguments["input"].as<std::string>();
   Size size;
   if (arguments.count("size") > 0)
     size = Size_formula(arguments["size"].as<std::string>());
-  Domain domain = read_domain_file(input, arguments["format"].as<std::string>());
+  Domain domain =
+    read_domain_file(arguments["input"].as<std::string>(), arguments["format"].as<std::string>());
   const auto warn = [&](const std::string& text) {
-    std::cerr << "npbs_mesh: warning: " << input << ": " << text << '\n';
+    std::cerr << "npbs_mesh: warning: " << input_name(arguments) << ": " << text << '\n';
   };
   for (const std::string& warning : domain.warnings)
     warn(warning);
