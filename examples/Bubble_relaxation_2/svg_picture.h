@@ -9,16 +9,16 @@
 #ifndef BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
 #define BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
 
+#include "file_names.h"
+
 #include <CGAL/Mesh_quality_2.h>
 
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -96,14 +96,13 @@ public:
 
   void write(const std::string& file_name) const
   {
-    std::ofstream out(file_name);
     const double width = m_number_of_panels * (m_size + m_gap) + m_gap, height = m_size + 2 * m_top;
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
-        << "\" width=\"" << width << "\" height=\"" << height << "\" font-family=\"sans-serif\">\n"
-        << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-        << m_body.str() << "</svg>\n";
-    if (!out.flush())
-      throw std::runtime_error("cannot write " + file_name);
+    write_file(file_name, [&](std::ostream& out) {
+      out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
+          << "\" width=\"" << width << "\" height=\"" << height << "\" font-family=\"sans-serif\">\n"
+          << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+          << m_body.str() << "</svg>\n";
+    });
   }
 
 private:

@@ -159,6 +159,8 @@ private:
     if (m_is_deleted[v[0]] || m_is_deleted[v[1]] || m_is_deleted[v[2]])
       return;
     const Point p = b.point(v[0]), q = b.point(v[1]), r = b.point(v[2]);
+    if (is_flat(p, q, r))
+      return;
     const Point center = CGAL::circumcenter(p, q, r);
     const double radius = std::sqrt(CGAL::squared_distance(center, p));
     // a cheap test first: d is not asked for all triangles
@@ -176,6 +178,14 @@ private:
     const double d = m_sizing(center), mean = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3;
     if (radius > largest_radius * (std::max)(d, mean))
       holes.push_back(Hole{radius / d, center, d, end.triangle});
+  }
+
+  /// whether the circumcentre would be made of roundings: three bubbles on a slanted edge
+  static bool is_flat(const Point& p, const Point& q, const Point& r)
+  {
+    constexpr double flat = 1e-6;
+    const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = r.x() - p.x(), vy = r.y() - p.y();
+    return !(ux * vy - uy * vx > flat * (ux * ux + uy * uy + vx * vx + vy * vy));
   }
 
   void insert_on_edges(const Bubbles_2& b, const Neighbor_sets_2& neighbors)
