@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Interpolated_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Outline_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Sizing_field_ref_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/expected_number_of_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/read_options.h>
@@ -28,8 +29,7 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The size if the user gives none: that of the mesh that is there, or else what the outline asks for. One
-/// type for both, lest the simulation be compiled twice.
+/// The size if the user gives none: that of the mesh that is there, or else what the outline asks for.
 class Default_field_2
 {
 public:
@@ -64,16 +64,12 @@ void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_m
 {
   using Point_2 = typename Cdt::Geom_traits::Point_2;
   if constexpr (!Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
-    use(Default_field_2(cdt, marks, reading));
+    const Default_field_2 field(cdt, marks, reading);
+    use(Sizing_field_ref_2(field));
   } else {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
-    using Function = std::decay_t<decltype(f)>;
-    if constexpr (std::is_arithmetic<Function>::value) {
-      const auto uniform = [&f](const Point_2&) { return f; };
-      use(Checked_sizing_field_2<Point_2, decltype(uniform)>(uniform));
-    } else {
-      use(Checked_sizing_field_2<Point_2, Function>(f));
-    }
+    const Checked_sizing_field_2<Point_2, std::decay_t<decltype(f)>> field(f);
+    use(Sizing_field_ref_2(field));
   }
 }
 
