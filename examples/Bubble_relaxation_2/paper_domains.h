@@ -165,11 +165,19 @@ inline Domain comb(double f)
           250, 6};
 }
 
-/// All domains of section 2.1.5, with d scaled by `f`.
+/// Figures 14 to 16: a ring, eq. 8. With these radii it has about the paper's 1192 nodes.
+inline Domain ring(double f)
+{
+  constexpr double inner = 1. / 83;
+  return {16, "ring", {circle(1, f / 6), circle(inner, f * inner / 6)},
+          [f](const Point& p) { return f * distance(p, 0) / 6; }, 250, 6};
+}
+
+/// All domains of sections 2.1.5 and 2.2, with d scaled by `f`.
 inline std::vector<Domain> all_domains(double f)
 {
   return {square_with_hole(f), octagram(f),      non_convex(f), trunk(f),
-          graded_circle(f),    graded_square(f), l_shape(f),    comb(f)};
+          graded_circle(f),    graded_square(f), l_shape(f),    comb(f),  ring(f)};
 }
 
 } // namespace paper

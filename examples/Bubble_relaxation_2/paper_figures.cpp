@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// Reproduces Figures 3, 5 to 13 and 19 to 21 of the paper.
+// Reproduces Figures 3, 5 to 13, 16 and 19 to 21 of the paper.
 //
 //   paper_figures                 all figures: pictures, and a table with a row a figure, first with the
 //                                 paper's parameters and numbers of steps, then with the defaults
@@ -138,7 +138,7 @@ void show_figures_with_defaults(const std::set<int>& figures)
 
 /// what is shown together goes by the number of its first figure
 const std::map<int, int> figure_groups{{3, 3},   {5, 3},   {6, 6},   {7, 7},   {8, 8},   {9, 9},  {10, 10},
-                                       {11, 11}, {12, 12}, {13, 13}, {19, 19}, {20, 19}, {21, 19}};
+                                       {11, 11}, {12, 12}, {13, 13}, {16, 16}, {19, 19}, {20, 19}, {21, 19}};
 
 /// \throws std::invalid_argument with one line for the user
 std::set<int> read_figures(const std::string& list)
@@ -149,7 +149,7 @@ std::set<int> read_figures(const std::string& list)
     int figure = 0;
     std::istringstream number(text);
     if (!(number >> figure) || !number.eof() || figure_groups.count(figure) == 0)
-      throw std::invalid_argument("there is no figure '" + text + "', only 3, 5 to 13 and 19 to 21");
+      throw std::invalid_argument("there is no figure '" + text + "', only 3, 5 to 13, 16 and 19 to 21");
     figures.insert(figure_groups.at(figure));
   }
   if (figures.empty())

@@ -13,6 +13,7 @@
 
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
 #include <array>
