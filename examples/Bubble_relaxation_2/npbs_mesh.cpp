@@ -190,7 +190,7 @@ Report relax(Domain& domain, const po::variables_map& arguments, const Size& siz
 std::string in_words_of_options(std::string text)
 {
   const std::pair<std::string, std::string> words[] = {
-    {"npbs_relax: ", ""},
+    {"Bubble_relaxation_2: ", ""},
     {"maximum_number_of_bubbles", "--max-bubbles"},
     {"number_of_rounds", "--rounds"},
     {"number_of_iterations", "--iterations"},

@@ -108,8 +108,9 @@ those on edges lie exactly on them.
     \cgalParamDefault{30; the paper: 250}
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
-    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default a
-                          bubble also sleeps while it and its neighbours move no more than this}
+    \cgalParamDescription{a round ends when no bubble of a face moves more than this times d in a step, and no
+                          bubble of an edge more than a twentieth of it. By default a bubble also sleeps
+                          while it and its neighbours move no more}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{0.01; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd

@@ -240,7 +240,6 @@ TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
     for (unsigned round = 0; round < 3; ++round) {
       const Round_result result = simulation.run_round(progress, seconds);
       EXPECT_GT(result.renewals, 1u);
-      EXPECT_LT(result.renewals, result.steps);
       if (tolerance == 0) {
         EXPECT_EQ(result.steps, 100u);
         EXPECT_GT(result.moves, 90 * 120u);

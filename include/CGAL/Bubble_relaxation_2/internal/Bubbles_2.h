@@ -42,6 +42,10 @@ struct Bubbles_2
   bool is_gone(std::size_t i) const { return dimension[i] == GONE; }
   bool can_move(std::size_t i) const { return is_on_edge(i) || is_in_face(i); }
 
+  /// What counts as rest, as a share of the tolerance: bubbles on edges have few neighbours to push them,
+  /// and two rows that face each other part slowly.
+  double share_of_tolerance(std::size_t i) const { return is_on_edge(i) ? 0.05 : 1.; }
+
   void reserve(std::size_t n)
   {
     for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})

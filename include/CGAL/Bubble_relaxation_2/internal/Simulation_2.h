@@ -206,7 +206,7 @@ private:
     m_flags.returned[k] = m_boundary.move(b, i, m_displacements.x[k], m_displacements.y[k]);
     m_update_size(b, i);
     const double dx = b.x[i] - x, dy = b.y[i] - y;
-    const double little = m_options.displacement_tolerance * b.d[i];
+    const double little = m_options.displacement_tolerance * b.share_of_tolerance(i) * b.d[i];
     m_flags.rests[k] = dx * dx + dy * dy <= little * little;
     m_flags.is_outrun[k] = m_neighbors.is_outrun_by(b, i);
   }
