@@ -107,10 +107,8 @@ private:
     std::vector<Point> neighbors;
     CDT::Edge_circulator e = m_domain.cdt.incident_edges(v), start = e;
     do {
-      if (!m_domain.cdt.is_constrained(*e))
-        continue;
-      const CDT::Vertex_handle a = e->first->vertex(CDT::cw(e->second));
-      neighbors.push_back((a == v ? e->first->vertex(CDT::ccw(e->second)) : a)->point());
+      if (m_domain.cdt.is_constrained(*e))
+        neighbors.push_back(other_end(*e, v)->point());
     } while (++e != start);
     return !neighbors.empty() &&
            (neighbors.size() != 2 || angle(neighbors[0], v->point(), neighbors[1]) < 180 - 1e-6);

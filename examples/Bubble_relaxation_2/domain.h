@@ -60,13 +60,19 @@ inline std::pair<Point, Point> sorted(const Point& p, const Point& q)
   return p < q ? std::make_pair(p, q) : std::make_pair(q, p);
 }
 
+/// the end of an edge that is not `v`
+inline CDT::Vertex_handle other_end(const CDT::Edge& e, CDT::Vertex_handle v)
+{
+  const CDT::Vertex_handle a = e.first->vertex(CDT::cw(e.second));
+  return a == v ? e.first->vertex(CDT::ccw(e.second)) : a;
+}
+
 /// the neighbour of `u` on the way to `v`, along constraints
 inline CDT::Vertex_handle next_on_segment(const CDT& cdt, CDT::Vertex_handle u, CDT::Vertex_handle v)
 {
   CDT::Edge_circulator e = cdt.incident_edges(u), start = e;
   do {
-    const CDT::Vertex_handle a = e->first->vertex(CDT::cw(e->second)),
-                             w = a == u ? e->first->vertex(CDT::ccw(e->second)) : a;
+    const CDT::Vertex_handle w = other_end(*e, u);
     if (w == v || (!cdt.is_infinite(w) && cdt.is_constrained(*e) &&
                    CGAL::collinear(u->point(), w->point(), v->point()) &&
                    CGAL::collinear_are_ordered_along_line(u->point(), w->point(), v->point())))
@@ -159,8 +165,7 @@ inline bool is_meant(const Domain& domain, CDT::Vertex_handle v)
   do {
     if (!domain.cdt.is_constrained(*e))
       continue;
-    const CDT::Vertex_handle a = e->first->vertex(CDT::cw(e->second)),
-                             w = a == v ? e->first->vertex(CDT::ccw(e->second)) : a;
+    const CDT::Vertex_handle w = other_end(*e, v);
     segments.push_back(segment_marker(domain, v->point(), w->point()));
     neighbors.push_back(point_marker(domain, w->point()));
   } while (++e != start);

@@ -67,6 +67,7 @@ private:
 
 po::options_description all_options()
 {
+  namespace defaults = CGAL::Bubble_relaxation_2::internal;
   po::options_description options("npbs_mesh INPUT [options]   meshes a domain by bubble simulation");
   options.add_options()
     ("help,h", "shows this")
@@ -80,8 +81,9 @@ po::options_description all_options()
                                            "(Triangle; both, and .poly)")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
     ("paper", "the parameters of the paper instead of the defaults")
-    ("rounds", po::value<int>()->default_value(8), "rounds of simulation at most; with --paper 6")
-    ("iterations", po::value<int>()->default_value(60), "steps in a round at most; with --paper 250")
+    ("rounds", po::value<int>()->default_value(defaults::default_number_of_rounds), "rounds of simulation at most; with --paper 6")
+    ("iterations", po::value<int>()->default_value(defaults::default_number_of_iterations),
+     "steps in a round at most; with --paper 250")
     ("max-bubbles", po::value<long>()->default_value(20000000), "refuse sizes that ask for more vertices")
     ("threads", po::value<int>()->default_value(1), "threads at most, 0 for all; the mesh is the same")
     ("quiet,q", "no progress and no statistics");

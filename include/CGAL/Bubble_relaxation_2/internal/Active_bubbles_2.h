@@ -50,8 +50,7 @@ public:
   /// a bubble that is new or has lost a neighbour takes part in the next step
   void wake(const Bubbles_2& bubbles, Index i)
   {
-    m_added_in.resize(bubbles.size(), 0);
-    m_is_touched.resize(bubbles.size(), 0);
+    make_room(bubbles);
     add(bubbles, i);
   }
 
@@ -85,6 +84,11 @@ private:
   {
     m_indices.clear();
     ++m_step;
+    make_room(bubbles);
+  }
+
+  void make_room(const Bubbles_2& bubbles)
+  {
     m_added_in.resize(bubbles.size(), 0);
     m_is_touched.resize(bubbles.size(), 0);
   }

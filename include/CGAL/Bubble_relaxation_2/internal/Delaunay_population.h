@@ -79,12 +79,8 @@ private:
     for (Index i : t)
       if (b.is_in_face(i))
         return true;
-    const Index triangle =
-      m_domain.locate(CGAL::centroid(b.point(t[0]), b.point(t[1]), b.point(t[2])), m_hint);
-    if (triangle == no_index)
-      return false;
-    m_hint = triangle;
-    return m_domain.is_inside(triangle);
+    const Point centroid = CGAL::centroid(b.point(t[0]), b.point(t[1]), b.point(t[2]));
+    return m_domain.locate_inside(centroid, m_hint) != no_index;
   }
 
   void delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
@@ -167,10 +163,9 @@ private:
     if (!(radius > 0.8 * largest_radius * (std::min)({b.d[v[0]], b.d[v[1]], b.d[v[2]]})))
       return;
     const Point centroid = CGAL::centroid(p, q, r);
-    const Index start = m_domain.locate(centroid, m_hint);
-    if (start == no_index || !m_domain.is_inside(start))
+    const Index start = m_domain.locate_inside(centroid, m_hint);
+    if (start == no_index)
       return;
-    m_hint = start;
     const Walk_end end = m_domain.walk(start, centroid, center);
     if (end.is_blocked())
       return;

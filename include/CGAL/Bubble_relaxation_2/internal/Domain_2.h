@@ -263,6 +263,16 @@ public:
   /// lies outside of the convex hull
   Index locate(const Point& q, Index hint) const { return internal::locate(m_marked.tr, hint, q); }
 
+  /// the triangle of the domain that contains `q`, or `no_index`; `hint` becomes where the search ended
+  Index locate_inside(const Point& q, Index& hint) const
+  {
+    const Index triangle = locate(q, hint);
+    if (triangle == no_index)
+      return no_index;
+    hint = triangle;
+    return is_inside(triangle) ? triangle : no_index;
+  }
+
 private:
   struct Side
   {

@@ -11,16 +11,12 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Constraint_graph_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
-
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -112,13 +108,8 @@ private:
     std::vector<Point> points;
     for (Vertex_handle v : vertices)
       points.push_back(Graph::to_point(v));
-    std::vector<std::size_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0);
-    using Map = Pointer_property_map<Point>::type;
-    hilbert_sort(order.begin(), order.end(),
-                 Spatial_sort_traits_adapter_2<Kernel, Map>(make_property_map(points)));
     std::vector<Vertex_handle> sorted;
-    for (std::size_t i : order)
+    for (Index i : hilbert_order(points))
       sorted.push_back(vertices[i]);
     vertices.swap(sorted);
   }

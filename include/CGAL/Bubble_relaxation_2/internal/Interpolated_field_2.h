@@ -34,7 +34,12 @@ class Interpolated_field_2
 public:
   Interpolated_field_2(Flat_triangulation_2 tr, std::vector<double> values)
     : m_tr(std::move(tr)), m_values(std::move(values)), m_hint(0)
-  {}
+  {
+    for (std::size_t t = 0; t < m_tr.number_of_triangles(); ++t)
+      for (int i = 0; i < 3; ++i)
+        if (m_tr.neighbors[t][i] == no_index)
+          m_hull.emplace_back(static_cast<Index>(t), i);
+  }
 
   double operator()(double x, double y) const
   {
@@ -104,23 +109,21 @@ private:
                    (1 - s) * value(t, from) + s * value(t, to)};
   }
 
-  /// queries leave the hull by roundings only, so a search over the whole hull is rare
+  /// queries leave the hull by roundings only, where its sides are slanted
   double nearest_on_hull(const Point& q) const
   {
     Nearest best{-1, 0};
-    for (std::size_t t = 0; t < m_tr.number_of_triangles(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        if (m_tr.neighbors[t][i] != no_index)
-          continue;
-        const Nearest n = on_side(static_cast<Index>(t), i, q);
-        if (best.distance < 0 || n.distance < best.distance)
-          best = n;
-      }
+    for (const auto& side : m_hull) {
+      const Nearest n = on_side(side.first, side.second, q);
+      if (best.distance < 0 || n.distance < best.distance)
+        best = n;
+    }
     return best.value;
   }
 
   Flat_triangulation_2 m_tr;
   std::vector<double> m_values;
+  std::vector<std::pair<Index, int>> m_hull; // its sides: triangle, and the vertex opposite
   mutable std::atomic<Index> m_hint;
 };
 

@@ -36,7 +36,8 @@ struct Size_source_2
 /// The size d(x) = min over all sources s of d_s + g |x - s|, which grows by no more than g per unit.
 ///
 /// A quadtree holds in each leaf the few sources that are the least somewhere in it, so a query does not
-/// look at all of them; where there would be many, d may be a little too large. The result depends neither on the order of the sources nor on former queries.
+/// look at all of them; where there would be many, d may be a little too large. The result depends neither
+/// on the order of the sources nor on former queries.
 class Outline_field_2
 {
 public:

@@ -26,8 +26,6 @@ public:
     : m_callback(std::move(callback)), m_number_of_rounds((std::max)(number_of_rounds, std::size_t(1)))
   {}
 
-  bool is_cancelled() const { return m_is_cancelled; }
-
   void start_round(std::size_t round) { m_round = round; }
 
   /// returns false if the user wants to stop

@@ -131,7 +131,7 @@ private:
 
 /// \throws std::length_error if more bubbles are expected than the user wants to have
 template <class Sizing>
-double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
+void check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
 {
   const double expected =
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
@@ -141,7 +141,6 @@ double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::
             << ": the domain and the sizing function ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
-  return expected;
 }
 
 } // namespace internal

@@ -13,18 +13,14 @@
 #include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_frontal.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_rhombic.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -74,11 +70,9 @@ void keep_in_faces(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, B
   Index hint = 0;
   for (const auto v : reading.free) {
     const Point p = Constraint_graph_2<Cdt>::to_point(v);
-    const Index triangle = reading.domain.locate(p, hint);
-    if (triangle == no_index || !reading.domain.is_inside(triangle))
-      continue; // rounded out of the domain
-    hint = triangle;
-    bubbles.add(p, sizing(p), Bubbles_2::FACE, triangle);
+    const Index triangle = reading.domain.locate_inside(p, hint);
+    if (triangle != no_index) // else rounded out of the domain
+      bubbles.add(p, sizing(p), Bubbles_2::FACE, triangle);
   }
 }
 
@@ -93,10 +87,9 @@ void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const 
   Index hint = 0;
   for (const auto v : reading.free) {
     const Point p = Constraint_graph_2<Cdt>::to_point(v);
-    const Index triangle = reading.domain.locate(p, hint);
-    if (triangle == no_index || !reading.domain.is_inside(triangle))
+    const Index triangle = reading.domain.locate_inside(p, hint);
+    if (triangle == no_index)
       continue;
-    hint = triangle;
     const double d = sizing(p);
     const auto around = reading.surroundings(cdt, v);
     if (around.spacing > largest_misfit * d || d > largest_misfit * around.spacing)
@@ -114,12 +107,7 @@ inline void sort_in_space(Bubbles_2& bubbles)
   points.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     points.push_back(bubbles.point(i));
-  std::vector<std::size_t> order(bubbles.size());
-  std::iota(order.begin(), order.end(), 0);
-  using Map = Pointer_property_map<Point>::type;
-  hilbert_sort(order.begin(), order.end(),
-               Spatial_sort_traits_adapter_2<Kernel, Map>(make_property_map(points)));
-  bubbles.select(std::vector<Index>(order.begin(), order.end()));
+  bubbles.select(hilbert_order(points));
 }
 
 /// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces. If the user

@@ -29,43 +29,21 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The size if the user gives none: that of the mesh that is there, or else what the outline asks for.
-class Default_field_2
-{
-public:
-  template <class Cdt>
-  Default_field_2(const Cdt& cdt, const Domain_marks_2<Cdt>& marks,
-                  const Domain_reading_2<Cdt>& reading)
-  {
-    if (reading.free.empty())
-      m_of_outline = std::make_unique<Outline_field_2>(outline_field(reading));
-    else
-      m_of_mesh = std::unique_ptr<Interpolated_field_2>(
-        new Interpolated_field_2(mean_edge_length_field(cdt, marks)));
-  }
-
-  double operator()(double x, double y) const
-  {
-    return m_of_mesh != nullptr ? (*m_of_mesh)(x, y) : (*m_of_outline)(x, y);
-  }
-
-  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
-
-private:
-  std::unique_ptr<Interpolated_field_2> m_of_mesh;
-  std::unique_ptr<Outline_field_2> m_of_outline;
-};
-
-/// Calls `use(sizing)` with the sizing field of the named parameters: the user's function, checked, or
-/// the default.
+/// Calls `use(sizing)` with the sizing field of the named parameters: the user's function, checked, or by
+/// default that of the mesh that is there, or else what the outline asks for.
 template <class Cdt, class NamedParameters, class Use>
 void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
                        const Domain_reading_2<Cdt>& reading, const Use& use)
 {
   using Point_2 = typename Cdt::Geom_traits::Point_2;
   if constexpr (!Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
-    const Default_field_2 field(cdt, marks, reading);
-    use(Sizing_field_ref_2(field));
+    if (reading.free.empty()) { // no mesh yet
+      const Outline_field_2 field = outline_field(reading);
+      use(Sizing_field_ref_2(field));
+    } else {
+      const Interpolated_field_2 field = mean_edge_length_field(cdt, marks);
+      use(Sizing_field_ref_2(field));
+    }
   } else {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
     const Checked_sizing_field_2<Point_2, std::decay_t<decltype(f)>> field(f);
