@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_EVALUATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_EVALUATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 #include <CGAL/Mesh_quality_2.h>
 
@@ -63,13 +63,12 @@ void add_lengths(const Marked_triangulation_2& mesh, const Sizing& sizing,
   }
 }
 
-/// Puts the statistics of the bubbles' mesh into the report. The mesh is made in arrays: the user's d
-/// may throw, and then the user's triangulation must not have been changed yet.
+/// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
+/// then the user's triangulation must not have been changed yet.
 template <class Sizing, class Report>
-void evaluate(const Domain_2& domain, const Bubbles_2& bubbles, const Sizing& sizing, Report& report)
+void evaluate(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
-  const Marked_triangulation_2 mesh = triangulate(domain, bubbles);
   Mesh_quality_accumulator_2 accumulator;
   add_domain(mesh, accumulator);
   add_lengths(mesh, sizing, accumulator);
