@@ -24,8 +24,8 @@ the removal of bubbles in one place, and the copy of the triangulation that is k
 */
 struct Bubble_relaxation_seconds
 {
-  double reading = 0;    ///< from the triangulation to the domain, and to the default sizes if none are given
-  double placement = 0;  ///< the check of the expected number, and the initial bubbles
+  double reading = 0;    ///< from the triangulation to the domain and to the sizes, with the check of their expected number
+  double placement = 0;  ///< the initial bubbles
   double renewal = 0;    ///< neighbour sets
   double motion = 0;     ///< forces, steps and the boundary
   double population = 0; ///< insertion and deletion of bubbles between rounds, and whether any is needed

@@ -156,6 +156,13 @@ those on edges lie exactly on them.
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd
+  \cgalParamNBegin{limit_by_outline}
+    \cgalParamDescription{whether bubbles are smaller than `sizing_function` asks where an edge of the domain is
+                          shorter, or the domain narrower, than 0.8 times that; from there their sizes grow by
+                          0.2 per unit of length}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`; the paper: `false`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_bubbles}
     \cgalParamDescription{the most bubbles that `sizing_function` may ask for}
     \cgalParamType{an integer, positive, at most 2<sup>31</sup> - 1}
@@ -206,13 +213,13 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   Phase_timer reading_time(report.seconds.reading);
   const Domain_marks_2<CDT> is_inside(cdt, np);
   const auto reading = read_domain(cdt, np, is_inside);
-  with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
+  with_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto& wanted) {
     reading_time.stop();
     using Tag = Concurrency<NamedParameters>;
     const Bubble_mesh_2 mesh =
       make_mesh<Tag>(*reading, sizing, options,
                      simulate_bubbles<Tag>(cdt, *reading, sizing, options, progress, report), report);
-    evaluate(mesh.triangulation, sizing, report);
+    evaluate(mesh.triangulation, wanted, report);
     progress.report(1);
     // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
     Restore_on_throw<CDT> guard(cdt);
