@@ -22,6 +22,19 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// the smallest q of the triangles of the domain
+inline double smallest_quality(const Marked_triangulation_2& mesh)
+{
+  double smallest = 1;
+  for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t) {
+    const Index i = static_cast<Index>(t);
+    if (mesh.inside[t])
+      smallest = (std::min)(smallest,
+                            radius_ratio(mesh.tr.point(i, 0), mesh.tr.point(i, 1), mesh.tr.point(i, 2)));
+  }
+  return smallest;
+}
+
 /// The last defects. Where vertices have five and seven neighbours the forces press triangles more than
 /// they must be pressed. So the vertices of bad triangles are moved for the quality of their triangles
 /// alone: in sweeps, of which each takes the vertices around those that moved in the last one, with the

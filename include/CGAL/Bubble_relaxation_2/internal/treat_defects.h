@@ -10,13 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREAT_DEFECTS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Defect_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Defect_treatment_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
-#include <CGAL/radius_ratio_2.h>
 
-#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -24,22 +24,9 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// the smallest q of the triangles of the domain
-inline double smallest_quality(const Marked_triangulation_2& mesh)
-{
-  double smallest = 1;
-  for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t) {
-    const Index i = static_cast<Index>(t);
-    if (mesh.inside[t])
-      smallest = (std::min)(smallest,
-                            radius_ratio(mesh.tr.point(i, 0), mesh.tr.point(i, 1), mesh.tr.point(i, 2)));
-  }
-  return smallest;
-}
-
-/// Treats the last defects of a mesh. The smallest q never gets smaller.
-template <class Concurrency_tag, class Sizing, class Report>
-void treat_defects(const Domain_2& domain, const Sizing& sizing, Bubble_mesh_2& mesh, Report& report)
+/// Moves vertices for the quality of their triangles. The smallest q never gets smaller.
+template <class Concurrency_tag, class Report>
+void smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& report)
 {
   const Bubbles_2 untreated = mesh.bubbles;
   const double smallest = smallest_quality(mesh.triangulation);
@@ -48,11 +35,39 @@ void treat_defects(const Domain_2& domain, const Sizing& sizing, Bubble_mesh_2& 
   if (smallest_quality(mesh.triangulation) < smallest) { // the moves made none worse, but flips can
     mesh.bubbles = untreated;
     mesh.triangulation = triangulate(domain, mesh.bubbles);
-    return;
+  } else
+    report.number_of_treated_vertices += moved.size();
+}
+
+/// Inserts and removes single bubbles where moving is not enough, as long as the smallest q gets larger.
+template <class Concurrency_tag, class Report>
+void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& report)
+{
+  constexpr int passes = 4;
+  const std::size_t most = 32 + mesh.bubbles.size() / 1000; // operations are dear
+  for (int pass = 0; pass < passes; ++pass) {
+    Bubbles_2 bubbles = Defect_surgery_2(domain, mesh)(most);
+    if (bubbles.size() == 0)
+      break;
+    Bubble_mesh_2 changed{std::move(bubbles), {}};
+    changed.triangulation = triangulate(domain, changed.bubbles);
+    smooth_defects<Concurrency_tag>(domain, changed, report);
+    if (smallest_quality(changed.triangulation) < smallest_quality(mesh.triangulation))
+      break;
+    mesh = std::move(changed);
   }
-  for (Index v : moved)
-    mesh.bubbles.d[v] = sizing(mesh.bubbles.x[v], mesh.bubbles.y[v]);
-  report.number_of_treated_vertices = moved.size();
+}
+
+/// Treats the last defects of a mesh. The smallest q never gets smaller.
+template <class Concurrency_tag, class Sizing, class Report>
+void treat_defects(const Domain_2& domain, const Sizing& sizing, Bubble_mesh_2& mesh, Report& report)
+{
+  smooth_defects<Concurrency_tag>(domain, mesh, report);
+  operate_on_defects<Concurrency_tag>(domain, mesh, report);
+  Bubbles_2& b = mesh.bubbles;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.can_move(i))
+      b.d[i] = sizing(b.x[i], b.y[i]);
 }
 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is
