@@ -126,11 +126,17 @@ private:
     const double scale = (std::max)(std::abs(ux) + std::abs(uy), std::abs(vx) + std::abs(vy));
     const double cross = std::abs(ux / scale * (vy / scale) - uy / scale * (vx / scale));
     const double dot = ux / scale * (vx / scale) + uy / scale * (vy / scale);
-    const double angle = scale > 0 ? degrees * std::atan2(cross, dot) : 0.;
-    if (!(angle >= m.minimum_angle))
-      m.minimum_angle = angle;
-    if (!(angle <= m.maximum_angle))
-      m.maximum_angle = angle;
+    // the cotangent falls as the angle grows, and costs less
+    const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
+    const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();
+    if (!(cotangent <= m_largest_cotangent)) {
+      m_largest_cotangent = cotangent;
+      m.minimum_angle = is_angle ? degrees * std::atan2(cross, dot) : 0.;
+    }
+    if (!(cotangent >= m_smallest_cotangent)) {
+      m_smallest_cotangent = cotangent;
+      m.maximum_angle = is_angle ? degrees * std::atan2(cross, dot) : 0.;
+    }
   }
 
   // values are sorted before they are summed: the order of their terms decides how sums are rounded
@@ -171,6 +177,9 @@ private:
   }
 
   Mesh_statistics_2 m;
+  // of all angles; not numbers before the first
+  double m_largest_cotangent = std::numeric_limits<double>::quiet_NaN();
+  double m_smallest_cotangent = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> m_qualities, m_lengths;
 };
 
