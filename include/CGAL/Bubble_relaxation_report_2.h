@@ -60,8 +60,8 @@ struct Bubble_relaxation_report_2
   std::size_t number_of_force_evaluations = 0; ///< evaluations of all forces: one a step, four with Runge-Kutta
   std::size_t number_of_moves = 0;             ///< bubbles that took part in a step, summed over all steps; the others slept
   std::size_t number_of_renewals = 0;          ///< how often neighbour sets were made or renewed
-  std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control
-  /// bubbles deleted by the population control; not those removed because they were in one place with another
+  std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control and the treatment of defects
+  /// bubbles deleted by them; not those removed because they were in one place with another
   std::size_t number_of_deletions = 0;
   std::size_t number_of_treated_vertices = 0; ///< vertices moved by the treatment of the last defects
   /// how often a face bubble was stopped at an edge: put back, or left where it was if there was no room

@@ -39,11 +39,15 @@ public:
 
   Defect_surgery_2(const Domain_2& domain, const Bubble_mesh_2& mesh) : m_domain(domain), m_mesh(mesh) {}
 
+  /// what the last call did
+  std::size_t number_of_insertions = 0, number_of_deletions = 0;
+
   /// operates on patches that do not overlap, `most` at most; returns the bubbles if any changed, else none
   Bubbles_2 operator()(std::size_t most)
   {
     std::vector<char> is_taken(m_mesh.triangulation.tr.number_of_triangles(), 0);
     Bubbles_2 result;
+    number_of_insertions = number_of_deletions = 0;
     for (Index t : bad_triangles(most)) {
       const Mesh_patch_2 patch(m_mesh, t, reach);
       if (std::any_of(patch.triangles().begin(), patch.triangles().end(),
@@ -267,7 +271,7 @@ private:
   }
 
   /// puts the best outcome in the place of a patch
-  void replace(const Mesh_patch_2& patch, Bubbles_2& result) const
+  void replace(const Mesh_patch_2& patch, Bubbles_2& result)
   {
     const std::size_t n = patch.indices().size();
     std::vector<char> is_left(n, 0);
@@ -275,6 +279,7 @@ private:
       if (static_cast<std::size_t>(m_original[k]) >= n) {
         result.add(m_best.point(k), m_best.d[k], static_cast<Bubbles_2::Dimension>(m_best.dimension[k]),
                    m_best.place[k], m_best.s[k]);
+        ++number_of_insertions;
         continue;
       }
       is_left[m_original[k]] = 1;
@@ -286,8 +291,10 @@ private:
         result.place[i] = m_best.place[k];
     }
     for (std::size_t l = 0; l < n; ++l)
-      if (!is_left[l])
+      if (!is_left[l]) {
         result.remove(patch.indices()[l]);
+        ++number_of_deletions;
+      }
   }
 
   const Domain_2& m_domain;

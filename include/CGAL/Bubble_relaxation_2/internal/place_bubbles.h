@@ -52,7 +52,7 @@ void place_on_splits(const Domain_reading_2<Cdt>& reading, Index e, const Sizing
   for (const auto v : reading.graph->chains()[e].splits) {
     const Point p = Constraint_graph_2<Cdt>::to_point(v);
     const double s = ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy);
-    bubbles.add(domain.point_on_edge(e, s), sizing(p), Bubbles_2::EDGE, e, s);
+    bubbles.add(p, sizing(p), Bubbles_2::EDGE, e, s);
   }
 }
 

@@ -46,7 +46,8 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& rep
   constexpr int passes = 4;
   const std::size_t most = 32 + mesh.bubbles.size() / 1000; // operations are dear
   for (int pass = 0; pass < passes; ++pass) {
-    Bubbles_2 bubbles = Defect_surgery_2(domain, mesh)(most);
+    Defect_surgery_2 surgery(domain, mesh);
+    Bubbles_2 bubbles = surgery(most);
     if (bubbles.size() == 0)
       break;
     Bubble_mesh_2 changed{std::move(bubbles), {}};
@@ -55,6 +56,8 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& rep
     if (smallest_quality(changed.triangulation) < smallest_quality(mesh.triangulation))
       break;
     mesh = std::move(changed);
+    report.number_of_insertions += surgery.number_of_insertions;
+    report.number_of_deletions += surgery.number_of_deletions;
   }
 }
 
