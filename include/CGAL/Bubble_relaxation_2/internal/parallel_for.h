@@ -24,13 +24,13 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Calls `f(i)` for all i in [0, n). `f` may write only what belongs to `i`, so that the result does
-/// not depend on the number of threads.
+/// not depend on the number of threads. `grain`: how many calls are worth a task.
 template <class Concurrency_tag, class Function>
-void parallel_for(std::size_t n, const Function& f)
+void parallel_for(std::size_t n, const Function& f, [[maybe_unused]] std::size_t grain = 1024)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible<Concurrency_tag, Parallel_tag>::value) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1024),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                       [&](const tbb::blocked_range<std::size_t>& r) {
                         for (std::size_t i = r.begin(); i != r.end(); ++i)
                           f(i);
