@@ -74,27 +74,48 @@ public:
     e.id = no_index;
   }
 
+  struct Entry
+  {
+    double x, y, d;
+    Index id;
+    Index next; ///< in its cell
+  };
+
   /// calls `visit(id, squared distance, d_j)` for each bubble j near to one of size `d` at (x, y),
   /// until `visit` returns false; returns whether all were visited
   template <class Visitor>
   bool for_each_near(double x, double y, double d, Visitor visit) const
   {
+    return for_each_near(x, y, d, m_reach, [&visit](const Entry& e, double squared) {
+      return visit(e.id, squared, e.d);
+    });
+  }
+
+  /// the same with any reach for this query, and calls `visit(entry, squared distance)`
+  template <class Visitor>
+  bool for_each_near(double x, double y, double d, double near, Visitor visit) const
+  {
     if (m_bubbles.empty())
       return true;
     const int own = level_of(x, y, d);
     if (own > m_highest && is_wider_than_all(d))
-      return visit_all(x, y, d, visit);
+      return visit_all(x, y, d, near, visit);
     // up: cells of the own level and above that the reach can touch; at most 3 x 3 a level
     for (int level = m_highest; level > own; --level)
-      if (!visit_level(level, x, y, d, false, visit))
+      if (!visit_level(level, x, y, d, near, false, visit))
         return false;
-    return visit_level((std::min)(own, m_highest), x, y, d, true, visit);
+    return visit_level((std::min)(own, m_highest), x, y, d, near, true, visit);
   }
 
   /// whether no bubble is near to one of size `d` at (x, y)
   bool is_free(double x, double y, double d) const
   {
-    return for_each_near(x, y, d, [](Index, double, double) { return false; });
+    return is_free(x, y, d, m_reach);
+  }
+
+  bool is_free(double x, double y, double d, double reach) const
+  {
+    return for_each_near(x, y, d, reach, [](const Entry&, double) { return false; });
   }
 
 private:
@@ -112,13 +133,6 @@ private:
     Index first = no_index;       // of the linked list of its bubbles
     bool used = false;
     bool has_descendants = false; // whether smaller cells inside hold bubbles
-  };
-
-  struct Entry
-  {
-    double x, y, d;
-    Index id;
-    Index next;
   };
 
   // covers the rounding of cell coordinates, so that no bubble in reach is missed
@@ -249,53 +263,54 @@ private:
   }
 
   template <class Visitor>
-  bool visit_all(double x, double y, double d, Visitor& visit) const
+  bool visit_all(double x, double y, double d, double near, Visitor& visit) const
   {
     for (const Entry& e : m_bubbles)
-      if (e.id != no_index && !visit_if_near(e, x, y, d, visit))
+      if (e.id != no_index && !visit_if_near(e, x, y, d, near, visit))
         return false;
     return true;
   }
 
   template <class Visitor>
-  bool visit_if_near(const Entry& e, double x, double y, double d, Visitor& visit) const
+  bool visit_if_near(const Entry& e, double x, double y, double d, double near, Visitor& visit) const
   {
-    const double dx = e.x - x, dy = e.y - y, reach = 0.5 * m_reach * (d + e.d);
+    const double dx = e.x - x, dy = e.y - y, reach = 0.5 * near * (d + e.d);
     const double squared = dx * dx + dy * dy;
-    return !(squared < reach * reach) || visit(e.id, squared, e.d);
+    return !(squared < reach * reach) || visit(e, squared);
   }
 
   template <class Visitor>
-  bool visit_level(int level, double x, double y, double d, bool descend, Visitor& visit) const
+  bool visit_level(int level, double x, double y, double d, double near, bool descend,
+                   Visitor& visit) const
   {
-    const double r = slack * 0.5 * m_reach * (d + bound(level));
+    const double r = slack * 0.5 * near * (d + bound(level));
     const Cell low = cell_at(level, x - r, y - r), high = cell_at(level, x + r, y + r);
     for (std::int64_t iy = low.iy; iy <= high.iy; ++iy)
       for (std::int64_t ix = low.ix; ix <= high.ix; ++ix)
-        if (!visit_cell(Cell{ix, iy, level}, x, y, d, descend, visit))
+        if (!visit_cell(Cell{ix, iy, level}, x, y, d, near, descend, visit))
           return false;
     return true;
   }
 
   template <class Visitor>
-  bool visit_cell(const Cell& cell, double x, double y, double d, bool descend,
+  bool visit_cell(const Cell& cell, double x, double y, double d, double near, bool descend,
                   Visitor& visit) const
   {
     const Slot* slot = find(cell);
     if (slot == nullptr)
       return true;
     for (Index k = slot->first; k != no_index; k = m_bubbles[k].next)
-      if (!visit_if_near(m_bubbles[k], x, y, d, visit))
+      if (!visit_if_near(m_bubbles[k], x, y, d, near, visit))
         return false;
     if (!descend || !slot->has_descendants)
       return true;
-    const double r = slack * 0.5 * m_reach * (d + bound(cell.level - 1)), c = side(cell.level - 1);
+    const double r = slack * 0.5 * near * (d + bound(cell.level - 1)), c = side(cell.level - 1);
     for (int k = 0; k < 4; ++k) {
       const Cell child{2 * cell.ix + (k & 1), 2 * cell.iy + (k >> 1), cell.level - 1};
       const double left = m_x0 + c * child.ix, bottom = m_y0 + c * child.iy;
       if (x + r < left || x - r > left + c || y + r < bottom || y - r > bottom + c)
         continue;
-      if (!visit_cell(child, x, y, d, true, visit))
+      if (!visit_cell(child, x, y, d, near, true, visit))
         return false;
     }
     return true;

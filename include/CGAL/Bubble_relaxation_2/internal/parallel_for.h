@@ -24,7 +24,7 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Calls `f(i)` for all i in [0, n). `f` may write only what belongs to `i`, so that the result does
-/// not depend on the number of threads. `grain`: how many calls are worth a thread's while.
+/// not depend on the number of threads. `grain`: how many calls are worth a task.
 template <class Concurrency_tag, class Function>
 void parallel_for(std::size_t n, const Function& f, [[maybe_unused]] std::size_t grain = 1024)
 {

@@ -85,7 +85,7 @@ void keep_in_faces(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, B
 
 /// Bubbles where the free vertices of an existing mesh are, as far as it is about as fine there as d
 /// asks; the rest of the domain is filled by a front.
-template <class Cdt, class Sizing>
+template <class Concurrency_tag, class Cdt, class Sizing>
 void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
                     Bubbles_2& bubbles)
 {
@@ -104,7 +104,7 @@ void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const 
     bubbles.add(p, d, Bubbles_2::FACE, triangle);
     directions.push_back(around.direction);
   }
-  Frontal_placement<Sizing>(reading.domain, sizing, bubbles)(std::move(directions));
+  grow_from_all<Concurrency_tag>(reading.domain, sizing, directions, bubbles);
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
@@ -139,7 +139,7 @@ Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
 
 /// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces. If the user
 /// leaves the choice, an existing mesh is kept where it fits.
-template <class Cdt, class Sizing>
+template <class Concurrency_tag, class Cdt, class Sizing>
 Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
                         const Relaxation_options& options)
 {
@@ -155,13 +155,13 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
       place_on_edge(domain, static_cast<Index>(e), sizing, bubbles);
   }
   if (adapts)
-    adapt_in_faces(cdt, reading, sizing, bubbles);
+    adapt_in_faces<Concurrency_tag>(cdt, reading, sizing, bubbles);
   else if (keeps)
     keep_in_faces(reading, sizing, bubbles);
   else if (options.placement == Bubble_placement::RHOMBIC)
     Rhombic_placement<Sizing>(domain, sizing, bubbles)();
   else
-    Frontal_placement<Sizing>(domain, sizing, bubbles)();
+    place_frontal<Concurrency_tag>(domain, sizing, bubbles);
   remove_coincident(domain, bubbles);
   sort_in_space(bubbles);
   return bubbles;

@@ -9,199 +9,117 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_FRONTAL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_FRONTAL_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Crystal_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Initial bubbles of the faces as a crystal that grows: each bubble proposes six neighbours at the
-/// wanted distance, aligned with its own direction. It starts from the bubbles that are there, those of
-/// the edges aligned with their edge, those of the faces, if there are any, in given directions.
-///
-/// Who proposes first matters where d changes. A crystal that grows from fine to coarse loses rows
-/// where it must; one that grows from coarse to fine has no room for new ones and tears. So the smallest
-/// bubble is always the next, but where d falls away from the start the front goes on in rows: a bubble
-/// counts as no smaller than the one that proposed it.
-template <class Sizing>
-class Frontal_placement
+/// Initial bubbles of the faces by fronts that grow from all bubbles that are there: those of the edges
+/// aligned with their edge, those of the faces, if there are any, in given directions.
+/// `directions`: angles for the bubbles that are there; read for those in faces only
+template <class Concurrency_tag, class Sizing>
+void grow_from_all(const Domain_2& domain, const Sizing& sizing,
+                   const std::vector<double>& directions, Bubbles_2& bubbles)
 {
-public:
-  Frontal_placement(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
-    : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles),
-      m_buckets(search_distance, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
-                4 * bubbles.size())
-  {}
+  Crystal_growth_2<Concurrency_tag, Sizing> grow(domain, sizing, bubbles, Lattice_direction::BENDS);
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    grow.set_direction(i, Direction{std::cos(directions[i]), std::sin(directions[i])});
+  for (std::size_t i = 0, n = bubbles.size(); i < n; ++i)
+    grow.add_to_front(i);
+  grow();
+}
 
-  /// `directions`: angles for the bubbles that are there; read for those in faces only
-  void operator()(std::vector<double> directions = {})
-  {
-    m_direction = std::move(directions);
-    m_direction.resize(m_bubbles.size(), 0);
-    m_start.resize(m_bubbles.size(), no_index);
-    find_edges_of_corners();
-    for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
-      m_buckets.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
-      m_front.emplace(m_bubbles.d[i], i);
-      if (m_bubbles.is_in_face(i))
-        m_start[i] = m_bubbles.place[i];
-      else if (m_bubbles.place[i] == no_index)
-        m_start[i] = m_domain.locate(m_bubbles.point(i), 0);
-    }
-    while (!m_front.empty()) {
-      const Front_bubble next = m_front.top();
-      m_front.pop();
-      grow_from(next);
-    }
+/// Whether bubbles belong to an edge, as its ends or between.
+inline bool touches_edge(const Domain_2& domain, const Bubbles_2& b, std::size_t i, Index e)
+{
+  if (b.is_on_edge(i))
+    return b.place[i] == e;
+  const Domain_edge_2& edge = domain.edges()[e];
+  return b.is_corner(i) && b.place[i] != no_index &&
+         (b.place[i] == edge.source || b.place[i] == edge.target);
+}
+
+/// The longest of the domain's edges; of several that only rounding tells apart, the first.
+inline Index longest_edge(const Domain_2& domain)
+{
+  constexpr double rounding = 1e-9;
+  Index longest = 0;
+  for (std::size_t e = 1; e < domain.edges().size(); ++e)
+    if (domain.length(static_cast<Index>(e)) > (1 + rounding) * domain.length(longest))
+      longest = static_cast<Index>(e);
+  return longest;
+}
+
+/// Initial bubbles of the faces as a single crystal as far as possible: it grows from the longest edge
+/// and meets the others where they are; what it does not reach is filled from the others then.
+template <class Concurrency_tag, class Sizing>
+void grow_single_crystal(const Domain_2& domain, const Sizing& sizing, Lattice_direction lattice,
+                         Bubbles_2& bubbles)
+{
+  const std::size_t n = bubbles.size();
+  const Index longest = longest_edge(domain);
+  Crystal_growth_2<Concurrency_tag, Sizing> grow(domain, sizing, bubbles, lattice);
+  for (const bool is_first : {true, false}) {
+    for (std::size_t i = 0; i < n; ++i)
+      if (touches_edge(domain, bubbles, i, longest) == is_first)
+        grow.add_to_front(i);
+    grow();
   }
+}
 
-private:
-  using Front_bubble = std::pair<double, std::size_t>; // how small it counts, index
-
-  /// a candidate is accepted when no bubble is nearer than this, in units of the mean size
-  static constexpr double least_distance = 0.8;
-  /// bubbles nearer than this are its neighbours
-  static constexpr double largest_distance = 1.3;
-  /// how far from the first guess of its place they are looked for
-  static constexpr double search_distance = 1.6;
-
-  void find_edges_of_corners()
-  {
-    m_edges_of_corner.resize(m_domain.corners().size());
-    for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
-      m_edges_of_corner[m_domain.edges()[e].source].push_back(static_cast<Index>(e));
-      m_edges_of_corner[m_domain.edges()[e].target].push_back(static_cast<Index>(e));
-    }
-  }
-
-  double direction_of_edge(Index e) const
-  {
-    const Point &a = m_domain.source(e), &b = m_domain.target(e);
-    return std::atan2(b.y() - a.y(), b.x() - a.x());
-  }
-
-  void grow_from(const Front_bubble& next)
-  {
-    const std::size_t i = next.second, before = m_bubbles.size();
-    if (m_bubbles.is_on_edge(i))
-      propose_neighbors(i, direction_of_edge(m_bubbles.place[i]));
-    else if (m_start[i] != no_index)
-      propose_neighbors(i, m_direction[i]);
-    else if (m_bubbles.place[i] != no_index)
-      for (Index e : m_edges_of_corner[m_bubbles.place[i]])
-        propose_neighbors(i, direction_of_edge(e));
-    for (std::size_t j = before; j < m_bubbles.size(); ++j)
-      m_front.emplace((std::max)(next.first, m_bubbles.d[j]), j);
-  }
-
-  void propose_neighbors(std::size_t i, double direction)
-  {
-    constexpr double sixty_degrees = 1.0471975511965977462;
-    for (int k = 0; k < 6; ++k)
-      propose(i, direction + k * sixty_degrees);
-  }
-
-  void propose(std::size_t i, double angle)
-  {
-    const double ux = std::cos(angle), uy = std::sin(angle), x = m_bubbles.x[i], y = m_bubbles.y[i];
-    Point p(x + m_bubbles.d[i] * ux, y + m_bubbles.d[i] * uy);
-    if (!find_neighbors(p, m_bubbles.d[i]) || visible_triangle(i, p) == no_index)
-      return;
-    const double d_i = m_bubbles.d[i], ahead = m_sizing(p), wanted = 0.5 * (d_i + ahead);
-    const double at_wanted = d_i + (ahead - d_i) * wanted / d_i; // linear between the two
-    p = settle(Point(x + wanted * ux, y + wanted * uy), at_wanted);
-    const Index triangle = visible_triangle(i, p);
-    if (triangle == no_index)
-      return;
-    const double d = m_sizing(p);
-    if (!is_free(p, d))
-      return;
-    m_buckets.insert(static_cast<Index>(m_bubbles.size()), p.x(), p.y(), d);
-    m_bubbles.add(p, d, Bubbles_2::FACE, triangle);
-    m_direction.push_back(angle);
-    m_start.push_back(triangle);
-  }
-
-  /// finds the bubbles around a candidate; returns whether none is too near
-  bool find_neighbors(const Point& p, double d)
-  {
-    m_near.clear();
-    return m_buckets.for_each_near(p.x(), p.y(), d, [&](Index j, double squared, double d_j) {
-      const double reach = 0.5 * least_distance * (d + d_j);
-      m_near.push_back(j);
-      return squared >= reach * reach;
+/// How far bubbles are from a crystal: the share of those in faces that have not six neighbours, times
+/// the energy of the springs to them.
+inline double disorder(const Domain_2& domain, const Bubbles_2& b)
+{
+  constexpr double reach = 1.35;
+  Bubble_buckets_2 buckets(reach, b.d[0], domain.bbox().xmin(), domain.bbox().ymin(), b.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    buckets.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+  double defects = 0, energy = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    if (!b.is_in_face(i))
+      continue;
+    int number = 0;
+    buckets.for_each_near(b.x[i], b.y[i], b.d[i], [&](Index j, double squared, double d) {
+      if (j == static_cast<Index>(i))
+        return true;
+      ++number;
+      const double w = 2 * std::sqrt(squared) / (b.d[i] + d);
+      energy += (w - 1) * (w - 1);
+      return true;
     });
+    defects += number != 6;
   }
+  return defects * energy;
+}
 
-  bool is_free(const Point& p, double d) const
-  {
-    return std::none_of(m_near.begin(), m_near.end(), [&](Index j) {
-      const double reach = 0.5 * least_distance * (d + m_bubbles.d[j]);
-      return CGAL::squared_distance(p, m_bubbles.point(j)) < reach * reach;
-    });
-  }
-
-  /// The place of a candidate among all its neighbours, not only at the right distance from the one that
-  /// proposed it: a few steps of Newton's method for springs between them.
-  Point settle(const Point& p, double d) const
-  {
-    constexpr int steps = 3;
-    double x = p.x(), y = p.y();
-    for (int k = 0; k < steps; ++k) {
-      double sum_x = 0, sum_y = 0, number = 0;
-      for (Index j : m_near) {
-        const double dx = x - m_bubbles.x[j], dy = y - m_bubbles.y[j];
-        const double distance = std::sqrt(dx * dx + dy * dy), wanted = 0.5 * (d + m_bubbles.d[j]);
-        if (distance == 0 || distance > largest_distance * wanted)
-          continue;
-        number += 1;
-        sum_x += (wanted - distance) * dx / distance;
-        sum_y += (wanted - distance) * dy / distance;
-      }
-      // springs in all directions are half as stiff as in one
-      const double compliance = 1 / (std::max)(1., 0.5 * number);
-      x += compliance * sum_x;
-      y += compliance * sum_y;
-    }
-    return Point(x, y);
-  }
-
-  /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, else `no_index`
-  Index visible_triangle(std::size_t i, const Point& p) const
-  {
-    if (m_start[i] != no_index) {
-      const Walk_end end = m_domain.walk(m_start[i], m_bubbles.point(i), p);
-      return end.is_blocked() ? no_index : end.triangle;
-    }
-    if (m_bubbles.is_on_edge(i))
-      return m_domain.walk_from_edge(m_bubbles.place[i], m_bubbles.point(i), p);
-    for (Index e : m_edges_of_corner[m_bubbles.place[i]]) {
-      const Index triangle = m_domain.walk_from_edge(e, m_bubbles.point(i), p);
-      if (triangle != no_index)
-        return triangle;
-    }
-    return no_index;
-  }
-
-  const Domain_2& m_domain;
-  const Sizing& m_sizing;
-  Bubbles_2& m_bubbles;
-  Bubble_buckets_2 m_buckets;
-  std::priority_queue<Front_bubble, std::vector<Front_bubble>, std::greater<Front_bubble>> m_front;
-  std::vector<double> m_direction;                   // of the lattice around each bubble
-  std::vector<Index> m_start;                        // the triangle of those off the domain's edges
-  std::vector<std::vector<Index>> m_edges_of_corner;
-  std::vector<Index> m_near;                         // the bubbles around the last candidate
-};
+/// Initial bubbles of the faces. Fronts from all edges are right where d follows the boundary; where d is
+/// constant, or smallest inside, they may meet badly, and a single crystal is tried as well.
+template <class Concurrency_tag, class Sizing>
+void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
+{
+  constexpr double nearly_constant = 1.25, clearly_less = 0.75, better = 0.92;
+  const Bubbles_2 start = bubbles;
+  grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles);
+  const auto at_start = std::minmax_element(start.d.begin(), start.d.end());
+  const auto sizes = std::minmax_element(bubbles.d.begin(), bubbles.d.end());
+  const bool is_constant = *sizes.second < nearly_constant * *sizes.first;
+  if (!is_constant && !(*sizes.first < clearly_less * *at_start.first))
+    return;
+  Bubbles_2 single = start;
+  grow_single_crystal<Concurrency_tag>(
+    domain, sizing, is_constant ? Lattice_direction::KEEPS : Lattice_direction::BENDS, single);
+  if (disorder(domain, single) < better * disorder(domain, bubbles))
+    bubbles = single;
+}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

@@ -100,7 +100,7 @@ Bubbles_2 simulate_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading,
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
-    bubbles = place_bubbles(cdt, reading, sizing, options);
+    bubbles = place_bubbles<Concurrency_tag>(cdt, reading, sizing, options);
     report.number_of_initial_bubbles = bubbles.size();
   }
   if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)

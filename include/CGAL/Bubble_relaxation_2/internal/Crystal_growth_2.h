@@ -1,0 +1,308 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CRYSTAL_GROWTH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CRYSTAL_GROWTH_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// How the lattice turns as a crystal grows.
+enum class Lattice_direction
+{
+  BENDS, ///< with its neighbours: rows follow the boundary, and the lines along which d grows
+  KEEPS  ///< not at all
+};
+
+/// Fills the domain's faces with bubbles as a crystal grows: each bubble of the front proposes six
+/// neighbours at the wanted distance, aligned with the lattice around it.
+///
+/// Who proposes first matters where d changes. A crystal that grows from fine to coarse loses rows where
+/// it must; one that grows from coarse to fine has no room for new ones and tears. So the smallest bubble
+/// is the next, but where d falls away from the start the front goes on in rows: a bubble counts as no
+/// smaller than the one that proposed it.
+///
+/// The crystal grows by generations: all of about the smallest size propose at once, by what was there
+/// before; of proposals for one place the one that fits best is accepted; then the new bubbles settle
+/// among each other. Nothing depends on an order within a generation, so threads change no bit.
+template <class Concurrency_tag, class Sizing>
+class Crystal_growth_2
+{
+public:
+  Crystal_growth_2(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles,
+                   Lattice_direction lattice)
+    : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles), m_lattice(lattice),
+      m_buckets(cell_size, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
+                4 * bubbles.size())
+  {
+    find_edges_of_corners();
+    m_direction.assign(bubbles.size(), Direction{1, 0});
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      insert_in_buckets(i);
+  }
+
+  void set_direction(std::size_t i, const Direction& u) { m_direction[i] = u; }
+
+  /// one of the bubbles that were there before belongs to the front when the growth begins
+  void add_to_front(std::size_t i) { add_to_front(m_bubbles.d[i], i); }
+
+  /// grows until there is no front left
+  void operator()()
+  {
+    while (!m_front.empty()) {
+      take_generation();
+      parallel_for<Concurrency_tag>(
+        m_generation.size(), [this](std::size_t k) { propose_from(k); }, grain);
+      const std::size_t first = m_bubbles.size();
+      accept_proposals();
+      settle_from(first);
+      for (std::size_t i = first; i < m_bubbles.size(); ++i)
+        add_to_front((std::max)(m_keys[i - first], m_bubbles.d[i]), i);
+    }
+  }
+
+private:
+  /// a bubble of the front, and with which direction it proposes
+  struct Proposer
+  {
+    double key; ///< how small it counts
+    Index index;
+    Direction direction;
+
+    bool operator>(const Proposer& p) const
+    {
+      return std::tie(key, index) > std::tie(p.key, p.index);
+    }
+  };
+
+  struct Proposal
+  {
+    double key, misfit;
+    Point p;
+    double d;
+    Index triangle;
+    Direction direction;
+
+    bool operator<(const Proposal& a) const
+    {
+      return std::make_tuple(misfit, p.x(), p.y()) < std::make_tuple(a.misfit, a.p.x(), a.p.y());
+    }
+  };
+
+  struct Proposals
+  {
+    std::array<Proposal, 6> list;
+    int size;
+  };
+
+  /// a generation is all bubbles of the front up to this times the smallest key
+  static constexpr double band = 1.05;
+  /// how far, in units of the mean size, the neighbours of a bubble's proposals are looked for
+  static constexpr double proposer_reach = 2.6;
+  /// how far the neighbours of a new bubble, while it settles
+  static constexpr double settler_reach = 1.6;
+  static constexpr double cell_size = 1.6;
+  static constexpr int proposal_steps = 3;
+  static constexpr int settling_rounds = 3;
+  static constexpr std::size_t grain = 64;
+
+  void find_edges_of_corners()
+  {
+    m_edges_of_corner.resize(m_domain.corners().size());
+    for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
+      m_edges_of_corner[m_domain.edges()[e].source].push_back(static_cast<Index>(e));
+      m_edges_of_corner[m_domain.edges()[e].target].push_back(static_cast<Index>(e));
+    }
+  }
+
+  Direction direction_of_edge(Index e) const
+  {
+    const Point &a = m_domain.source(e), &b = m_domain.target(e);
+    const double length = m_domain.length(e);
+    return {(b.x() - a.x()) / length, (b.y() - a.y()) / length};
+  }
+
+  void insert_in_buckets(std::size_t i)
+  {
+    m_buckets.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
+  }
+
+  void add_to_front(double key, std::size_t i)
+  {
+    const Index index = static_cast<Index>(i), place = m_bubbles.place[i];
+    if (m_bubbles.is_on_edge(i))
+      m_front.push(Proposer{key, index, direction_of_edge(place)});
+    else if (m_bubbles.is_in_face(i) || place == no_index)
+      m_front.push(Proposer{key, index, m_direction[i]});
+    else
+      for (Index e : m_edges_of_corner[place])
+        m_front.push(Proposer{key, index, direction_of_edge(e)});
+  }
+
+  void take_generation()
+  {
+    const double limit = m_front.top().key * band;
+    m_generation.clear();
+    for (; !m_front.empty() && m_front.top().key <= limit; m_front.pop())
+      m_generation.push_back(m_front.top());
+    m_proposals.resize(m_generation.size());
+    m_around.resize((std::max)(m_around.size(), m_generation.size()));
+  }
+
+  void propose_from(std::size_t k)
+  {
+    const Proposer& from = m_generation[k];
+    const Index i = from.index;
+    m_around[k].gather(m_buckets, m_bubbles.point(i), m_bubbles.d[i], proposer_reach, i);
+    m_around[k].add(i, m_bubbles);
+    m_proposals[k].size = 0;
+    Direction u = from.direction;
+    for (int turn = 0; turn < 6; ++turn, u = turned(u))
+      propose(from, u, m_around[k], m_proposals[k]);
+  }
+
+  void propose(const Proposer& from, const Direction& u, Surroundings_2& around, Proposals& proposals)
+  {
+    const Index i = from.index;
+    const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
+    Point p(x + d_i * u.x, y + d_i * u.y);
+    if (!around.is_free(p, d_i) || visible_triangle(i, p) == no_index)
+      return;
+    const double ahead = m_sizing(p), wanted = 0.5 * (d_i + ahead);
+    const double at_wanted = d_i + (ahead - d_i) * wanted / d_i; // linear between the two
+    p = around.settle(Point(x + wanted * u.x, y + wanted * u.y), at_wanted, proposal_steps);
+    const Index triangle = visible_triangle(i, p);
+    if (triangle == no_index)
+      return;
+    const double d = m_sizing(p);
+    if (!around.is_free(p, d))
+      return;
+    const Direction v = m_lattice == Lattice_direction::KEEPS ? u : around.direction(p, d, u);
+    proposals.list[proposals.size++] =
+      Proposal{from.key, around.misfit(p, d), p, d, triangle, v};
+    around.add(p, d); // its next proposals leave room
+  }
+
+  /// makes bubbles of the proposals, the best first, as far as there is room
+  void accept_proposals()
+  {
+    m_sorted.clear();
+    for (const Proposals& list : m_proposals)
+      for (int k = 0; k < list.size; ++k)
+        m_sorted.push_back(list.list[k]);
+    std::sort(m_sorted.begin(), m_sorted.end());
+    m_keys.clear();
+    for (const Proposal& a : m_sorted) {
+      if (!m_buckets.is_free(a.p.x(), a.p.y(), a.d, Surroundings_2::least_distance))
+        continue;
+      m_bubbles.add(a.p, a.d, Bubbles_2::FACE, a.triangle);
+      m_direction.push_back(a.direction);
+      m_keys.push_back(a.key);
+      insert_in_buckets(m_bubbles.size() - 1);
+    }
+  }
+
+  /// the bubbles from `first` on settle among each other
+  void settle_from(std::size_t first)
+  {
+    const std::size_t n = m_bubbles.size() - first;
+    m_around.resize((std::max)(m_around.size(), n));
+    m_moved.resize(n);
+    for (int round = 0; round < settling_rounds; ++round) {
+      parallel_for<Concurrency_tag>(
+        n, [=](std::size_t k) { settle(first + k, k, round == 0); }, grain);
+      for (std::size_t k = 0; k < n; ++k) {
+        const Moved& to = m_moved[k];
+        m_bubbles.x[first + k] = to.p.x();
+        m_bubbles.y[first + k] = to.p.y();
+        m_bubbles.d[first + k] = to.d;
+        m_bubbles.place[first + k] = to.triangle;
+      }
+    }
+    for (std::size_t i = first; i < m_bubbles.size(); ++i)
+      m_buckets.move(i, m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
+  }
+
+  void settle(std::size_t i, std::size_t k, bool is_first)
+  {
+    const Point p = m_bubbles.point(i);
+    if (is_first)
+      m_around[k].gather(m_buckets, p, m_bubbles.d[i], settler_reach, static_cast<Index>(i));
+    else
+      m_around[k].update(m_bubbles);
+    const Point q = m_around[k].settle(p, m_bubbles.d[i], 1);
+    const Walk_end end = m_domain.walk(m_bubbles.place[i], p, q);
+    m_moved[k] = end.is_blocked() ? Moved{p, m_bubbles.d[i], m_bubbles.place[i]}
+                                  : Moved{q, m_sizing(q), end.triangle};
+  }
+
+  /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, else `no_index`
+  Index visible_triangle(std::size_t i, const Point& p) const
+  {
+    const Index place = m_bubbles.place[i];
+    if (m_bubbles.is_on_edge(i))
+      return m_domain.walk_from_edge(place, m_bubbles.point(i), p);
+    if (m_bubbles.is_in_face(i) || place == no_index) {
+      const Index start = place != no_index ? place : m_domain.locate(m_bubbles.point(i), 0);
+      const Walk_end end = m_domain.walk(start, m_bubbles.point(i), p);
+      return end.is_blocked() ? no_index : end.triangle;
+    }
+    for (Index e : m_edges_of_corner[place]) {
+      const Index triangle = m_domain.walk_from_edge(e, m_bubbles.point(i), p);
+      if (triangle != no_index)
+        return triangle;
+    }
+    return no_index;
+  }
+
+  struct Moved
+  {
+    Point p;
+    double d;
+    Index triangle;
+  };
+
+  const Domain_2& m_domain;
+  const Sizing& m_sizing;
+  Bubbles_2& m_bubbles;
+  const Lattice_direction m_lattice;
+  Bubble_buckets_2 m_buckets;
+  std::priority_queue<Proposer, std::vector<Proposer>, std::greater<Proposer>> m_front;
+  std::vector<Direction> m_direction;                // of the lattice around each bubble
+  std::vector<std::vector<Index>> m_edges_of_corner;
+  // of the present generation
+  std::vector<Proposer> m_generation;
+  std::vector<Proposals> m_proposals;                // of each proposer
+  std::vector<Proposal> m_sorted;
+  std::vector<double> m_keys;                        // of the proposers of the new bubbles
+  std::vector<Surroundings_2> m_around;              // each proposer, then each new bubble
+  std::vector<Moved> m_moved;                        // the new bubbles
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CRYSTAL_GROWTH_2_H

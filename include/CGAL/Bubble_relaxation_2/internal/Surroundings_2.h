@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SURROUNDINGS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SURROUNDINGS_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// a direction, of length 1
+struct Direction { double x, y; };
+
+/// turned to the left by 60 degrees
+inline Direction turned(const Direction& u)
+{
+  constexpr double cosine = 0.5, sine = 0.86602540378443864676;
+  return {cosine * u.x - sine * u.y, sine * u.x + cosine * u.y};
+}
+
+/// The bubbles around a place where another may go, gathered once for all questions about it.
+class Surroundings_2
+{
+public:
+  /// no bubble is set nearer to another than this, in units of their mean size
+  static constexpr double least_distance = 0.8;
+  /// bubbles nearer than this are neighbours
+  static constexpr double largest_distance = 1.3;
+
+  /// the bubbles in the buckets nearer than `reach` times the mean size, without bubble `self`
+  void gather(const Bubble_buckets_2& buckets, const Point& p, double d, double reach, Index self)
+  {
+    m_bubbles.clear();
+    buckets.for_each_near(p.x(), p.y(), d, reach, [&](const Bubble_buckets_2::Entry& e, double) {
+      if (e.id != self)
+        m_bubbles.push_back(Bubble{e.x, e.y, e.d, e.id});
+      return true;
+    });
+  }
+
+  void add(Index i, const Bubbles_2& b) { m_bubbles.push_back(Bubble{b.x[i], b.y[i], b.d[i], i}); }
+
+  /// one that is not there yet
+  void add(const Point& p, double d) { m_bubbles.push_back(Bubble{p.x(), p.y(), d, no_index}); }
+
+  /// the bubbles gathered may have moved
+  void update(const Bubbles_2& b)
+  {
+    for (Bubble& a : m_bubbles)
+      a = Bubble{b.x[a.id], b.y[a.id], b.d[a.id], a.id};
+  }
+
+  /// whether a bubble of size `d` has room at `p`
+  bool is_free(const Point& p, double d) const
+  {
+    return std::none_of(m_bubbles.begin(), m_bubbles.end(), [&](const Bubble& b) {
+      const double reach = 0.5 * least_distance * (d + b.d), dx = p.x() - b.x, dy = p.y() - b.y;
+      return dx * dx + dy * dy < reach * reach;
+    });
+  }
+
+  /// The place of a bubble among all its neighbours: a few steps of Newton's method for springs between
+  /// them.
+  Point settle(const Point& p, double d, int steps) const
+  {
+    double x = p.x(), y = p.y();
+    for (int k = 0; k < steps; ++k) {
+      double sum_x = 0, sum_y = 0, number = 0;
+      for_each_neighbor(x, y, d, [&](double dx, double dy, double distance, double wanted) {
+        const double stretch = wanted / distance - 1;
+        number += 1;
+        sum_x += stretch * dx;
+        sum_y += stretch * dy;
+      });
+      // springs in all directions are half as stiff as in one
+      const double compliance = 1 / (std::max)(1., 0.5 * number);
+      x += compliance * sum_x;
+      y += compliance * sum_y;
+    }
+    return Point(x, y);
+  }
+
+  /// how badly a bubble fits: the energy of the springs to its neighbours
+  double misfit(const Point& p, double d) const
+  {
+    double sum = 0;
+    for_each_neighbor(p.x(), p.y(), d, [&](double, double, double distance, double wanted) {
+      sum += (distance / wanted - 1) * (distance / wanted - 1);
+    });
+    return sum;
+  }
+
+  /// the direction of the lattice at `p`: that of its neighbours, the six-fold mean, next to `u`
+  Direction direction(const Point& p, double d, const Direction& u) const
+  {
+    double sum_x = 0, sum_y = 0; // of the sixth powers, as complex numbers
+    for_each_neighbor(p.x(), p.y(), d, [&](double dx, double dy, double distance, double) {
+      const double x = (dx * u.x + dy * u.y) / distance, y = (dy * u.x - dx * u.y) / distance;
+      const double cube_x = x * (x * x - 3 * y * y), cube_y = y * (3 * x * x - y * y);
+      sum_x += cube_x * cube_x - cube_y * cube_y;
+      sum_y += 2 * cube_x * cube_y;
+    });
+    const double angle = std::atan2(sum_y, sum_x) / 6, c = std::cos(angle), s = std::sin(angle);
+    return {c * u.x - s * u.y, s * u.x + c * u.y};
+  }
+
+private:
+  struct Bubble
+  {
+    double x, y, d;
+    Index id;
+  };
+
+  /// calls `visit(dx, dy, distance, wanted distance)` for the neighbours of a bubble at (x, y)
+  template <class Visitor>
+  void for_each_neighbor(double x, double y, double d, const Visitor& visit) const
+  {
+    for (const Bubble& b : m_bubbles) {
+      const double dx = x - b.x, dy = y - b.y, squared = dx * dx + dy * dy;
+      const double wanted = 0.5 * (d + b.d), reach = largest_distance * wanted;
+      if (squared > 0 && squared <= reach * reach)
+        visit(dx, dy, std::sqrt(squared), wanted);
+    }
+  }
+
+  std::vector<Bubble> m_bubbles;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SURROUNDINGS_2_H
