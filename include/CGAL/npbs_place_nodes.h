@@ -94,7 +94,7 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       bubbles.d[i] = sizing(bubbles.x[i], bubbles.y[i]);
     Neighbor_sets_2 neighbors(options.neighbor_radius);
-    neighbors.build(bubbles);
+    neighbors.build<Tag>(bubbles);
     nodes.neighbor_offsets.push_back(0);
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
       nodes.points.push_back(Point_2(bubbles.x[i], bubbles.y[i]));

@@ -219,7 +219,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     const Bubble_mesh_2 mesh =
       make_mesh<Tag>(*reading, sizing, options,
                      simulate_bubbles<Tag>(cdt, *reading, sizing, options, progress, report), report);
-    evaluate(mesh.triangulation, wanted, report);
+    evaluate<Tag>(mesh.triangulation, wanted, report);
     progress.report(1);
     // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
     Restore_on_throw<CDT> guard(cdt);

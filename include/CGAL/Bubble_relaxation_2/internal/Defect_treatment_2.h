@@ -22,17 +22,26 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// the smallest q of the triangles of the domain
-inline double smallest_quality(const Marked_triangulation_2& mesh)
+/// q of each triangle of the domain, 1 outside
+template <class Concurrency_tag>
+std::vector<double> qualities(const Marked_triangulation_2& mesh)
 {
-  double smallest = 1;
-  for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t) {
+  std::vector<double> result(mesh.tr.number_of_triangles());
+  parallel_for<Concurrency_tag>(result.size(), [&](std::size_t t) {
     const Index i = static_cast<Index>(t);
-    if (mesh.inside[t])
-      smallest = (std::min)(smallest,
-                            radius_ratio(mesh.tr.point(i, 0), mesh.tr.point(i, 1), mesh.tr.point(i, 2)));
-  }
-  return smallest;
+    result[t] = mesh.inside[t] != 0
+                  ? radius_ratio(mesh.tr.point(i, 0), mesh.tr.point(i, 1), mesh.tr.point(i, 2))
+                  : 1.;
+  });
+  return result;
+}
+
+/// the smallest q of the triangles of the domain
+template <class Concurrency_tag = Sequential_tag>
+double smallest_quality(const Marked_triangulation_2& mesh)
+{
+  const std::vector<double> q = qualities<Concurrency_tag>(mesh);
+  return q.empty() ? 1. : *std::min_element(q.begin(), q.end());
 }
 
 /// The last defects. Where vertices have five and seven neighbours the forces press triangles more than
@@ -71,15 +80,10 @@ private:
   std::vector<Index> vertices_of_bad_triangles() const
   {
     const Flat_triangulation_2& tr = m_mesh.tr;
-    std::vector<char> is_bad(tr.number_of_triangles(), 0);
-    parallel_for<Concurrency_tag>(tr.number_of_triangles(), [&](std::size_t t) {
-      const Index i = static_cast<Index>(t);
-      is_bad[t] = m_mesh.inside[t] != 0 &&
-                  radius_ratio(tr.point(i, 0), tr.point(i, 1), tr.point(i, 2)) < treated_quality;
-    });
+    const std::vector<double> q = qualities<Concurrency_tag>(m_mesh);
     std::vector<char> marks(m_bubbles.size(), 0);
-    for (std::size_t t = 0; t < is_bad.size(); ++t)
-      if (is_bad[t])
+    for (std::size_t t = 0; t < q.size(); ++t)
+      if (q[t] < treated_quality)
         for (Index v : tr.vertices[t])
           marks[v] = m_bubbles.can_move(v);
     return marked(marks);
