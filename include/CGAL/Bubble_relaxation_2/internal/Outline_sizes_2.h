@@ -50,7 +50,8 @@ private:
 
 /// Finds the sizes that the outline of a domain asks for. Without a wish of the user: at each vertex of a
 /// constraint the length of the shorter constraint beside it, and less where the domain is narrower than
-/// that. With a wish: what is smaller than the wish by so much that the triangles between would be bad.
+/// that. With a wish: what is smaller than the wish by so much that the triangles between would be bad, the
+/// distances of pinned vertices among it.
 template <class Cdt>
 class Outline_sizes_2
 {
@@ -145,10 +146,29 @@ private:
     if (mark_triangulation(points, cut_edges(m_domain, nodes), mesh) != Marking_error::NONE)
       return; // rounded across each other: there is nothing to measure
     for (std::size_t t = 0; t < mesh.inside.size(); ++t)
-      for (int i = 0; i < 3; ++i)
-        if (mesh.inside[t] && mesh.edges[t][i] != no_index &&
-            !is_in_corner(mesh, static_cast<Index>(t), i, nodes))
-          add_width(mesh, static_cast<Index>(t), i, least_width(nodes, mesh.tr.vertices[t][i]), field);
+      for (int i = 0; i < 3; ++i) {
+        if (!mesh.inside[t])
+          continue;
+        const auto& v = mesh.tr.vertices[t];
+        if (mesh.edges[t][i] == no_index)
+          add_distance(nodes, v[ccw(i)], v[cw(i)], field);
+        else if (!is_in_corner(mesh, static_cast<Index>(t), i, nodes))
+          add_width(mesh, static_cast<Index>(t), i, least_width(nodes, v[i]), field);
+      }
+  }
+
+  static bool is_pin(const Bubbles_2& nodes, Index i) { return nodes.place[i] == no_index; }
+
+  /// the distance of a pinned vertex from another one or from a corner
+  void add_distance(const Bubbles_2& nodes, Index i, Index j, const Smaller_of_2& field)
+  {
+    if (!nodes.is_corner(i) || !nodes.is_corner(j) || !(is_pin(nodes, i) || is_pin(nodes, j)))
+      return;
+    const Point p = nodes.point(i), q = nodes.point(j);
+    const double distance = std::sqrt(CGAL::squared_distance(p, q));
+    for (const Point& end : {p, q})
+      if (asked(distance) < field(end))
+        add(end, distance);
   }
 
   Bubbles_2 nodes_on_constraints(const Smaller_of_2& field) const
@@ -156,6 +176,9 @@ private:
     Bubbles_2 nodes;
     for (std::size_t c = 0; c < m_corner_sizes.size(); ++c)
       nodes.add(m_domain.corners()[c], m_corner_sizes[c], Bubbles_2::CORNER, static_cast<Index>(c));
+    if (m_wanted != nullptr)
+      for (const auto v : m_reading.pinned)
+        nodes.add(Reading::Graph::to_point(v), extent(), Bubbles_2::CORNER, no_index);
     for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
       place_on_edge(m_domain, static_cast<Index>(e), field, nodes);
     remove_coincident(m_domain, nodes);
@@ -164,6 +187,8 @@ private:
 
   double least_width(const Bubbles_2& nodes, Index i) const
   {
+    if (is_pin(nodes, i))
+      return 0;
     if (nodes.is_corner(i))
       return least_share * m_corner_sizes[nodes.place[i]];
     const Domain_edge_2& e = m_domain.edges()[nodes.place[i]];
@@ -184,7 +209,7 @@ private:
     return false;
   }
 
-  /// the corners at the ends of the edge that a node lies on
+  /// the corners at the ends of the edge that a node lies on; none of a pinned vertex
   std::array<Index, 2> ends(const Bubbles_2& nodes, Index i) const
   {
     if (nodes.is_corner(i))
