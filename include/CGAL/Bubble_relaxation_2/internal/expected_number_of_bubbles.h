@@ -129,9 +129,10 @@ private:
   double m_sum = 0;
 };
 
+/// The expected number of bubbles.
 /// \throws std::length_error if more bubbles are expected than the user wants to have
 template <class Sizing>
-void check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
+double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
 {
   const double expected =
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
@@ -141,6 +142,7 @@ void check_expected_number(const Domain_2& domain, const Sizing& sizing, std::si
             << ": the domain and the sizing function ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
+  return expected;
 }
 
 } // namespace internal

@@ -111,10 +111,10 @@ inline void sort_in_space(Bubbles_2& bubbles)
 }
 
 /// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces. If the user
-/// leaves the choice, an existing mesh is kept where it fits.
+/// leaves the choice, an existing mesh is kept where it fits. `expected`: about how many bubbles
 template <class Concurrency_tag, class Cdt, class Sizing>
 Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                        const Relaxation_options& options)
+                        const Relaxation_options& options, double expected)
 {
   const Domain_2& domain = reading.domain;
   const bool adapts = !options.placement_is_given && !reading.free.empty();
@@ -134,7 +134,7 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
   else if (options.placement == Bubble_placement::RHOMBIC)
     Rhombic_placement<Sizing>(domain, sizing, bubbles)();
   else
-    place_frontal<Concurrency_tag>(domain, sizing, bubbles);
+    place_frontal<Concurrency_tag>(domain, sizing, expected, bubbles);
   remove_coincident(domain, bubbles);
   sort_in_space(bubbles);
   return bubbles;

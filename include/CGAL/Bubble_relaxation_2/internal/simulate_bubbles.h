@@ -72,8 +72,9 @@ Bubbles_2 simulate_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading,
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
-    check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
-    bubbles = place_bubbles<Concurrency_tag>(cdt, reading, sizing, options);
+    const double expected =
+      check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
+    bubbles = place_bubbles<Concurrency_tag>(cdt, reading, sizing, options, expected);
     report.number_of_initial_bubbles = bubbles.size();
   }
   if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)
