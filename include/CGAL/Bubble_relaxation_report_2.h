@@ -24,18 +24,19 @@ the removal of bubbles in one place, and the copy of the triangulation that is k
 */
 struct Bubble_relaxation_seconds
 {
-  double reading = 0;    ///< from the triangulation to the domain, and to the default sizes if none are given
-  double placement = 0;  ///< the check of the expected number, and the initial bubbles
+  double reading = 0;    ///< from the triangulation to the domain and to the sizes, with the check of their expected number
+  double placement = 0;  ///< the initial bubbles
   double renewal = 0;    ///< neighbour sets
   double motion = 0;     ///< forces, steps and the boundary
   double population = 0; ///< insertion and deletion of bubbles between rounds, and whether any is needed
+  double treatment = 0;  ///< the triangulation of the bubbles in arrays, and the treatment of its last defects
   double writing = 0;    ///< from the bubbles to the triangulation
   double evaluation = 0; ///< statistics of the mesh
 
   /// the sum of all phases, less than the whole time
   double total() const
   {
-    return reading + placement + renewal + motion + population + writing + evaluation;
+    return reading + placement + renewal + motion + population + treatment + writing + evaluation;
   }
 };
 
@@ -59,9 +60,10 @@ struct Bubble_relaxation_report_2
   std::size_t number_of_force_evaluations = 0; ///< evaluations of all forces: one a step, four with Runge-Kutta
   std::size_t number_of_moves = 0;             ///< bubbles that took part in a step, summed over all steps; the others slept
   std::size_t number_of_renewals = 0;          ///< how often neighbour sets were made or renewed
-  std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control
-  /// bubbles deleted by the population control; not those removed because they were in one place with another
+  std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control and the treatment of defects
+  /// bubbles deleted by them; not those removed because they were in one place with another
   std::size_t number_of_deletions = 0;
+  std::size_t number_of_treated_vertices = 0; ///< vertices moved by the treatment of the last defects
   /// how often a face bubble was stopped at an edge: put back, or left where it was if there was no room
   std::size_t number_of_returns = 0;
   bool converged = false;                      ///< whether `stop_reason` is `CONVERGED`

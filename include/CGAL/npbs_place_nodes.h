@@ -12,6 +12,7 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/treat_defects.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -56,8 +57,8 @@ struct Node_set_2
 \ingroup PkgBubbleRelaxation2Functions
 
 \brief places nodes in the domain of a constrained Delaunay triangulation by bubble simulation, and returns
-them with their neighbour sets. The triangulation is not changed, and no mesh is made of the nodes, unless
-the population control `DELAUNAY`, the default, needs one between two rounds.
+them with their neighbour sets. The triangulation is not changed, and no mesh is kept; one is made on the way
+for the population control `DELAUNAY` and for `defect_treatment`, both of which are defaults.
 
 \tparam CDT as in `npbs_relax()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -81,15 +82,19 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
   Phase_timer reading_time(nodes.report.seconds.reading);
   const Domain_marks_2<CDT> is_inside(cdt, np);
   const auto reading = read_domain(cdt, np, is_inside);
-  with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
+  with_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto&) {
     reading_time.stop();
-    Bubbles_2 bubbles = simulate_bubbles<Concurrency<NamedParameters>>(
-      cdt, *reading, sizing, options, progress, nodes.report);
+    using Tag = Concurrency<NamedParameters>;
+    Bubbles_2 bubbles =
+      simulate_bubbles<Tag>(cdt, *reading, sizing, options, progress, nodes.report);
+    if (is_treatment_due(options, nodes.report))
+      bubbles =
+        make_mesh<Tag>(*reading, sizing, options, std::move(bubbles), nodes.report).bubbles;
     // the simulation does not ask d again for every little displacement
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       bubbles.d[i] = sizing(bubbles.x[i], bubbles.y[i]);
     Neighbor_sets_2 neighbors(options.neighbor_radius);
-    neighbors.build(bubbles);
+    neighbors.build<Tag>(bubbles);
     nodes.neighbor_offsets.push_back(0);
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
       nodes.points.push_back(Point_2(bubbles.x[i], bubbles.y[i]));

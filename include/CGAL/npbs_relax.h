@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Write_back_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/evaluate.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/treat_defects.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -149,6 +150,19 @@ those on edges lie exactly on them.
     \cgalParamType{an integer, not negative}
     \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
   \cgalParamNEnd
+  \cgalParamNBegin{defect_treatment}
+    \cgalParamDescription{whether vertices of triangles with q < 0.95 are moved after the simulation for the
+                          quality of the triangles around them; the smallest q does not get smaller by it}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`; the paper: `false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{limit_by_outline}
+    \cgalParamDescription{whether bubbles are smaller than `sizing_function` asks where an edge of the domain is
+                          shorter, or the domain narrower, than 0.8 times that; from there their sizes grow by
+                          0.2 per unit of length}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`; the paper: `false`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_bubbles}
     \cgalParamDescription{the most bubbles that `sizing_function` may ask for}
     \cgalParamType{an integer, positive, at most 2<sup>31</sup> - 1}
@@ -199,15 +213,17 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   Phase_timer reading_time(report.seconds.reading);
   const Domain_marks_2<CDT> is_inside(cdt, np);
   const auto reading = read_domain(cdt, np, is_inside);
-  with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
+  with_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto& wanted) {
     reading_time.stop();
-    const Bubbles_2 bubbles =
-      simulate_bubbles<Concurrency<NamedParameters>>(cdt, *reading, sizing, options, progress, report);
-    evaluate(reading->domain, bubbles, sizing, report);
+    using Tag = Concurrency<NamedParameters>;
+    const Bubble_mesh_2 mesh =
+      make_mesh<Tag>(*reading, sizing, options,
+                     simulate_bubbles<Tag>(cdt, *reading, sizing, options, progress, report), report);
+    evaluate<Tag>(mesh.triangulation, wanted, report);
     progress.report(1);
     // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
     Restore_on_throw<CDT> guard(cdt);
-    write_back(cdt, *reading, bubbles, report);
+    write_back(cdt, *reading, mesh.bubbles, report);
     guard.all_went_well();
   });
   return report;

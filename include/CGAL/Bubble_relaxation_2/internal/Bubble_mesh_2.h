@@ -21,6 +21,13 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// Bubbles and their constrained Delaunay triangulation, with the same indices.
+struct Bubble_mesh_2
+{
+  Bubbles_2 bubbles;
+  Marked_triangulation_2 triangulation;
+};
+
 /// The bubbles on each edge of the domain in the order from source to target, without the ends.
 inline std::vector<std::vector<Index>> bubbles_on_edges(const Domain_2& domain, const Bubbles_2& b)
 {

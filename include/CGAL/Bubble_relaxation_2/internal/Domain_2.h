@@ -86,16 +86,16 @@ public:
 private:
   Marking_error triangulate()
   {
-    std::vector<std::pair<Point, Index>> numbered;
-    numbered.reserve(m_points.size());
-    for (std::size_t i = 0; i < m_points.size(); ++i)
-      numbered.emplace_back(m_points[i], static_cast<Index>(i));
-    m_cdt.insert(numbered.begin(), numbered.end());
-    if (m_cdt.number_of_vertices() != m_points.size())
-      return Marking_error::POINTS_COINCIDE;
-    m_handles.resize(m_points.size());
-    for (Vertex_handle v : m_cdt.finite_vertex_handles())
-      m_handles[v->info()] = v;
+    m_handles.reserve(m_points.size());
+    Face_handle near; // consecutive points are near to each other: they need not be sorted again
+    for (const Point& p : m_points) {
+      const Vertex_handle v = m_cdt.insert(p, near);
+      if (m_cdt.number_of_vertices() == m_handles.size())
+        return Marking_error::POINTS_COINCIDE;
+      v->info() = static_cast<Index>(m_handles.size());
+      m_handles.push_back(v);
+      near = v->face();
+    }
     try {
       for (const auto& e : m_edges)
         m_cdt.insert_constraint(m_handles[e.source], m_handles[e.target]);

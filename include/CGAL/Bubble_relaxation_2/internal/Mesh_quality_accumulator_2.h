@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_QUALITY_ACCUMULATOR_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_QUALITY_ACCUMULATOR_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 #include <CGAL/radius_ratio_2.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -82,14 +83,36 @@ public:
   /// `ratio`: the length of an edge over the wanted length
   void add_length(double ratio) { m_lengths.push_back(ratio); }
 
+  /// adds all that another one has
+  void add(const Mesh_quality_accumulator_2& other)
+  {
+    if (!other.m_qualities.empty() &&
+        (m_qualities.empty() || other.m.minimum_quality <= m.minimum_quality))
+      add_worst(other.m.minimum_quality, other.m.worst_x, other.m.worst_y);
+    m.vertices += other.m.vertices;
+    m.interior += other.m.interior;
+    m.irregular += other.m.irregular;
+    if (!(other.m_largest_cotangent <= m_largest_cotangent)) {
+      m_largest_cotangent = other.m_largest_cotangent;
+      m.minimum_angle = other.m.minimum_angle;
+    }
+    if (!(other.m_smallest_cotangent >= m_smallest_cotangent)) {
+      m_smallest_cotangent = other.m_smallest_cotangent;
+      m.maximum_angle = other.m.maximum_angle;
+    }
+    m_qualities.insert(m_qualities.end(), other.m_qualities.begin(), other.m_qualities.end());
+    m_lengths.insert(m_lengths.end(), other.m_lengths.begin(), other.m_lengths.end());
+  }
+
+  template <class Concurrency_tag = Sequential_tag>
   Mesh_statistics_2 statistics()
   {
     m.triangles = m_qualities.size();
     if (!m_qualities.empty())
-      finish_qualities();
+      finish_qualities<Concurrency_tag>();
     m.has_lengths = !m_lengths.empty();
     if (m.has_lengths)
-      finish_lengths();
+      finish_lengths<Concurrency_tag>();
     return m;
   }
 
@@ -126,18 +149,25 @@ private:
     const double scale = (std::max)(std::abs(ux) + std::abs(uy), std::abs(vx) + std::abs(vy));
     const double cross = std::abs(ux / scale * (vy / scale) - uy / scale * (vx / scale));
     const double dot = ux / scale * (vx / scale) + uy / scale * (vy / scale);
-    const double angle = scale > 0 ? degrees * std::atan2(cross, dot) : 0.;
-    if (!(angle >= m.minimum_angle))
-      m.minimum_angle = angle;
-    if (!(angle <= m.maximum_angle))
-      m.maximum_angle = angle;
+    // the cotangent falls as the angle grows, and costs less
+    const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
+    const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();
+    if (!(cotangent <= m_largest_cotangent)) {
+      m_largest_cotangent = cotangent;
+      m.minimum_angle = is_angle ? degrees * std::atan2(cross, dot) : 0.;
+    }
+    if (!(cotangent >= m_smallest_cotangent)) {
+      m_smallest_cotangent = cotangent;
+      m.maximum_angle = is_angle ? degrees * std::atan2(cross, dot) : 0.;
+    }
   }
 
   // values are sorted before they are summed: the order of their terms decides how sums are rounded
 
+  template <class Concurrency_tag>
   void finish_qualities()
   {
-    std::sort(m_qualities.begin(), m_qualities.end());
+    parallel_sort<Concurrency_tag>(m_qualities);
     double sum = 0;
     for (double q : m_qualities) {
       sum += q;
@@ -149,9 +179,10 @@ private:
       m.quality_percentiles[k] = percentile(m_qualities, quality_percents[k]);
   }
 
+  template <class Concurrency_tag>
   void finish_lengths()
   {
-    std::sort(m_lengths.begin(), m_lengths.end());
+    parallel_sort<Concurrency_tag>(m_lengths);
     double sum = 0, squares = 0;
     for (double l : m_lengths)
       sum += l;
@@ -171,6 +202,9 @@ private:
   }
 
   Mesh_statistics_2 m;
+  // of all angles; not numbers before the first
+  double m_largest_cotangent = std::numeric_limits<double>::quiet_NaN();
+  double m_smallest_cotangent = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> m_qualities, m_lengths;
 };
 

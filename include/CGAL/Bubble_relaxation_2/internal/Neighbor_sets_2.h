@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,7 @@ public:
   const Index* end(std::size_t i) const { return begin(i) + m_sets[i].size; }
 
   /// finds all neighbours anew with buckets
+  template <class Concurrency_tag = Sequential_tag>
   void build(const Bubbles_2& bubbles)
   {
     start(bubbles);
@@ -58,11 +60,15 @@ public:
     for (std::size_t i = 0; i < n; ++i)
       if (bubbles.is_gone(i))
         m_buckets->erase(i);
-    for (std::size_t i = 0; i < n; ++i) {
-      m_found.clear();
-      if (!bubbles.is_gone(i))
-        find_neighbors(i);
-      append(m_found);
+    std::vector<Block> blocks((n + block_size - 1) / block_size);
+    parallel_for<Concurrency_tag>(
+      blocks.size(), [&](std::size_t k) { find_neighbors(bubbles, k, blocks[k]); }, 1);
+    for (const Block& block : blocks) {
+      const Index* first = block.found.data();
+      for (std::size_t size : block.sizes) {
+        append(first, size);
+        first += size;
+      }
     }
   }
 
@@ -83,21 +89,22 @@ public:
     m_x.push_back(bubbles.x[i]);
     m_y.push_back(bubbles.y[i]);
     m_d.push_back(bubbles.d[i]);
-    m_found.clear();
-    append(m_found);
+    append(nullptr, 0);
     if (!m_buckets)
       return;
     m_buckets->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
-    find_neighbors(i);
+    m_found.clear();
+    find_neighbors(i, m_found);
     replace(i);
   }
 
   /// renews the bubbles that have used up their skin, in the sets of their neighbours too
   /// \pre the sets were made by `build()` from as many bubbles
+  template <class Concurrency_tag = Sequential_tag>
   void renew(const Bubbles_2& bubbles, const std::vector<Index>& outrun)
   {
     if (3 * outrun.size() > bubbles.size()) {
-      build(bubbles);
+      build<Concurrency_tag>(bubbles);
       return;
     }
     for (Index i : outrun) {
@@ -105,7 +112,8 @@ public:
       m_y[i] = bubbles.y[i];
       m_d[i] = bubbles.d[i];
       m_buckets->move(i, m_x[i], m_y[i], m_d[i]);
-      find_neighbors(i);
+      m_found.clear();
+      find_neighbors(i, m_found);
       replace(i);
     }
   }
@@ -140,7 +148,7 @@ public:
           consider(old_pool[old_sets[j].first + l]);
       }
       std::sort(m_found.begin(), m_found.end());
-      append(m_found);
+      append(m_found.data(), m_found.size());
     }
     m_buckets.reset(); // their bubbles are not where they were
   }
@@ -172,24 +180,47 @@ private:
     m_d = bubbles.d;
   }
 
-  /// the neighbours of bubble `i` by references, sorted, into `m_found`
-  void find_neighbors(std::size_t i)
+  /// the sets of consecutive bubbles, one after the other
+  struct Block
   {
-    m_found.clear();
-    m_buckets->for_each_near(m_x[i], m_y[i], m_d[i], [&](Index j, double, double) {
-      if (static_cast<std::size_t>(j) != i)
-        m_found.push_back(j);
-      return true;
-    });
-    std::sort(m_found.begin(), m_found.end());
+    std::vector<Index> found;
+    std::vector<std::size_t> sizes;
+  };
+
+  static constexpr std::size_t block_size = 1024;
+
+  void find_neighbors(const Bubbles_2& bubbles, std::size_t block, Block& result) const
+  {
+    const std::size_t first = block * block_size,
+                      last = (std::min)(first + block_size, bubbles.size());
+    result.found.reserve(10 * (last - first));
+    result.sizes.reserve(last - first);
+    for (std::size_t i = first; i < last; ++i) {
+      const std::size_t before = result.found.size();
+      if (!bubbles.is_gone(i))
+        find_neighbors(i, result.found);
+      result.sizes.push_back(result.found.size() - before);
+    }
   }
 
-  void append(const std::vector<Index>& set)
+  /// adds the neighbours of bubble `i` by references, sorted
+  void find_neighbors(std::size_t i, std::vector<Index>& found) const
   {
-    const std::uint32_t size = static_cast<std::uint32_t>(set.size());
+    const std::size_t before = found.size();
+    m_buckets->for_each_near(m_x[i], m_y[i], m_d[i], [&](Index j, double, double) {
+      if (static_cast<std::size_t>(j) != i)
+        found.push_back(j);
+      return true;
+    });
+    std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+  }
+
+  void append(const Index* set, std::size_t n)
+  {
+    const std::uint32_t size = static_cast<std::uint32_t>(n);
     const std::uint32_t capacity = size + 1; // bubbles rarely get more than one more
     m_sets.push_back(Set{m_pool.size(), size, capacity});
-    m_pool.insert(m_pool.end(), set.begin(), set.end());
+    m_pool.insert(m_pool.end(), set, set + n);
     m_pool.resize(m_pool.size() + capacity - size);
   }
 

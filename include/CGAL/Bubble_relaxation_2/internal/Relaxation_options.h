@@ -42,6 +42,8 @@ struct Relaxation_options
   bool placement_is_given = false;
   Bubble_placement placement = Bubble_placement::FRONTAL;
   Bubble_population population = Bubble_population::DELAUNAY;
+  bool defect_treatment = true;
+  bool limit_by_outline = true;
   double displacement_tolerance = default_displacement_tolerance;
   std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
   std::function<bool(double)> callback;

@@ -161,7 +161,7 @@ private:
   {
     if (m_neighbors.number_of_bubbles() != 0 && m_options.renewal_interval == 0)
       return false;
-    m_neighbors.build(m_bubbles);
+    m_neighbors.template build<Concurrency_tag>(m_bubbles);
     m_outrun.clear();
     return true;
   }
@@ -172,7 +172,7 @@ private:
   {
     const std::size_t interval = m_options.renewal_interval;
     if (interval == 0 && !m_outrun.empty())
-      m_neighbors.renew(m_bubbles, m_outrun);
+      m_neighbors.template renew<Concurrency_tag>(m_bubbles, m_outrun);
     else if (interval != 0 && step != 0 && step % interval == 0)
       m_neighbors.renew_from_neighbors(m_bubbles);
     else

@@ -238,11 +238,10 @@ private:
 
   void insert_in_faces()
   {
-    std::vector<Cdt_point> points;
+    Face_handle near; // bubbles are numbered along a curve: the next one is found from the last
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
       if (m_bubbles.is_in_face(i))
-        points.push_back(Cdt_point(m_bubbles.x[i], m_bubbles.y[i]));
-    m_cdt.insert(points.begin(), points.end());
+        near = m_cdt.insert(Cdt_point(m_bubbles.x[i], m_bubbles.y[i]), near)->face();
   }
 
   void mark_domain()

@@ -9,10 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_EVALUATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_EVALUATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 #include <CGAL/Mesh_quality_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -20,16 +22,37 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// adds all triangles and vertices of a domain, as `add_domain()` of a user's triangulation does
-inline void add_domain(const Marked_triangulation_2& mesh, Mesh_quality_accumulator_2& accumulator)
+/// Adds the triangles of a domain from `first` to `last`, without, and the lengths of their edges over d in
+/// the midpoints.
+template <class Sizing>
+void add_triangles(const Marked_triangulation_2& mesh, std::size_t first, std::size_t last,
+                   const Sizing& sizing, Mesh_quality_accumulator_2& accumulator)
+{
+  const Flat_triangulation_2& tr = mesh.tr;
+  for (std::size_t t = first; t < last; ++t) {
+    if (!mesh.inside[t])
+      continue;
+    const Index f = static_cast<Index>(t);
+    accumulator.add_triangle(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2));
+    for (int i = 0; i < 3; ++i) {
+      const Index n = tr.neighbors[t][i];
+      if (n != no_index && mesh.inside[n] && n < f)
+        continue; // seen from the other side
+      const Point &p = tr.point(f, ccw(i)), &q = tr.point(f, cw(i));
+      const double dx = q.x() - p.x(), dy = q.y() - p.y();
+      accumulator.add_length(std::hypot(dx, dy) / sizing(p.x() + dx / 2, p.y() + dy / 2));
+    }
+  }
+}
+
+/// adds the vertices of a domain
+inline void add_vertices(const Marked_triangulation_2& mesh, Mesh_quality_accumulator_2& accumulator)
 {
   const Flat_triangulation_2& tr = mesh.tr;
   std::vector<char> is_in_domain(tr.points.size(), 0), is_interior(tr.points.size(), 1);
   std::vector<std::size_t> degrees(tr.points.size(), 0);
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
     const auto& v = tr.vertices[t];
-    if (mesh.inside[t])
-      accumulator.add_triangle(tr.points[v[0]], tr.points[v[1]], tr.points[v[2]]);
     for (int i = 0; i < 3; ++i) {
       ++degrees[v[i]];
       if (mesh.inside[t])
@@ -43,37 +66,26 @@ inline void add_domain(const Marked_triangulation_2& mesh, Mesh_quality_accumula
       accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
 }
 
-/// adds the lengths of all edges of a domain over d in their midpoints
-template <class Sizing>
-void add_lengths(const Marked_triangulation_2& mesh, const Sizing& sizing,
-                 Mesh_quality_accumulator_2& accumulator)
-{
-  const Flat_triangulation_2& tr = mesh.tr;
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
-    if (!mesh.inside[t])
-      continue;
-    for (int i = 0; i < 3; ++i) {
-      const Index n = tr.neighbors[t][i];
-      if (n != no_index && mesh.inside[n] && static_cast<std::size_t>(n) < t)
-        continue; // seen from the other side
-      const Point &p = tr.point(static_cast<Index>(t), ccw(i)), &q = tr.point(static_cast<Index>(t), cw(i));
-      const double dx = q.x() - p.x(), dy = q.y() - p.y();
-      accumulator.add_length(std::hypot(dx, dy) / sizing(p.x() + dx / 2, p.y() + dy / 2));
-    }
-  }
-}
-
-/// Puts the statistics of the bubbles' mesh into the report. The mesh is made in arrays: the user's d
-/// may throw, and then the user's triangulation must not have been changed yet.
-template <class Sizing, class Report>
-void evaluate(const Domain_2& domain, const Bubbles_2& bubbles, const Sizing& sizing, Report& report)
+/// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
+/// then the user's triangulation must not have been changed yet.
+template <class Concurrency_tag, class Sizing, class Report>
+void evaluate(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
-  const Marked_triangulation_2 mesh = triangulate(domain, bubbles);
-  Mesh_quality_accumulator_2 accumulator;
-  add_domain(mesh, accumulator);
-  add_lengths(mesh, sizing, accumulator);
-  report.quality = decltype(report.quality)(accumulator.statistics());
+  constexpr std::size_t block_size = 4096;
+  const std::size_t n = mesh.tr.number_of_triangles();
+  std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);
+  parallel_for<Concurrency_tag>(
+    blocks.size(),
+    [&](std::size_t k) {
+      add_triangles(mesh, k * block_size, (std::min)((k + 1) * block_size, n), sizing, blocks[k]);
+    },
+    1);
+  Mesh_quality_accumulator_2 all;
+  add_vertices(mesh, all);
+  for (const Mesh_quality_accumulator_2& block : blocks)
+    all.add(block);
+  report.quality = decltype(report.quality)(all.statistics<Concurrency_tag>());
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
 }

@@ -144,10 +144,9 @@ private:
   double m_mean_density = 0; // of the last smooth triangle
 };
 
-/// The expected number of bubbles.
 /// \throws std::length_error if more bubbles are expected than the user wants to have
 template <class Sizing>
-double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
+void check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
 {
   const double expected =
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
@@ -157,7 +156,6 @@ double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::
             << ": the domain and the sizing function ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
-  return expected;
 }
 
 } // namespace internal

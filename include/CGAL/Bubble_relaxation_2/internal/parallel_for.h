@@ -11,12 +11,15 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #endif
 
 namespace CGAL {
@@ -43,6 +46,19 @@ void parallel_for(std::size_t n, const Function& f, [[maybe_unused]] std::size_t
 #endif
   for (std::size_t i = 0; i < n; ++i)
     f(i);
+}
+
+/// Sorts numbers; equal ones cannot be told apart, so the result does not depend on the number of threads.
+template <class Concurrency_tag>
+void parallel_sort(std::vector<double>& values)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible<Concurrency_tag, Parallel_tag>::value) {
+    tbb::parallel_sort(values.begin(), values.end());
+    return;
+  }
+#endif
+  std::sort(values.begin(), values.end());
 }
 
 } // namespace internal

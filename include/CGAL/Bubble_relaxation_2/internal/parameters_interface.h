@@ -19,6 +19,8 @@ CGAL_add_named_parameter(number_of_rounds_t, number_of_rounds, number_of_rounds)
 CGAL_add_named_parameter(renewal_interval_t, renewal_interval, renewal_interval)
 CGAL_add_named_parameter(initial_placement_t, initial_placement, initial_placement)
 CGAL_add_named_parameter(population_control_t, population_control, population_control)
+CGAL_add_named_parameter(defect_treatment_t, defect_treatment, defect_treatment)
+CGAL_add_named_parameter(limit_by_outline_t, limit_by_outline, limit_by_outline)
 CGAL_add_named_parameter(displacement_tolerance_t, displacement_tolerance, displacement_tolerance)
 CGAL_add_named_parameter(maximum_number_of_bubbles_t, maximum_number_of_bubbles, maximum_number_of_bubbles)
 

@@ -41,26 +41,33 @@ void place_on_vertices(const Domain_reading_2<Cdt>& reading, const Sizing& sizin
   }
 }
 
+/// Bubbles where the vertices of an existing mesh split an edge.
+template <class Cdt, class Sizing>
+void place_on_splits(const Domain_reading_2<Cdt>& reading, Index e, const Sizing& sizing,
+                     Bubbles_2& bubbles)
+{
+  const Domain_2& domain = reading.domain;
+  const Point &a = domain.source(e), &b = domain.target(e);
+  const double dx = b.x() - a.x(), dy = b.y() - a.y();
+  for (const auto v : reading.graph->chains()[e].splits) {
+    const Point p = Constraint_graph_2<Cdt>::to_point(v);
+    const double s = ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy);
+    bubbles.add(p, sizing(p), Bubbles_2::EDGE, e, s);
+  }
+}
+
 /// Bubbles where the vertices of an existing mesh split an edge, unless d asks for another number.
 template <class Cdt, class Sizing>
 void keep_on_edge(const Domain_reading_2<Cdt>& reading, Index e, const Sizing& sizing,
                   Bubbles_2& bubbles)
 {
   const Domain_2& domain = reading.domain;
-  const auto& splits = reading.graph->chains()[e].splits;
   const double parts =
     (std::max)(1., std::round(integrate_edge(domain, e, sizing).total()));
-  if (static_cast<double>(splits.size()) + 1 != parts) {
+  if (static_cast<double>(reading.graph->chains()[e].splits.size()) + 1 != parts)
     place_on_edge(domain, e, sizing, bubbles);
-    return;
-  }
-  const Point &a = domain.source(e), &b = domain.target(e);
-  const double dx = b.x() - a.x(), dy = b.y() - a.y();
-  for (const auto v : splits) {
-    const Point p = Constraint_graph_2<Cdt>::to_point(v);
-    const double s = ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy);
-    bubbles.add(domain.point_on_edge(e, s), sizing(p), Bubbles_2::EDGE, e, s);
-  }
+  else
+    place_on_splits(reading, e, sizing, bubbles);
 }
 
 /// Bubbles where the free vertices of an existing mesh are.
@@ -110,15 +117,35 @@ inline void sort_in_space(Bubbles_2& bubbles)
   bubbles.select(hilbert_order(points));
 }
 
+/// whether the user gives all bubbles, as vertices of an existing mesh
+inline bool keeps_given_bubbles(const Relaxation_options& options)
+{
+  return options.placement_is_given && options.placement == Bubble_placement::KEEP;
+}
+
+/// The bubbles that the user gives, all of them, whatever d asks for.
+template <class Cdt, class Sizing>
+Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizing)
+{
+  Bubbles_2 bubbles;
+  place_on_vertices(reading, sizing, bubbles);
+  for (std::size_t e = 0; e < reading.domain.edges().size(); ++e)
+    place_on_splits(reading, static_cast<Index>(e), sizing, bubbles);
+  keep_in_faces(reading, sizing, bubbles);
+  remove_coincident(reading.domain, bubbles);
+  sort_in_space(bubbles);
+  return bubbles;
+}
+
 /// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces. If the user
-/// leaves the choice, an existing mesh is kept where it fits. `expected`: about how many bubbles
+/// leaves the choice, an existing mesh is kept where it fits.
 template <class Concurrency_tag, class Cdt, class Sizing>
 Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                        const Relaxation_options& options, double expected)
+                        const Relaxation_options& options)
 {
   const Domain_2& domain = reading.domain;
   const bool adapts = !options.placement_is_given && !reading.free.empty();
-  const bool keeps = options.placement_is_given && options.placement == Bubble_placement::KEEP;
+  const bool keeps = keeps_given_bubbles(options);
   Bubbles_2 bubbles;
   place_on_vertices(reading, sizing, bubbles);
   for (std::size_t e = 0; e < domain.edges().size(); ++e) {
@@ -134,7 +161,7 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
   else if (options.placement == Bubble_placement::RHOMBIC)
     Rhombic_placement<Sizing>(domain, sizing, bubbles)();
   else
-    place_frontal<Concurrency_tag>(domain, sizing, expected, bubbles);
+    place_frontal<Concurrency_tag>(domain, sizing, bubbles);
   remove_coincident(domain, bubbles);
   sort_in_space(bubbles);
   return bubbles;

@@ -89,6 +89,10 @@ Relaxation_options read_options(const NamedParameters& np)
     Is_given<NamedParameters, internal_np::initial_placement_t>::value;
   o.placement = choose_parameter(get_parameter(np, internal_np::initial_placement), o.placement);
   o.population = choose_parameter(get_parameter(np, internal_np::population_control), o.population);
+  o.defect_treatment =
+    choose_parameter(get_parameter(np, internal_np::defect_treatment), o.defect_treatment);
+  o.limit_by_outline =
+    choose_parameter(get_parameter(np, internal_np::limit_by_outline), o.limit_by_outline);
   o.displacement_tolerance = choose_parameter(
     get_parameter(np, internal_np::displacement_tolerance),
     in_length_units ? 1e-3 : default_displacement_tolerance);

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_EDITABLE_TRIANGULATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_EDITABLE_TRIANGULATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A vertex in one of its triangles.
+struct Corner_2
+{
+  Index triangle;
+  int index; // of the vertex in the triangle
+};
+
+using Star_2 = boost::container::small_vector<Corner_2, 10>;
+
+/// A marked triangulation whose vertices move and whose edges are flipped.
+class Editable_triangulation_2
+{
+public:
+  explicit Editable_triangulation_2(Marked_triangulation_2& mesh)
+    : m_mesh(mesh), m_triangle_of(mesh.tr.points.size(), no_index)
+  {
+    for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
+      for (Index v : mesh.tr.vertices[t])
+        m_triangle_of[v] = static_cast<Index>(t);
+  }
+
+  const Flat_triangulation_2& triangulation() const { return m_mesh.tr; }
+  bool is_inside(Index t) const { return m_mesh.inside[t] != 0; }
+
+  /// all triangles around a vertex, counterclockwise; on the convex hull from one end to the other
+  Star_2 star(Index v) const
+  {
+    Star_2 corners;
+    const Corner_2 start = corner(m_triangle_of[v], v);
+    Corner_2 c = start;
+    do { // clockwise to the hull or once around
+      const Index next = m_mesh.tr.neighbors[c.triangle][cw(c.index)];
+      if (next == no_index)
+        break;
+      c = corner(next, v);
+    } while (c.triangle != start.triangle);
+    const Index first = c.triangle;
+    do {
+      corners.push_back(c);
+      const Index next = m_mesh.tr.neighbors[c.triangle][ccw(c.index)];
+      if (next == no_index)
+        break;
+      c = corner(next, v);
+    } while (c.triangle != first);
+    return corners;
+  }
+
+  void move(Index v, const Point& p) { m_mesh.tr.points[v] = p; }
+
+  /// flips edges until the triangulation is a constrained Delaunay triangulation again, after some vertices
+  /// were moved so little that all triangles are still counterclockwise; returns the number of flips
+  std::size_t restore_delaunay(const std::vector<Index>& moved)
+  {
+    std::size_t number_of_flips = 0;
+    for (Index v : moved) {
+      for (const Corner_2& c : star(v)) {
+        m_doubtful.push_back(c);
+        m_doubtful.push_back(Corner_2{c.triangle, ccw(c.index)});
+      }
+      while (!m_doubtful.empty()) {
+        const Corner_2 edge = m_doubtful.back();
+        m_doubtful.pop_back();
+        number_of_flips += flip_unless_delaunay(edge.triangle, edge.index);
+      }
+    }
+    return number_of_flips;
+  }
+
+private:
+  Corner_2 corner(Index t, Index v) const
+  {
+    const auto& vertices = m_mesh.tr.vertices[t];
+    return Corner_2{t, vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2};
+  }
+
+  bool flip_unless_delaunay(Index t, int i)
+  {
+    const Index n = m_mesh.tr.neighbors[t][i];
+    if (n == no_index || m_mesh.edges[t][i] != no_index)
+      return false;
+    const int j = m_mesh.tr.index_of_neighbor(n, t);
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    if (CGAL::side_of_oriented_circle(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), tr.point(n, j)) !=
+        ON_POSITIVE_SIDE)
+      return false;
+    flip(t, i, n, j);
+    for (Index changed : {t, n})
+      for (int k = 0; k < 3; ++k)
+        m_doubtful.push_back(Corner_2{changed, k});
+    return true;
+  }
+
+  /// replaces the common edge of the triangles `t` = (a, b, c) and `n` = (d, c, b), opposite to their
+  /// vertices `i` (a) and `j` (d), by the edge between a and d
+  void flip(Index t, int i, Index n, int j)
+  {
+    auto &vt = m_mesh.tr.vertices[t], &vn = m_mesh.tr.vertices[n];
+    auto &nt = m_mesh.tr.neighbors[t], &nn = m_mesh.tr.neighbors[n];
+    auto &et = m_mesh.edges[t], &en = m_mesh.edges[n];
+    const Index a = vt[i], b = vt[ccw(i)], c = vt[cw(i)], d = vn[j];
+    const Index beyond_ab = nt[cw(i)], beyond_ca = nt[ccw(i)], beyond_bd = nn[ccw(j)], beyond_dc = nn[cw(j)];
+    const Index edge_ab = et[cw(i)], edge_ca = et[ccw(i)], edge_bd = en[ccw(j)], edge_dc = en[cw(j)];
+    vt = {a, b, d};
+    nt = {beyond_bd, n, beyond_ab};
+    et = {edge_bd, no_index, edge_ab};
+    vn = {a, d, c};
+    nn = {beyond_dc, beyond_ca, t};
+    en = {edge_dc, edge_ca, no_index};
+    replace_neighbor(beyond_bd, n, t);
+    replace_neighbor(beyond_ca, t, n);
+    m_triangle_of[a] = m_triangle_of[b] = m_triangle_of[d] = t;
+    m_triangle_of[c] = n;
+  }
+
+  void replace_neighbor(Index t, Index old_neighbor, Index neighbor)
+  {
+    if (t != no_index)
+      m_mesh.tr.neighbors[t][m_mesh.tr.index_of_neighbor(t, old_neighbor)] = neighbor;
+  }
+
+  Marked_triangulation_2& m_mesh;
+  std::vector<Index> m_triangle_of; // one of each vertex
+  std::vector<Corner_2> m_doubtful; // edges, each opposite to a vertex of a triangle
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_EDITABLE_TRIANGULATION_2_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_PATCH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_PATCH_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The surroundings of a triangle as bubbles and edges of their own, so that a change can be tried and
+/// forgotten. Bubbles with triangles outside of the patch must stay; they look like corners.
+class Mesh_patch_2
+{
+public:
+  /// all triangles of the domain that can be reached from `triangle` in `reach` steps across sides
+  Mesh_patch_2(const Bubble_mesh_2& mesh, Index triangle, int reach) : m_mesh(mesh)
+  {
+    collect_triangles(triangle, reach);
+    collect_bubbles();
+    collect_edges();
+  }
+
+  const std::vector<Index>& triangles() const { return m_triangles; } ///< of the mesh, sorted
+  const std::vector<Index>& indices() const { return m_indices; }     ///< of the bubbles in the mesh, sorted
+  const Bubbles_2& bubbles() const { return m_bubbles; }
+  const std::vector<Domain_edge_2>& edges() const { return m_edges; } ///< between bubbles of the patch
+
+  /// the number in the patch of a bubble of the mesh that is in it
+  Index local(Index i) const
+  {
+    return static_cast<Index>(std::lower_bound(m_indices.begin(), m_indices.end(), i) -
+                              m_indices.begin());
+  }
+
+private:
+  bool contains(Index t) const
+  {
+    return t != no_index && std::binary_search(m_triangles.begin(), m_triangles.end(), t);
+  }
+
+  void collect_triangles(Index triangle, int reach)
+  {
+    const Marked_triangulation_2& m = m_mesh.triangulation;
+    std::vector<Index> front(1, triangle);
+    m_triangles = front;
+    for (int step = 0; step < reach; ++step) {
+      std::vector<Index> next;
+      for (Index t : front)
+        for (Index n : m.tr.neighbors[t])
+          if (n != no_index && m.inside[n] && !contains(n))
+            next.push_back(n);
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      const auto middle = m_triangles.insert(m_triangles.end(), next.begin(), next.end());
+      std::inplace_merge(m_triangles.begin(), middle, m_triangles.end());
+      front = std::move(next);
+    }
+  }
+
+  void collect_bubbles()
+  {
+    const Marked_triangulation_2& m = m_mesh.triangulation;
+    for (Index t : m_triangles)
+      m_indices.insert(m_indices.end(), m.tr.vertices[t].begin(), m.tr.vertices[t].end());
+    std::sort(m_indices.begin(), m_indices.end());
+    m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
+    const Bubbles_2& b = m_mesh.bubbles;
+    for (Index i : m_indices)
+      m_bubbles.add(b.point(i), b.d[i], static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.place[i],
+                    b.s[i], b.tag[i]);
+    // on the rim: where the domain goes on
+    for (Index t : m_triangles)
+      for (int i = 0; i < 3; ++i) {
+        const Index n = m.tr.neighbors[t][i];
+        if (n != no_index && m.inside[n] && !contains(n))
+          for (int end : {ccw(i), cw(i)})
+            m_bubbles.dimension[local(m.tr.vertices[t][end])] = Bubbles_2::CORNER;
+      }
+  }
+
+  /// the rim and the constraints inside
+  void collect_edges()
+  {
+    const Marked_triangulation_2& m = m_mesh.triangulation;
+    for (Index t : m_triangles)
+      for (int i = 0; i < 3; ++i) {
+        const Index n = m.tr.neighbors[t][i];
+        const bool goes_on = contains(n);
+        if (goes_on && (m.edges[t][i] == no_index || n < t))
+          continue;
+        m_edges.push_back(Domain_edge_2{local(m.tr.vertices[t][ccw(i)]), local(m.tr.vertices[t][cw(i)]),
+                                        true, goes_on});
+      }
+  }
+
+  const Bubble_mesh_2& m_mesh;
+  std::vector<Index> m_triangles, m_indices;
+  Bubbles_2 m_bubbles;
+  std::vector<Domain_edge_2> m_edges;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_PATCH_2_H

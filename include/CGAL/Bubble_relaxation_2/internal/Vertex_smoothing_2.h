@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_VERTEX_SMOOTHING_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_VERTEX_SMOOTHING_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Editable_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Star_quality_2.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Moves single vertices to where the triangles around them are better: one step of Newton's method for
+/// the energy of `Star_quality_2`, shortened until the energy falls and no triangle is worse than the worst
+/// was. Vertices on edges of the domain slide. Different vertices may be moved at the same time unless they
+/// are neighbours.
+class Vertex_smoothing_2
+{
+public:
+  Vertex_smoothing_2(const Domain_2& domain, double treated_quality)
+    : m_domain(domain), m_treated_quality(treated_quality)
+  {}
+
+  /// returns whether the vertex moved
+  bool operator()(Editable_triangulation_2& mesh, Bubbles_2& bubbles, Index v) const
+  {
+    const Star_quality_2 star = quality_around(mesh, bubbles, v);
+    const Vector here{0, 0};
+    const double smallest = star.smallest(here);
+    if (smallest >= m_treated_quality)
+      return false;
+    const Vector step = bubbles.is_on_edge(v) ? step_along(star, bubbles.place[v]) : step_in_face(star);
+    const double length = std::sqrt(step.x * step.x + step.y * step.y);
+    if (!(length > least_step))
+      return false;
+    const double energy = star.energy(here);
+    double factor = (std::min)(1., longest_step / length);
+    for (int attempt = 0; attempt < 4; ++attempt, factor *= 0.4) {
+      const Vector there{factor * step.x, factor * step.y};
+      if (star.energy(there) < energy && star.smallest(there) >= smallest) {
+        move(mesh, bubbles, v, star.point(there), there);
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  using Vector = Star_quality_2::Vector;
+
+  /// steps in units of the size at the vertex
+  static constexpr double least_step = 0.003, longest_step = 0.2, step_down = 0.1;
+  /// for derivatives of the gradient
+  static constexpr double h = 1. / 1024;
+
+  static Star_quality_2 quality_around(const Editable_triangulation_2& mesh, const Bubbles_2& bubbles,
+                                       Index v)
+  {
+    const Flat_triangulation_2& tr = mesh.triangulation();
+    Star_quality_2 star(tr.points[v], bubbles.d[v]);
+    for (const Corner_2& c : mesh.star(v))
+      if (mesh.is_inside(c.triangle))
+        star.add(tr.point(c.triangle, ccw(c.index)), tr.point(c.triangle, cw(c.index)));
+    return star;
+  }
+
+  /// Newton's step, or down the slope where the energy is not convex
+  static Vector step_in_face(const Star_quality_2& star)
+  {
+    const Vector g = star.gradient(Vector{0, 0}), gx = star.gradient(Vector{h, 0}),
+                 gy = star.gradient(Vector{0, h});
+    const double xx = (gx.x - g.x) / h, yy = (gy.y - g.y) / h, xy = 0.5 * (gx.y - g.y + gy.x - g.x) / h;
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 0 && xx > 0))
+      return down(g);
+    return Vector{(xy * g.y - yy * g.x) / determinant, (xy * g.x - xx * g.y) / determinant};
+  }
+
+  Vector step_along(const Star_quality_2& star, Index e) const
+  {
+    const Vector u = direction(e), g = star.gradient(Vector{0, 0}),
+                 gu = star.gradient(Vector{h * u.x, h * u.y});
+    const double slope = g.x * u.x + g.y * u.y, curvature = (gu.x * u.x + gu.y * u.y - slope) / h;
+    if (!(curvature > 0))
+      return down(Vector{slope * u.x, slope * u.y});
+    return Vector{-slope / curvature * u.x, -slope / curvature * u.y};
+  }
+
+  Vector direction(Index e) const
+  {
+    const Point &a = m_domain.source(e), &b = m_domain.target(e);
+    const double length = m_domain.length(e);
+    return Vector{(b.x() - a.x()) / length, (b.y() - a.y()) / length};
+  }
+
+  static Vector down(Vector g)
+  {
+    const double slope = std::sqrt(g.x * g.x + g.y * g.y);
+    return slope > 0 ? Vector{-step_down * g.x / slope, -step_down * g.y / slope} : Vector{0, 0};
+  }
+
+  /// to `p`, which is `step` away
+  void move(Editable_triangulation_2& mesh, Bubbles_2& b, Index v, Point p, Vector step) const
+  {
+    if (b.is_on_edge(v)) {
+      const Vector u = direction(b.place[v]);
+      b.s[v] += b.d[v] / m_domain.length(b.place[v]) * (step.x * u.x + step.y * u.y);
+      p = m_domain.point_on_edge(b.place[v], b.s[v]);
+    } else
+      b.place[v] = m_domain.walk(b.place[v], b.point(v), p).triangle;
+    b.x[v] = p.x();
+    b.y[v] = p.y();
+    mesh.move(v, p);
+  }
+
+  const Domain_2& m_domain;
+  double m_treated_quality;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_VERTEX_SMOOTHING_2_H
