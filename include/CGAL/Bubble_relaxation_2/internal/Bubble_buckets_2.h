@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +51,8 @@ public:
     m_bubbles.push_back(Entry{x, y, d, id, no_index});
     add_to_cell(cell_at(level, x, y), static_cast<Index>(m_bubbles.size()) - 1);
   }
+
+  Point point(std::size_t k) const { return Point(m_bubbles[k].x, m_bubbles[k].y); }
 
   /// moves the bubble that was the `k`-th to be inserted
   void move(std::size_t k, double x, double y, double d)
@@ -138,7 +141,7 @@ private:
   // covers the rounding of cell coordinates, so that no bubble in reach is missed
   static constexpr double slack = 1 + 1e-6;
 
-  double bound(int level) const { return std::ldexp(m_unit, level); } // largest d in the level
+  double bound(int level) const { return m_unit * power_of_two(level); } // largest d in the level
   double side(int level) const { return m_reach * bound(level); }
 
   /// the lowest level whose bound is at least d, but not so low that coordinates of cells overflow
@@ -148,6 +151,16 @@ private:
     const int level = exponent_above(d / m_unit);
     const double far = (std::max)(std::abs(x - m_x0), std::abs(y - m_y0));
     return far > 0 ? (std::max)(level, exponent_above(far / (m_reach * m_unit)) - bits) : level;
+  }
+
+  static double power_of_two(int exponent)
+  {
+    if (exponent < -1022 || exponent > 1023)
+      return std::ldexp(1., exponent);
+    const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
+    double power;
+    std::memcpy(&power, &bits, sizeof power);
+    return power;
   }
 
   // the least e with value <= 2^e

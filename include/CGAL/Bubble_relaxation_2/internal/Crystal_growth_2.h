@@ -59,6 +59,7 @@ public:
   {
     find_edges_of_corners();
     m_direction.assign(bubbles.size(), Direction{1, 0});
+    m_proposes.assign(bubbles.size(), 0);
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       insert_in_buckets(i);
   }
@@ -75,6 +76,8 @@ public:
       take_generation();
       parallel_for<Concurrency_tag>(
         m_generation.size(), [this](std::size_t k) { propose_from(k); }, grain);
+      for (const Proposer& p : m_generation)
+        m_proposes[p.index] = 0;
       const std::size_t first = m_bubbles.size();
       accept_proposals();
       settle_from(first);
@@ -104,11 +107,6 @@ private:
     double d;
     Index triangle;
     Direction direction;
-
-    bool operator<(const Proposal& a) const
-    {
-      return std::make_tuple(misfit, p.x(), p.y()) < std::make_tuple(a.misfit, a.p.x(), a.p.y());
-    }
   };
 
   struct Proposals
@@ -120,10 +118,10 @@ private:
   /// a generation is all bubbles of the front up to this times the smallest key
   static constexpr double band = 1.05;
   /// how far, in units of the mean size, the neighbours of a bubble's proposals are looked for
-  static constexpr double proposer_reach = 2.6;
+  static constexpr double proposer_reach = 2.4;
   /// how far the neighbours of a new bubble, while it settles
   static constexpr double settler_reach = 1.6;
-  static constexpr double cell_size = 1.6;
+  static constexpr double cell_size = 2;
   static constexpr int proposal_steps = 3;
   static constexpr int settling_rounds = 3;
   static constexpr std::size_t grain = 64;
@@ -153,7 +151,7 @@ private:
   {
     const Index index = static_cast<Index>(i), place = m_bubbles.place[i];
     if (m_bubbles.is_on_edge(i))
-      m_front.push(Proposer{key, index, direction_of_edge(place)});
+      m_front.push(Proposer{key, index, m_direction[i] = direction_of_edge(place)});
     else if (m_bubbles.is_in_face(i) || place == no_index)
       m_front.push(Proposer{key, index, m_direction[i]});
     else
@@ -165,8 +163,14 @@ private:
   {
     const double limit = m_front.top().key * band;
     m_generation.clear();
-    for (; !m_front.empty() && m_front.top().key <= limit; m_front.pop())
+    for (; !m_front.empty() && m_front.top().key <= limit; m_front.pop()) {
       m_generation.push_back(m_front.top());
+      m_proposes[m_front.top().index] = !m_bubbles.is_corner(m_front.top().index);
+    }
+    std::sort(m_generation.begin(), m_generation.end(), [](const Proposer& a, const Proposer& b) {
+      return std::tie(a.index, a.direction.x, a.direction.y) <
+             std::tie(b.index, b.direction.x, b.direction.y);
+    });
     m_proposals.resize(m_generation.size());
     m_around.resize((std::max)(m_around.size(), m_generation.size()));
   }
@@ -188,7 +192,8 @@ private:
     const Index i = from.index;
     const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
     Point p(x + d_i * u.x, y + d_i * u.y);
-    if (!around.is_free(p, d_i) || visible_triangle(i, p) == no_index)
+    if (!around.is_free(p, d_i) || is_left_to_other(i, p, around) ||
+        visible_triangle(i, p) == no_index)
       return;
     const double ahead = m_sizing(p), wanted = 0.5 * (d_i + ahead);
     const double at_wanted = d_i + (ahead - d_i) * wanted / d_i; // linear between the two
@@ -205,21 +210,41 @@ private:
     around.add(p, d); // its next proposals leave room
   }
 
-  /// makes bubbles of the proposals, the best first, as far as there is room
+  /// Whether another of the generation, an earlier one, has about `p` among its six places: then it is
+  /// the one to propose it.
+  bool is_left_to_other(Index i, const Point& p, const Surroundings_2& around) const
+  {
+    constexpr double tolerance = 0.15, least_cosine = 0.62; // of the distance; of six times the angle
+    return around.any_of([&](Index j, double x, double y, double d_j) {
+      if (j == no_index || j >= i || !m_proposes[j])
+        return false;
+      const double dx = p.x() - x, dy = p.y() - y, distance = std::sqrt(dx * dx + dy * dy);
+      if (std::abs(distance - d_j) > tolerance * d_j)
+        return false;
+      const Direction& u = m_direction[j];
+      const double c = (dx * u.x + dy * u.y) / distance, cosine_3 = c * (4 * c * c - 3);
+      return 2 * cosine_3 * cosine_3 - 1 > least_cosine;
+    });
+  }
+
+  /// makes bubbles of the proposals, those that fit best first, as far as there is room
   void accept_proposals()
   {
     m_sorted.clear();
-    for (const Proposals& list : m_proposals)
-      for (int k = 0; k < list.size; ++k)
-        m_sorted.push_back(list.list[k]);
-    std::sort(m_sorted.begin(), m_sorted.end());
+    for (const Proposals& proposals : m_proposals)
+      for (int k = 0; k < proposals.size; ++k)
+        m_sorted.push_back(&proposals.list[k]);
+    std::sort(m_sorted.begin(), m_sorted.end(), [](const Proposal* a, const Proposal* b) {
+      return a->misfit < b->misfit || (a->misfit == b->misfit && a->p < b->p);
+    });
     m_keys.clear();
-    for (const Proposal& a : m_sorted) {
-      if (!m_buckets.is_free(a.p.x(), a.p.y(), a.d, Surroundings_2::least_distance))
+    for (const Proposal* a : m_sorted) {
+      if (!m_buckets.is_free(a->p.x(), a->p.y(), a->d, Surroundings_2::least_distance))
         continue;
-      m_bubbles.add(a.p, a.d, Bubbles_2::FACE, a.triangle);
-      m_direction.push_back(a.direction);
-      m_keys.push_back(a.key);
+      m_bubbles.add(a->p, a->d, Bubbles_2::FACE, a->triangle);
+      m_direction.push_back(a->direction);
+      m_proposes.push_back(0);
+      m_keys.push_back(a->key);
       insert_in_buckets(m_bubbles.size() - 1);
     }
   }
@@ -229,33 +254,52 @@ private:
   {
     const std::size_t n = m_bubbles.size() - first;
     m_around.resize((std::max)(m_around.size(), n));
-    m_moved.resize(n);
+    m_settled.resize(n);
+    parallel_for<Concurrency_tag>(
+      n,
+      [this, first](std::size_t k) {
+        const std::size_t i = first + k;
+        m_around[k].gather(m_buckets, m_bubbles.point(i), m_bubbles.d[i], settler_reach,
+                           static_cast<Index>(i));
+      },
+      grain);
     for (int round = 0; round < settling_rounds; ++round) {
       parallel_for<Concurrency_tag>(
-        n, [=](std::size_t k) { settle(first + k, k, round == 0); }, grain);
-      for (std::size_t k = 0; k < n; ++k) {
-        const Moved& to = m_moved[k];
-        m_bubbles.x[first + k] = to.p.x();
-        m_bubbles.y[first + k] = to.p.y();
-        m_bubbles.d[first + k] = to.d;
-        m_bubbles.place[first + k] = to.triangle;
-      }
+        n,
+        [this, first](std::size_t k) {
+          const std::size_t i = first + k;
+          m_settled[k] = m_around[k].settle(m_bubbles.point(i), m_bubbles.d[i], 1);
+        },
+        grain);
+      parallel_for<Concurrency_tag>(
+        n, [this, first](std::size_t k) { set_point(first + k, m_settled[k]); }, grain);
+      parallel_for<Concurrency_tag>(
+        n, [this](std::size_t k) { m_around[k].update(m_bubbles); }, grain);
     }
+    parallel_for<Concurrency_tag>(
+      n, [this, first](std::size_t k) { finish(first + k); }, grain);
     for (std::size_t i = first; i < m_bubbles.size(); ++i)
       m_buckets.move(i, m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
   }
 
-  void settle(std::size_t i, std::size_t k, bool is_first)
+  void set_point(std::size_t i, const Point& p)
   {
-    const Point p = m_bubbles.point(i);
-    if (is_first)
-      m_around[k].gather(m_buckets, p, m_bubbles.d[i], settler_reach, static_cast<Index>(i));
-    else
-      m_around[k].update(m_bubbles);
-    const Point q = m_around[k].settle(p, m_bubbles.d[i], 1);
+    m_bubbles.x[i] = p.x();
+    m_bubbles.y[i] = p.y();
+  }
+
+  /// the triangle and the size of a bubble that has settled; one that an edge stands in the way of goes
+  /// back to where it was accepted
+  void finish(std::size_t i)
+  {
+    const Point p = m_buckets.point(i), q = m_bubbles.point(i);
     const Walk_end end = m_domain.walk(m_bubbles.place[i], p, q);
-    m_moved[k] = end.is_blocked() ? Moved{p, m_bubbles.d[i], m_bubbles.place[i]}
-                                  : Moved{q, m_sizing(q), end.triangle};
+    if (end.is_blocked()) {
+      set_point(i, p);
+      return;
+    }
+    m_bubbles.place[i] = end.triangle;
+    m_bubbles.d[i] = m_sizing(q);
   }
 
   /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, else `no_index`
@@ -277,13 +321,6 @@ private:
     return no_index;
   }
 
-  struct Moved
-  {
-    Point p;
-    double d;
-    Index triangle;
-  };
-
   const Domain_2& m_domain;
   const Sizing& m_sizing;
   Bubbles_2& m_bubbles;
@@ -292,13 +329,14 @@ private:
   std::priority_queue<Proposer, std::vector<Proposer>, std::greater<Proposer>> m_front;
   std::vector<Direction> m_direction;                // of the lattice around each bubble
   std::vector<std::vector<Index>> m_edges_of_corner;
+  std::vector<char> m_proposes;                      // whether it is one of the generation
   // of the present generation
   std::vector<Proposer> m_generation;
   std::vector<Proposals> m_proposals;                // of each proposer
-  std::vector<Proposal> m_sorted;
+  std::vector<const Proposal*> m_sorted;
   std::vector<double> m_keys;                        // of the proposers of the new bubbles
   std::vector<Surroundings_2> m_around;              // each proposer, then each new bubble
-  std::vector<Moved> m_moved;                        // the new bubbles
+  std::vector<Point> m_settled;                      // the new bubbles' places
 };
 
 } // namespace internal

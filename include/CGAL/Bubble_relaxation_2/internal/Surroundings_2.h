@@ -73,6 +73,16 @@ public:
     });
   }
 
+  /// whether `predicate(index, x, y, d)` holds for one of them; the index of one not there yet is
+  /// `no_index`
+  template <class Predicate>
+  bool any_of(const Predicate& predicate) const
+  {
+    return std::any_of(m_bubbles.begin(), m_bubbles.end(), [&](const Bubble& b) {
+      return predicate(b.id, b.x, b.y, b.d);
+    });
+  }
+
   /// The place of a bubble among all its neighbours: a few steps of Newton's method for springs between
   /// them.
   Point settle(const Point& p, double d, int steps) const

@@ -80,8 +80,12 @@ private:
                  rp = CGAL::squared_distance(r, p), longest = std::sqrt((std::max)({pq, qr, rp}));
     const double area =
       0.5 * std::abs((q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
-    if (longest <= 4 * d || depth == deepest || (longest <= m_coarsest && is_smooth(p, q, r, d))) {
+    if (longest <= 4 * d || depth == deepest) {
       m_sum += 2 / std::sqrt(3.) * area / (d * d);
+      return;
+    }
+    if (longest <= m_coarsest && is_smooth(p, q, r, d)) {
+      m_sum += 2 / std::sqrt(3.) * area * m_mean_density;
       return;
     }
     // cut the longest edge: needles do not stay needles
@@ -115,10 +119,20 @@ private:
     add(m, q, depth + 1);
   }
 
-  bool is_smooth(const Point& p, const Point& q, const Point& r, double d) const
+  /// whether d changes little from the centre of a triangle to the middles of its sides; then their mean
+  /// of 1/d^2 is that of the triangle, to third order
+  bool is_smooth(const Point& p, const Point& q, const Point& r, double d)
   {
-    return is_near(CGAL::midpoint(p, q), d) && is_near(CGAL::midpoint(q, r), d) &&
-           is_near(CGAL::midpoint(r, p), d);
+    constexpr double little = 0.15;
+    double sum = 0;
+    for (const Point& m : {CGAL::midpoint(p, q), CGAL::midpoint(q, r), CGAL::midpoint(r, p)}) {
+      const double d_m = m_sizing(m);
+      if (!(std::abs(d_m - d) <= little * d))
+        return false;
+      sum += 1 / (d_m * d_m);
+    }
+    m_mean_density = sum / 3;
+    return true;
   }
 
   bool is_near(const Point& p, double d) const { return std::abs(m_sizing(p) - d) <= 0.05 * d; }
@@ -127,6 +141,7 @@ private:
   const Sizing& m_sizing;
   double m_limit, m_coarsest;
   double m_sum = 0;
+  double m_mean_density = 0; // of the last smooth triangle
 };
 
 /// \throws std::length_error if more bubbles are expected than the user wants to have

@@ -9,18 +9,25 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_FRONTAL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACE_FRONTAL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Crystal_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/expected_number_of_bubbles.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// The ways to fill the faces.
+enum class Growth { FROM_ALL, SINGLE_STRAIGHT, SINGLE_BENT };
 
 /// Initial bubbles of the faces by fronts that grow from all bubbles that are there: those of the edges
 /// aligned with their edge, those of the faces, if there are any, in given directions.
@@ -61,9 +68,10 @@ inline Index longest_edge(const Domain_2& domain)
 /// Initial bubbles of the faces as a single crystal as far as possible: it grows from the longest edge
 /// and meets the others where they are; what it does not reach is filled from the others then.
 template <class Concurrency_tag, class Sizing>
-void grow_single_crystal(const Domain_2& domain, const Sizing& sizing, Lattice_direction lattice,
-                         Bubbles_2& bubbles)
+void grow_single_crystal(const Domain_2& domain, const Sizing& sizing, Growth way, Bubbles_2& bubbles)
 {
+  const Lattice_direction lattice =
+    way == Growth::SINGLE_STRAIGHT ? Lattice_direction::KEEPS : Lattice_direction::BENDS;
   const std::size_t n = bubbles.size();
   const Index longest = longest_edge(domain);
   Crystal_growth_2<Concurrency_tag, Sizing> grow(domain, sizing, bubbles, lattice);
@@ -101,24 +109,75 @@ inline double disorder(const Domain_2& domain, const Bubbles_2& b)
   return defects * energy;
 }
 
-/// Initial bubbles of the faces. Fronts from all edges are right where d follows the boundary; where d is
-/// constant, or smallest inside, they may meet badly, and a single crystal is tried as well.
+/// A sizing field times a constant.
+template <class Sizing>
+struct Scaled_field_2
+{
+  const Sizing& field;
+  double factor;
+
+  double operator()(const Point& p) const { return factor * field(p); }
+};
+
+/// The bubbles that have room when all are `factor` times as large, the first of several.
+inline Bubbles_2 enlarge(const Domain_2& domain, const Bubbles_2& b, double factor)
+{
+  Bubble_buckets_2 buckets(Surroundings_2::least_distance, factor * b.d[0], domain.bbox().xmin(),
+                           domain.bbox().ymin(), b.size());
+  Bubbles_2 large;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const double d = factor * b.d[i];
+    if (!buckets.is_free(b.x[i], b.y[i], d))
+      continue;
+    buckets.insert(static_cast<Index>(large.size()), b.x[i], b.y[i], d);
+    large.add(b.point(i), d, static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.place[i], b.s[i],
+              b.tag[i]);
+  }
+  return large;
+}
+
+/// Fills the faces in the way that suits the domain and d, and returns which it is. Fronts from all edges
+/// are right where d follows the boundary; where d is constant, or smallest inside, they may meet badly,
+/// and a single crystal is tried as well.
+template <class Concurrency_tag, class Sizing>
+Growth fill_in_better_way(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
+{
+  constexpr double nearly_constant = 1.25, clearly_less = 0.75, better = 0.8;
+  Bubbles_2 single = bubbles;
+  grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles);
+  const double least_at_start = *std::min_element(single.d.begin(), single.d.end());
+  const auto sizes = std::minmax_element(bubbles.d.begin(), bubbles.d.end());
+  const bool is_constant = *sizes.second < nearly_constant * *sizes.first;
+  if (!is_constant && !(*sizes.first < clearly_less * least_at_start))
+    return Growth::FROM_ALL;
+  const Growth way = is_constant ? Growth::SINGLE_STRAIGHT : Growth::SINGLE_BENT;
+  grow_single_crystal<Concurrency_tag>(domain, sizing, way, single);
+  if (!(disorder(domain, single) < better * disorder(domain, bubbles)))
+    return Growth::FROM_ALL;
+  bubbles = std::move(single);
+  return way;
+}
+
+/// Initial bubbles of the faces. What suits a domain is found with large bubbles if there will be many.
 template <class Concurrency_tag, class Sizing>
 void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
 {
-  constexpr double nearly_constant = 1.25, clearly_less = 0.75, better = 0.92;
-  const Bubbles_2 start = bubbles;
-  grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles);
-  const auto at_start = std::minmax_element(start.d.begin(), start.d.end());
-  const auto sizes = std::minmax_element(bubbles.d.begin(), bubbles.d.end());
-  const bool is_constant = *sizes.second < nearly_constant * *sizes.first;
-  if (!is_constant && !(*sizes.first < clearly_less * *at_start.first))
+  constexpr double enough = 1000, limit = 1e9;
+  const double expected = Expected_number_of_bubbles<Sizing>(domain, sizing, limit)();
+  double factor = 1;
+  while (expected >= 4 * factor * factor * enough)
+    factor *= 2;
+  if (factor == 1) {
+    fill_in_better_way<Concurrency_tag>(domain, sizing, bubbles);
     return;
-  Bubbles_2 single = start;
-  grow_single_crystal<Concurrency_tag>(
-    domain, sizing, is_constant ? Lattice_direction::KEEPS : Lattice_direction::BENDS, single);
-  if (disorder(domain, single) < better * disorder(domain, bubbles))
-    bubbles = single;
+  }
+  Bubbles_2 large = enlarge(domain, bubbles, factor);
+  const Growth way = fill_in_better_way<Concurrency_tag>(
+    domain, Scaled_field_2<Sizing>{sizing, factor}, large);
+  if (way == Growth::FROM_ALL)
+    grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles);
+  else
+    grow_single_crystal<Concurrency_tag>(domain, sizing, way, bubbles);
 }
 
 } // namespace internal
