@@ -118,7 +118,11 @@ TEST(Bad_size, too_many_bubbles_on_edges)
   CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 0.001}, {0, 0.001}}});
   expect_throw<std::length_error>(cdt, P::sizing_function(0.005).maximum_number_of_bubbles(390),
                                   {"maximum_number_of_bubbles", "390"});
-  const auto report = CGAL::npbs_relax(cdt, P::sizing_function(0.005).maximum_number_of_bubbles(410));
+  // it is narrower than d
+  expect_throw<std::length_error>(cdt, P::sizing_function(0.005).maximum_number_of_bubbles(410),
+                                  {"maximum_number_of_bubbles", "outline"});
+  const auto report = CGAL::npbs_relax(
+    cdt, P::sizing_function(0.005).maximum_number_of_bubbles(410).limit_by_outline(false));
   EXPECT_NEAR(double(report.number_of_initial_bubbles), 402, 8);
   // soon refused, however fine it is on the edges alone
   CDT needle = domains::make({{{0, 0}, {1, 0}, {1, 1e-14}, {0, 1e-14}}});

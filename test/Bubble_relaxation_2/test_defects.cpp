@@ -195,7 +195,6 @@ TEST(Defects, surgery_removes_and_inserts)
     const std::size_t n = cdt.number_of_vertices();
     const auto report =
       CGAL::npbs_relax(cdt, P::sizing_function(domain.d).initial_placement(CGAL::Bubble_placement::KEEP)
-                              .population_control(CGAL::Bubble_population::NONE)
                               .number_of_rounds(1).number_of_iterations(1).time_step(1e-3));
     EXPECT_EQ(report.number_of_vertices,
               n + report.number_of_insertions - report.number_of_deletions);

@@ -153,7 +153,7 @@ void check_expected_number(const Domain_2& domain, const Sizing& sizing, std::si
   if (expected > static_cast<double>(maximum)) {
     std::ostringstream message;
     message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
-            << ": the domain and the sizing function ask for more, at least " << expected;
+            << ": the sizing function, and the outline of the domain, ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
 }

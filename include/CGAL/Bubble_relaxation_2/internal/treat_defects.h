@@ -63,10 +63,12 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& rep
 
 /// Treats the last defects of a mesh. The smallest q never gets smaller.
 template <class Concurrency_tag, class Sizing, class Report>
-void treat_defects(const Domain_2& domain, const Sizing& sizing, Bubble_mesh_2& mesh, Report& report)
+void treat_defects(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
+                   Bubble_mesh_2& mesh, Report& report)
 {
   smooth_defects<Concurrency_tag>(domain, mesh, report);
-  operate_on_defects<Concurrency_tag>(domain, mesh, report);
+  if (options.population != Bubble_population::NONE)
+    operate_on_defects<Concurrency_tag>(domain, mesh, report);
   Bubbles_2& b = mesh.bubbles;
   for (std::size_t i = 0; i < b.size(); ++i)
     if (b.can_move(i))
@@ -76,8 +78,8 @@ void treat_defects(const Domain_2& domain, const Sizing& sizing, Bubble_mesh_2& 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is
 /// larger, treated too, unless d asked for more or fewer bubbles.
 template <class Concurrency_tag, class Cdt, class Sizing, class Report>
-void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, Bubble_mesh_2& mesh,
-                     Report& report)
+void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                     const Relaxation_options& options, Bubble_mesh_2& mesh, Report& report)
 {
   constexpr double same_number = 0.05;
   Bubble_mesh_2 given;
@@ -88,7 +90,7 @@ void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
   given.triangulation = triangulate(reading.domain, given.bubbles);
   if (smallest_quality(given.triangulation) <= smallest_quality(mesh.triangulation))
     return;
-  treat_defects<Concurrency_tag>(reading.domain, sizing, given, report);
+  treat_defects<Concurrency_tag>(reading.domain, sizing, options, given, report);
   mesh = std::move(given);
 }
 
@@ -110,9 +112,9 @@ Bubble_mesh_2 make_mesh(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
   mesh.triangulation = triangulate(reading.domain, mesh.bubbles);
   if (!is_treatment_due(options, report))
     return mesh;
-  treat_defects<Concurrency_tag>(reading.domain, sizing, mesh, report);
+  treat_defects<Concurrency_tag>(reading.domain, sizing, options, mesh, report);
   if (keeps_given_bubbles(options))
-    keep_the_better<Concurrency_tag>(reading, sizing, mesh, report);
+    keep_the_better<Concurrency_tag>(reading, sizing, options, mesh, report);
   return mesh;
 }
 
