@@ -36,8 +36,9 @@ public:
     for (Index i : m_touched)
       m_is_touched[i] = 0;
     m_touched.clear();
-    for (Index i : m_indices)
-      touch(i);
+    if (!m_is_roused)
+      for (Index i : m_indices)
+        touch(i);
   }
 
   void wake_all(const Bubbles_2& bubbles)
@@ -45,6 +46,18 @@ public:
     start(bubbles);
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       add(bubbles, static_cast<Index>(i));
+  }
+
+  /// all take part in the next step, but those that fall asleep again after it do not count as touched
+  void rouse_all(const Bubbles_2& bubbles)
+  {
+    start(bubbles);
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.can_move(i)) {
+        m_added_in[i] = m_step;
+        m_indices.push_back(static_cast<Index>(i));
+      }
+    m_is_roused = true;
   }
 
   /// a bubble that is new or has lost a neighbour takes part in the next step
@@ -64,6 +77,7 @@ public:
   void advance(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
                const std::vector<char>& is_moving)
   {
+    m_is_roused = false;
     m_before.swap(m_indices);
     start(bubbles);
     for (std::size_t k = 0; k < m_before.size(); ++k) {
@@ -114,6 +128,7 @@ private:
   std::vector<char> m_is_touched;
   std::vector<std::uint64_t> m_added_in; // the step in which a bubble was added last
   std::uint64_t m_step = 1;
+  bool m_is_roused = false;
 };
 
 } // namespace internal

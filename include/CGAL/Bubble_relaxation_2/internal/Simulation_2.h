@@ -74,12 +74,14 @@ private:
 struct Step_flags
 {
   std::vector<char> rests;     ///< moved less than the tolerance
+  std::vector<char> is_moving; ///< wanted to move more than it could sleep through
   std::vector<char> returned;  ///< left its face and was put back
   std::vector<char> is_outrun; ///< has used up its skin
 
   void start_step(std::size_t n)
   {
     rests.resize(n);
+    is_moving.resize(n);
     returned.resize(n);
     is_outrun.resize(n);
   }
@@ -92,10 +94,27 @@ class Simulation_2
 public:
   Simulation_2(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
                Bubbles_2& bubbles)
-    : m_options(options), m_boundary(domain), m_integrator(options), m_bubbles(bubbles),
+    : m_options(options), m_tolerance(options.displacement_tolerance), m_boundary(domain), m_integrator(options), m_bubbles(bubbles),
       m_neighbors(options.neighbor_radius), m_update_size(bubbles, sizing)
   {
     m_active.wake_all(bubbles);
+  }
+
+  /// While bubbles are still inserted and deleted, rest need not be what it shall be in the end.
+  void rest_coarsely()
+  {
+    if (Integrator::lets_bubbles_sleep && m_options.population != Bubble_population::NONE)
+      m_tolerance = coarse_tolerance * m_options.displacement_tolerance;
+  }
+
+  /// Wakes all bubbles for the rest that is asked for; returns false if it was that already.
+  bool rest_finely()
+  {
+    if (m_tolerance == m_options.displacement_tolerance)
+      return false;
+    m_tolerance = m_options.displacement_tolerance;
+    m_active.rouse_all(m_bubbles);
+    return true;
   }
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
@@ -156,6 +175,8 @@ public:
   }
 
 private:
+  static constexpr double coarse_tolerance = 4; // times that of the end
+
   /// Makes the neighbour sets before the first round, in the paper before each.
   bool build_neighbors_if_due()
   {
@@ -196,7 +217,7 @@ private:
       if (m_flags.is_outrun[k])
         m_outrun.push_back(active[k]);
     if (Integrator::lets_bubbles_sleep)
-      m_active.advance(m_bubbles, m_neighbors, m_displacements.is_moving);
+      m_active.advance(m_bubbles, m_neighbors, m_flags.is_moving);
   }
 
   void move(std::size_t k, Index i)
@@ -206,12 +227,15 @@ private:
     m_flags.returned[k] = m_boundary.move(b, i, m_displacements.x[k], m_displacements.y[k]);
     m_update_size(b, i);
     const double dx = b.x[i] - x, dy = b.y[i] - y;
-    const double little = m_options.displacement_tolerance * b.share_of_tolerance(i) * b.d[i];
+    const double little = m_tolerance * b.share_of_tolerance(i) * b.d[i];
+    m_flags.is_moving[k] = m_displacements.x[k] * m_displacements.x[k] +
+                             m_displacements.y[k] * m_displacements.y[k] > little * little;
     m_flags.rests[k] = dx * dx + dy * dy <= little * little;
     m_flags.is_outrun[k] = m_neighbors.is_outrun_by(b, i);
   }
 
   const Relaxation_options& m_options;
+  double m_tolerance; // a displacement of less, in units of the size, is rest
   const Boundary_2 m_boundary;
   Integrator m_integrator;
   Bubbles_2& m_bubbles;

@@ -26,13 +26,11 @@ namespace internal {
 struct Displacements
 {
   std::vector<double> x, y;
-  std::vector<char> is_moving; ///< whether it is more than the bubble could sleep through
 
   void start_step(std::size_t n)
   {
     x.assign(n, 0);
     y.assign(n, 0);
-    is_moving.assign(n, 1);
   }
 };
 
@@ -48,8 +46,7 @@ public:
 
   explicit Semi_implicit_euler(const Relaxation_options& o)
     : m_force{o.force_coefficient}, m_step(o.time_step),
-      m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass),
-      m_tolerance(o.displacement_tolerance)
+      m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass)
   {}
 
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
@@ -64,16 +61,12 @@ public:
       b.vy[i] = m_keep * b.vy[i] + m_push * f.y;
       displacements.x[k] = m_step * b.d[i] * b.vx[i];
       displacements.y[k] = m_step * b.d[i] * b.vy[i];
-      const double far = m_step * m_step * (b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i]);
-      const double hardly = m_tolerance * b.share_of_tolerance(i);
-      displacements.is_moving[k] = far > hardly * hardly;
     });
   }
 
 private:
   Bubble_force_2 m_force;
   double m_step, m_keep, m_push;
-  double m_tolerance; // displacement over d
 };
 
 /// One step of eq. 3 by the classical Runge-Kutta method, in length units as in the paper. Sizes stay

@@ -48,13 +48,17 @@ void add_to_report(const Round_result& result, unsigned evaluations_per_step, Re
 }
 
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
-/// the population, and again, until the bubbles rest and their population stays.
+/// the population, and again, until the bubbles rest and their population stays. In the first half of the
+/// rounds, while it changes, a coarse rest will do.
 template <class Concurrency_tag, class Integrator, class Sizing, class Report>
 void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
            Bubbles_2& bubbles, Progress& progress, Report& report)
 {
   Simulation_2<Concurrency_tag, Integrator, Sizing> simulation(domain, sizing, options, bubbles);
+  simulation.rest_coarsely();
   for (std::size_t round = 0; round < options.number_of_rounds; ++round) {
+    if (2 * round >= options.number_of_rounds)
+      simulation.rest_finely();
     progress.start_round(round);
     const Round_result result = simulation.run_round(progress, report.seconds);
     add_to_report(result, Integrator::evaluations_per_step, report);
@@ -68,7 +72,7 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
     const Phase_timer timer(report.seconds.population);
     const Population_change change =
       adjust_population(domain, sizing, options, bubbles, simulation);
-    if (change.is_empty() && result.is_at_rest) {
+    if (change.is_empty() && result.is_at_rest && !simulation.rest_finely()) {
       report.stop_reason = Bubble_stop_reason::CONVERGED;
       break;
     }
