@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_BENCHMARK_BENCHMARK_DOMAINS_H
+#define BUBBLE_RELAXATION_2_BENCHMARK_BENCHMARK_DOMAINS_H
+
+#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+
+#include <CGAL/npbs_relax.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+/// Makes a domain with its sizes scaled by the argument.
+using Domain_maker = paper::Domain (*)(double);
+
+/// A disc with the same d everywhere, which lattices and fronts like best.
+inline paper::Domain disc(double f)
+{
+  return {0, "disc", {paper::circle(1, 0.05 * f)}, [f](const paper::Point&) { return 0.05 * f; }, 250, 1};
+}
+
+/// five graded domains, those of eqs. 1, 4, 5, 6 and 7, then three uniform ones
+inline std::vector<Domain_maker> compared_domains()
+{
+  return {paper::square_with_hole, paper::graded_circle, paper::graded_square, paper::l_shape,
+          paper::comb,             paper::octagram,      paper::trunk,         disc};
+}
+
+/// The domain scaled so that `npbs_relax()` gives it about `n` vertices. Vertices are a / f^2 inside and b / f
+/// on the boundary; two coarse meshes tell a and b.
+inline paper::Domain domain_with_vertices(Domain_maker make, double n)
+{
+  const auto count = [make](double f) {
+    const paper::Domain domain = make(f);
+    paper::CDT cdt = paper::triangulate(domain);
+    return double(CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(domain.d)).number_of_vertices);
+  };
+  const double coarse = count(1), fine = count(0.5);
+  const double a = (fine - 2 * coarse) / 2, b = coarse - a;
+  return make(2 * a / (std::sqrt(b * b + 4 * a * n) - b));
+}
+
+#endif // BUBBLE_RELAXATION_2_BENCHMARK_BENCHMARK_DOMAINS_H
