@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
+#include <CGAL/Bubble_relaxation_2/internal/evaluate_size_gradient.h>
 #include <CGAL/Mesh_quality_2.h>
 
 #include <cmath>
@@ -73,6 +74,7 @@ void evaluate(const Domain_2& domain, const Bubbles_2& bubbles, const Sizing& si
   Mesh_quality_accumulator_2 accumulator;
   add_domain(mesh, accumulator);
   add_lengths(mesh, sizing, accumulator);
+  evaluate_size_gradient(mesh, sizing, report);
   report.quality = decltype(report.quality)(accumulator.statistics());
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
