@@ -21,6 +21,7 @@ CGAL_add_named_parameter(initial_placement_t, initial_placement, initial_placeme
 CGAL_add_named_parameter(population_control_t, population_control, population_control)
 CGAL_add_named_parameter(displacement_tolerance_t, displacement_tolerance, displacement_tolerance)
 CGAL_add_named_parameter(maximum_number_of_bubbles_t, maximum_number_of_bubbles, maximum_number_of_bubbles)
+CGAL_add_named_parameter(maximum_number_of_vertices_t, maximum_number_of_vertices, maximum_number_of_vertices)
 
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WITH_SIZING_FIELD_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WITH_SIZING_FIELD_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Outline_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Sizing_field_ref_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/mean_edge_length_field.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <memory>
+#include <type_traits>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Calls `use(sizing)` with the sizing field of the named parameters: the user's function, checked, or by
+/// default that of the mesh that is there, or else what the outline asks for.
+template <class Cdt, class NamedParameters, class Use>
+void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
+                       const Domain_reading_2<Cdt>& reading, const Use& use)
+{
+  using Point_2 = typename Cdt::Geom_traits::Point_2;
+  if constexpr (!Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
+    if (reading.free.empty()) { // no mesh yet
+      const Outline_field_2 field = outline_field(reading);
+      use(Sizing_field_ref_2(field));
+    } else {
+      const Interpolated_field_2 field = mean_edge_length_field(cdt, marks);
+      use(Sizing_field_ref_2(field));
+    }
+  } else {
+    const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
+    const Checked_sizing_field_2<Point_2, std::decay_t<decltype(f)>> field(f);
+    use(Sizing_field_ref_2(field));
+  }
+}
+
+/// Reads the domain with what the user pinned.
+template <class Cdt, class NamedParameters>
+std::unique_ptr<Domain_reading_2<Cdt>> read_domain(const Cdt& cdt, const NamedParameters& np,
+                                                   const Domain_marks_2<Cdt>& marks)
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  const auto pinned = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_is_constrained),
+    Static_boolean_property_map<Vertex_handle, false>());
+  return std::make_unique<Domain_reading_2<Cdt>>(
+    cdt, marks, [&pinned](Vertex_handle v) { return static_cast<bool>(get(pinned, v)); });
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WITH_SIZING_FIELD_H
