@@ -16,7 +16,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgBubbleRelaxation2Ref
+\ingroup PkgBubbleRelaxation2Sizing
 
 The same size everywhere, for code that needs a function of the place; `npbs_relax()` takes the number as well.
 (`Uniform_sizing_field_2` is a class of \cgal's 2D Meshes.)

@@ -30,7 +30,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgBubbleRelaxation2Ref
+\ingroup PkgBubbleRelaxation2Sizing
 
 A sizing field that grows slowly: the largest field below a given d that changes by no more than a gradation
 g per unit of length, h(x) = min<sub>y</sub> d(y) + g |x - y|.

@@ -32,7 +32,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgBubbleRelaxation2Ref
+\ingroup PkgBubbleRelaxation2Sizing
 
 A sizing field that is given by sizes at the vertices of a triangulation, such as those that an indicator of
 errors asks for on the mesh of the last computation. It is linear in triangles.

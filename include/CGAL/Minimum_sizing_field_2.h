@@ -20,7 +20,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgBubbleRelaxation2Ref
+\ingroup PkgBubbleRelaxation2Sizing
 
 The smallest of several sizes: `Minimum_sizing_field_2 d(near_the_well, from_the_solution, 0.1)`.
 
