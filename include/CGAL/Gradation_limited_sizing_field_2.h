@@ -46,7 +46,7 @@ any more then. Copies share the triangulation; a query takes well under a micros
   vertices of the triangulation h is at most d; h is at least the least d that was found.
 - <b>Approximate:</b> h is less than the largest field possible, so that the guarantee holds: where g limits it
   it grows by 0.9 g, and in places, behind sharp dips and in flat triangles at narrow corners of the domain, by
-  up to 20 % less. The triangulation is refined until h differs in the middle of an edge from its linear
+  up to 25 % less. The triangulation is refined until h differs in the middle of an edge from its linear
   interpolation by no more than 5 %, or until the edge is no longer than h. So h may exceed d between the
   vertices by some percent, and by more where d changes much within a length of h.
 - <b>What can be missed:</b> d is seen at all vertices of the triangulation, constrained or not, on constraints

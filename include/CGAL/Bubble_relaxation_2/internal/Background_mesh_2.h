@@ -74,9 +74,11 @@ private:
   /// How far the linear interpolation may be from the limited size, relative to it; the longest edges inside
   /// and on constraints, relative to the extent of the domain; the length of edges, relative to the size,
   /// that are fine enough, also in narrow dips; and the gradients, relative to the limit, of triangles that
-  /// are too coarse and of the sides of dips.
+  /// are too coarse and of the sides of dips; and how much longer another side of a triangle is that is cut
+  /// first.
   static constexpr double tolerance = 0.05, longest = 1. / 32, longest_on_constraints = 1. / 128,
-                          shortest = 1, shortest_in_dips = 0.25, steepest = 1.1, steep_in_dips = 2;
+                          shortest = 1, shortest_in_dips = 0.25, steepest = 1.1, steep_in_dips = 2,
+                          much_longer = 1.3;
 
   /// A point that is to be inserted, on a piece of a constraint or inside.
   struct Cut
@@ -192,7 +194,7 @@ private:
       front_from_segment(p, value(t, i), m_mesh.tr.point(t, cw(i)), value(t, cw(i)), m, m_g));
   }
 
-  /// Cuts a side, or instead the longest one that the triangles beside it lead to: else a triangle with a
+  /// Cuts a side, or instead the much longer one that the triangles beside it lead to: else a triangle with a
   /// long side that nobody asks to cut becomes flatter and flatter.
   void add_edge(Index t, int i, double error, std::vector<Cut>& cuts) const
   {
@@ -200,6 +202,7 @@ private:
       return;
     for (double l = length(t, i), last = 0; l > last;) {
       last = l;
+      l *= much_longer;
       const Index n = m_mesh.tr.neighbors[t][i];
       for (Index beside : {t, n})
         for (int j = 0; j < 3 && beside != no_index && m_mesh.inside[beside]; ++j)
@@ -208,6 +211,8 @@ private:
             t = beside;
             i = j;
           }
+      if (l == last * much_longer)
+        break;
     }
     cuts.push_back(Cut{error, CGAL::midpoint(m_mesh.tr.point(t, ccw(i)), m_mesh.tr.point(t, cw(i))),
                        m_mesh.edges[t][i]});
