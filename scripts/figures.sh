@@ -6,16 +6,18 @@ cd "$here"
 
 scripts/install_dependencies.sh
 scripts/install_dependencies.sh librsvg2-bin
-cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXATION_2_TESTS=OFF > /dev/null
+cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXATION_2_TESTS=OFF \
+  -DBUBBLE_RELAXATION_2_BENCHMARKS=ON > /dev/null
 cmake --build build/release
 mkdir -p build/figures
 cd build/figures
-for example in relax_a_square_with_hole refine_an_existing_mesh node_placement; do
+for example in relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values; do
   ../release/examples/Bubble_relaxation_2/$example
 done
 figures=$here/doc/Bubble_relaxation_2/fig
 ../release/examples/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/examples/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
+../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 # those that the manual shows
 for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
   rsvg-convert --width 1000 "${picture%.png}.svg" -o "$figures/$picture"

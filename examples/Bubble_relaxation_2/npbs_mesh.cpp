@@ -18,6 +18,7 @@
 #include "size_formula.h"
 #include "svg_picture.h"
 
+#include <CGAL/Gradation_limited_sizing_field_2.h>
 #include <CGAL/npbs_relax.h>
 
 #include <boost/program_options.hpp>
@@ -29,6 +30,7 @@
 #include <csignal>
 #include <functional>
 #include <iostream>
+#include <sstream>
 #include <utility>
 #include <unistd.h>
 
@@ -77,6 +79,8 @@ po::options_description all_options()
     ("format,f", po::value<std::string>()->default_value(""), "poly or wkt, whatever the ending")
     ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x and y; default: that of "
                                          "the domain's own edges")
+    ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
+                                         "default: as --size asks")
     ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh), or .node or .ele "
                                            "(Triangle; both, and .poly)")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
@@ -145,6 +149,8 @@ void check_arguments(const po::variables_map& arguments)
     check_extension(arguments["picture"].as<std::string>(), {".svg"});
     check_writable(arguments["picture"].as<std::string>());
   }
+  if (arguments.count("gradation") > 0 && !(arguments["gradation"].as<double>() > 0))
+    throw std::runtime_error("--gradation must be positive");
   if (arguments["threads"].as<int>() < 0)
     throw std::runtime_error("--threads must not be negative");
 #ifndef CGAL_LINKED_WITH_TBB
@@ -194,6 +200,7 @@ std::string in_words_of_options(std::string text)
   const std::pair<std::string, std::string> words[] = {
     {"Bubble_relaxation_2: ", ""},
     {"maximum_number_of_bubbles", "--max-bubbles"},
+    {"gradation", "--gradation"},
     {"number_of_rounds", "--rounds"},
     {"number_of_iterations", "--iterations"},
     {"parameter --", "--"},
@@ -211,6 +218,23 @@ std::string input_name(const po::variables_map& arguments)
 {
   const std::string input = arguments["input"].as<std::string>();
   return input == "-" ? "standard input" : input;
+}
+
+/// The size, limited as --gradation asks.
+/// \throws std::runtime_error with the name of the input
+Size limited_size(const Domain& domain, const po::variables_map& arguments, const Size& size)
+try {
+  using Limited = CGAL::Gradation_limited_sizing_field_2<CDT>;
+  using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
+  if (arguments.count("gradation") == 0)
+    return size;
+  const double g = arguments["gradation"].as<double>();
+  const auto pinned = CGAL::parameters::vertex_is_constrained_map(Pinned(domain.pinned));
+  if (!size)
+    return Limited(domain.cdt, g, pinned);
+  return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::sizing_function(size));
+} catch (const std::exception& e) {
+  throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
 /// \throws std::runtime_error with the name of the input
@@ -234,8 +258,20 @@ void print_statistics(const Report& report)
 {
   std::cout << report.quality << "  worst triangle, at" << std::string(19, ' ') << report.quality.worst_x()
             << "  " << report.quality.worst_y() << '\n'
+            << "  largest change of d per length" << std::string(6, ' ') << report.largest_size_gradient << '\n'
             << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'
             << "  seconds" << std::string(29, ' ') << report.seconds.total() << '\n';
+}
+
+/// what to say about sizes that change faster than a mesh can follow
+std::string steep_message(const Report& report)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << "d changes by " << report.largest_size_gradient << " per unit of length at (" << report.steepest_x << ", "
+       << report.steepest_y << "), and along " << 100 * report.steep_share << " % of all edges by more than "
+       << Report::steep_size_gradient << ", which makes bad triangles; --gradation 0.2 limits it";
+  return text.str();
 }
 
 void write_files(const Domain& domain, const Segment_markers& markers, const Report& report,
@@ -267,12 +303,15 @@ try {
     warn(warning);
   const Segment_markers markers(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
+  size = limited_size(domain, arguments, size);
   const Report report = mesh(domain, arguments, size);
 
   if (arguments.count("quiet") == 0)
     print_statistics(report);
   if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
+  if (report.largest_size_gradient > Report::steep_size_gradient)
+    warn(steep_message(report));
   const Bad_triangle worst(domain);
   if (worst.is_bad())
     warn(worst.message(size));

@@ -70,6 +70,17 @@ struct Bubble_relaxation_report_2
   Bubble_stop_reason stop_reason = Bubble_stop_reason::ITERATION_LIMIT; ///< why it ended
   Bubble_relaxation_seconds seconds;           ///< time spent in each phase
   Mesh_quality_2<FT> quality;                  ///< statistics of the mesh, q = 2 r_in / r_out (eq. 11)
+
+  /// \name Gradient of the Sizes
+  /// How much d changes along the edges of the mesh: |d<sub>i</sub> - d<sub>j</sub>| over the length of the
+  /// edge. Zero in the report of `npbs_place_nodes()`, which makes no mesh.
+  /// @{
+  static constexpr double steep_size_gradient = 0.5; ///< a mesh cannot follow d where it is steeper than this
+  FT largest_size_gradient = FT(0); ///< the largest of all edges
+  FT steepest_x = FT(0);            ///< the x coordinate of the midpoint of that edge
+  FT steepest_y = FT(0);            ///< the y coordinate of the midpoint of that edge
+  FT steep_share = FT(0);           ///< the share of the edges with more than `steep_size_gradient`
+  /// @}
 };
 
 } // namespace CGAL

@@ -18,10 +18,14 @@ and finite number; everything else makes `npbs_relax()` throw. Points on slanted
 lie outside of the domain by a rounding of their coordinates, and a field that is defined in the domain only
 has to answer there as well. Its value must depend on the point only. It
 need not be continuous, but a mesh cannot follow a size that changes faster than about 0.3 times the
-distance. With `Parallel_tag` it is called by several threads at once.
+distance; `CGAL::Gradation_limited_sizing_field_2` makes one of it that does not. With `Parallel_tag` it is called by several threads at once.
 
 \cgalHasModelsBegin
 \cgalHasModels{any function object or lambda with this signature}
+\cgalHasModels{CGAL::Gradation_limited_sizing_field_2<CDT>}
+\cgalHasModels{CGAL::Interpolated_sizing_field_2<Triangulation>}
+\cgalHasModels{CGAL::Minimum_sizing_field_2<Fields>}
+\cgalHasModels{CGAL::Constant_sizing_field_2}
 \cgalHasModelsEnd
 
 \sa `CGAL::npbs_relax()`

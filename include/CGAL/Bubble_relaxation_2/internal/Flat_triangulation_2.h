@@ -95,10 +95,10 @@ Walk_end walk_straight(const Flat_triangulation_2& tr, Index t, const Point& p, 
   }
 }
 
-/// The triangle that contains `q`, or `no_index` if `q` lies outside of the convex hull: a walk from `t`
+/// The triangle that contains `q`, or the side of the convex hull that `q` lies beyond: a walk from `t`
 /// over edges that `q` lies beyond, in changing order, since a fixed order can go round in circles where
 /// the triangulation is not Delaunay.
-inline Index locate(const Flat_triangulation_2& tr, Index t, const Point& q)
+inline Walk_end locate_or_exit(const Flat_triangulation_2& tr, Index t, const Point& q)
 {
   std::uint32_t order = 1;
   int entry = -1;
@@ -110,14 +110,19 @@ inline Index locate(const Flat_triangulation_2& tr, Index t, const Point& q)
       if (i != entry && tr.is_beyond(t, i, q))
         exit = i;
     }
-    if (exit == -1)
-      return t;
+    if (exit == -1 || tr.neighbors[t][exit] == no_index)
+      return Walk_end{t, exit};
     const Index next = tr.neighbors[t][exit];
-    if (next == no_index)
-      return no_index;
     entry = tr.index_of_neighbor(next, t);
     t = next;
   }
+}
+
+/// The triangle that contains `q`, or `no_index` if `q` lies outside of the convex hull.
+inline Index locate(const Flat_triangulation_2& tr, Index t, const Point& q)
+{
+  const Walk_end end = locate_or_exit(tr, t, q);
+  return end.is_blocked() ? no_index : end.triangle;
 }
 
 } // namespace internal

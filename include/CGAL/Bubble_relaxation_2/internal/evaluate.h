@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
+#include <CGAL/Bubble_relaxation_2/internal/evaluate_size_gradient.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 #include <CGAL/Mesh_quality_2.h>
 
@@ -81,6 +82,7 @@ void evaluate(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& 
       add_triangles(mesh, k * block_size, (std::min)((k + 1) * block_size, n), sizing, blocks[k]);
     },
     1);
+  evaluate_size_gradient(mesh, sizing, report);
   Mesh_quality_accumulator_2 all;
   add_vertices(mesh, all);
   for (const Mesh_quality_accumulator_2& block : blocks)

@@ -30,7 +30,7 @@ inline std::vector<Index> hilbert_order(const std::vector<Point>& points)
   std::iota(order.begin(), order.end(), 0);
   using Map = Pointer_property_map<Point>::const_type;
   hilbert_sort(order.begin(), order.end(),
-               Spatial_sort_traits_adapter_2<Kernel, Map>(make_property_map(points)));
+               Spatial_sort_traits_adapter_2<Kernel, Map>(make_property_map(points.data())));
   return std::vector<Index>(order.begin(), order.end());
 }
 

@@ -23,6 +23,7 @@ CGAL_add_named_parameter(defect_treatment_t, defect_treatment, defect_treatment)
 CGAL_add_named_parameter(limit_by_outline_t, limit_by_outline, limit_by_outline)
 CGAL_add_named_parameter(displacement_tolerance_t, displacement_tolerance, displacement_tolerance)
 CGAL_add_named_parameter(maximum_number_of_bubbles_t, maximum_number_of_bubbles, maximum_number_of_bubbles)
+CGAL_add_named_parameter(maximum_number_of_vertices_t, maximum_number_of_vertices, maximum_number_of_vertices)
 
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000

@@ -52,7 +52,7 @@ std::size_t read_count(const char* name, T value, std::size_t least,
     throw_invalid_count(name, text.str(), "at least " + std::to_string(least));
   if (static_cast<std::size_t>(value) > largest)
     throw_invalid_count(name, text.str(), "at most " + std::to_string(largest) +
-                                          ", the largest index of a bubble");
+                                          ", the largest index");
   return static_cast<std::size_t>(value);
 }
 

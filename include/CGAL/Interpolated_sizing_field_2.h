@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_INTERPOLATED_SIZING_FIELD_2_H
+#define CGAL_INTERPOLATED_SIZING_FIELD_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Gradient_limiter_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/flatten_triangulation.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Sizing
+
+A sizing field that is given by sizes at the vertices of a triangulation, such as those that an indicator of
+errors asks for on the mesh of the last computation. It is linear in triangles.
+
+Only what is marked counts, if the face base has marks and any face is marked; else all faces do, so that
+the triangulation may be one that knows no constraints. Outside it is the size in the nearest point of the marked
+faces, and outside of the convex hull that in the nearest point of the hull.
+
+The triangulation is copied and may be changed or go away: `npbs_relax()` may be called on the very mesh that
+the field was made of. Copies of the field share what they hold; a query takes well under a microsecond, and
+its bits depend neither on other queries nor on threads.
+
+\cgalModels{BubbleSizingField_2}
+
+\tparam Triangulation_ a 2D triangulation of \cgal, such as `Delaunay_triangulation_2` or
+`Constrained_Delaunay_triangulation_2`
+
+\sa `npbs_relax()`
+\sa `Gradation_limited_sizing_field_2`
+*/
+template <class Triangulation_>
+class Interpolated_sizing_field_2
+{
+  using Field = Bubble_relaxation_2::internal::Interpolated_field_2;
+
+public:
+  using Triangulation = Triangulation_;
+  using FT = double;                                            ///< the number type of sizes
+  using Point_2 = typename Triangulation::Geom_traits::Point_2; ///< the point type
+
+  /*!
+  reads the sizes.
+
+  \tparam VertexSizeMap a model of `ReadablePropertyMap` with `Triangulation::Vertex_handle` as key and a number
+  as value
+  \param t the triangulation
+  \param sizes the wanted length of edges at each vertex of the faces that count
+
+  \throws std::invalid_argument if the triangulation has no face, if a size is not positive and finite, if a
+  coordinate is not finite, or if a triangle is turned over when its corners are rounded to `double`
+  */
+  template <class VertexSizeMap>
+  Interpolated_sizing_field_2(const Triangulation& t, const VertexSizeMap& sizes)
+  {
+    build(read(t, sizes));
+  }
+
+  /*!
+  reads the sizes and lowers them so that they change by no more than `gradation` per unit of length.
+
+  In each triangle the gradient of the field is at most `gradation`, up to 10<sup>-6</sup> of it. Sizes grow
+  from the smaller ones, along the faces that count. In flat triangles, such as those that
+  `Delaunay_triangulation_2` has along the convex hull of arbitrary points, they become smaller than needed.
+
+  \throws std::invalid_argument as above, or if `gradation` is not positive and finite
+  */
+  template <class VertexSizeMap>
+  Interpolated_sizing_field_2(const Triangulation& t, const VertexSizeMap& sizes, double gradation)
+  {
+    using namespace Bubble_relaxation_2::internal;
+    check_positive("gradation", gradation);
+    Parts parts = read(t, sizes);
+    Gradient_limiter_2(parts.tr, parts.inside, gradation).clip(parts.sizes);
+    build(std::move(parts));
+  }
+
+  /// returns the size at `p`.
+  FT operator()(const Point_2& p) const
+  {
+    return (*m_field)(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  }
+
+private:
+  struct Parts
+  {
+    Bubble_relaxation_2::internal::Flat_triangulation_2 tr;
+    std::vector<char> inside;  // per triangle
+    std::vector<double> sizes; // per vertex
+  };
+
+  void build(Parts parts)
+  {
+    m_field = std::make_shared<const Field>(std::move(parts.tr), std::move(parts.inside),
+                                            std::move(parts.sizes));
+  }
+
+  template <class VertexSizeMap>
+  static Parts read(const Triangulation& t, const VertexSizeMap& sizes)
+  {
+    using namespace Bubble_relaxation_2::internal;
+    if (t.dimension() < 2) {
+      std::ostringstream message;
+      message << "Bubble_relaxation_2: the triangulation of an Interpolated_sizing_field_2 has the dimension "
+              << t.dimension() << ", so it has no faces";
+      throw std::invalid_argument(message.str());
+    }
+    for (auto v : t.finite_vertex_handles())
+      check_coordinates(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+    auto flat = flatten_triangulation(t);
+    Parts parts{std::move(flat.tr), inside(flat.faces), {}};
+    parts.sizes.assign(flat.vertices.size(), 0);
+    for (std::size_t f = 0; f < parts.inside.size(); ++f) {
+      check_orientation(parts.tr, static_cast<Index>(f));
+      for (Index v : parts.tr.vertices[f])
+        if (parts.inside[f] && parts.sizes[v] == 0)
+          parts.sizes[v] = checked_size(CGAL::to_double(get(sizes, flat.vertices[v])), parts.tr.points[v]);
+    }
+    return parts;
+  }
+
+  template <class Faces>
+  static std::vector<char> inside(const Faces& faces)
+  {
+    using namespace Bubble_relaxation_2::internal;
+    std::vector<char> is_inside(faces.size(), 1);
+    if constexpr (Has_domain_mark<typename Triangulation::Face>::value)
+      if (std::any_of(faces.begin(), faces.end(), [](auto f) { return f->is_in_domain(); }))
+        std::transform(faces.begin(), faces.end(), is_inside.begin(),
+                       [](auto f) { return f->is_in_domain() ? 1 : 0; });
+    return is_inside;
+  }
+
+  static void check_coordinates(double x, double y)
+  {
+    if (std::isfinite(x) && std::isfinite(y))
+      return;
+    std::ostringstream message;
+    message << "Bubble_relaxation_2: a vertex of the triangulation has the coordinates (" << x << ", " << y
+            << "), which must be finite";
+    throw std::invalid_argument(message.str());
+  }
+
+  static double checked_size(double d, const Bubble_relaxation_2::internal::Point& p)
+  {
+    if (d > 0 && std::isfinite(d))
+      return d;
+    std::ostringstream message;
+    message.precision(17);
+    message << "Bubble_relaxation_2: parameter sizes: the size " << d << " of the vertex at (" << p.x() << ", "
+            << p.y() << ") must be positive and finite";
+    throw std::invalid_argument(message.str());
+  }
+
+  /// a walk through a triangle that is turned over may not end
+  static void check_orientation(const Bubble_relaxation_2::internal::Flat_triangulation_2& tr,
+                                Bubble_relaxation_2::internal::Index f)
+  {
+    const auto& p = tr.point(f, 0);
+    if (CGAL::orientation(p, tr.point(f, 1), tr.point(f, 2)) != RIGHT_TURN)
+      return;
+    std::ostringstream message;
+    message.precision(17);
+    message << "Bubble_relaxation_2: the triangle at (" << p.x() << ", " << p.y()
+            << ") is turned over when its corners are rounded to double";
+    throw std::invalid_argument(message.str());
+  }
+
+  std::shared_ptr<const Field> m_field;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_INTERPOLATED_SIZING_FIELD_2_H
