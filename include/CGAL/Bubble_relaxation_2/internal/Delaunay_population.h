@@ -27,7 +27,7 @@ namespace internal {
 /// The population control by the triangulation of the bubbles: a hole shows as a large empty circle
 /// and gets a bubble in its centre; a crowd shows as a short edge, or as a bubble with four neighbours
 /// or less, and loses one. It looks only where bubbles may have moved since it looked last.
-template <class Sizing>
+template <class Concurrency_tag, class Sizing>
 class Delaunay_population
 {
 public:
@@ -52,7 +52,7 @@ public:
   Population_change operator()(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
                                const std::vector<Index>& touched)
   {
-    const Local_triangulation_2 mesh(bubbles, neighbors, touched);
+    const auto mesh = Local_triangulation_2::make<Concurrency_tag>(bubbles, neighbors, touched);
     m_change = Population_change();
     m_is_deleted.assign(bubbles.size(), 0);
     delete_crowded(bubbles, mesh);
@@ -85,43 +85,55 @@ private:
 
   void delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
-    const std::size_t n = mesh.number_of_bubbles();
-    std::vector<int> degree(n, 0);
-    std::vector<double> nearest(n, 1e300); // distance over mean size, least over neighbours
-    for (const Triangle& t : mesh.triangles()) {
-      const Triangle v = mesh.bubbles(t);
+    std::vector<int> degree(b.size(), 0);
+    std::vector<double> nearest(b.size(), 1e300); // distance over mean size, least over neighbours
+    for (const Triangle& v : mesh.triangles()) {
       if (!is_inside(b, v))
         continue;
       for (int i = 0; i < 3; ++i) {
         const double w = relative_distance(b, v[ccw(i)], v[cw(i)]);
-        ++degree[t[i]];
-        nearest[t[ccw(i)]] = (std::min)(nearest[t[ccw(i)]], w);
-        nearest[t[cw(i)]] = (std::min)(nearest[t[cw(i)]], w);
+        ++degree[v[i]];
+        nearest[v[ccw(i)]] = (std::min)(nearest[v[ccw(i)]], w);
+        nearest[v[cw(i)]] = (std::min)(nearest[v[cw(i)]], w);
       }
     }
     // the worst first; the neighbours of a deleted bubble get room and stay
     std::vector<Index> candidates;
-    for (std::size_t k = 0; k < mesh.number_of_touched(); ++k) {
-      const Index i = mesh.bubble(static_cast<Index>(k));
-      if ((b.is_in_face(i) && degree[k] <= ill_connected) ||
-          (b.can_move(i) && nearest[k] < least_distance))
-        candidates.push_back(static_cast<Index>(k));
-    }
-    std::sort(candidates.begin(), candidates.end(), [&](Index k, Index l) {
-      return nearest[k] < nearest[l] ||
-             (nearest[k] == nearest[l] && mesh.bubble(k) < mesh.bubble(l));
-    });
+    for (Index i : mesh.touched())
+      if ((b.is_in_face(i) && degree[i] <= ill_connected) ||
+          (b.can_move(i) && nearest[i] < least_distance))
+        candidates.push_back(i);
     if (candidates.empty())
       return;
-    const std::vector<std::vector<Index>> around = mesh.neighbors_of(candidates);
-    std::vector<char> is_kept(n, 0);
+    std::sort(candidates.begin(), candidates.end(), [&](Index i, Index j) {
+      return nearest[i] < nearest[j] || (nearest[i] == nearest[j] && i < j);
+    });
+    const std::vector<std::vector<Index>> around = neighbors_of(candidates, b.size(), mesh);
+    std::vector<char> is_kept(b.size(), 0);
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       if (is_kept[candidates[c]])
         continue;
-      remove(mesh.bubble(candidates[c]));
-      for (Index k : around[c])
-        is_kept[k] = 1;
+      remove(candidates[c]);
+      for (Index j : around[c])
+        is_kept[j] = 1;
     }
+  }
+
+  /// the neighbours of some bubbles, some twice
+  static std::vector<std::vector<Index>> neighbors_of(const std::vector<Index>& some, std::size_t n,
+                                                      const Local_triangulation_2& mesh)
+  {
+    std::vector<Index> position(n, no_index);
+    for (std::size_t c = 0; c < some.size(); ++c)
+      position[some[c]] = static_cast<Index>(c);
+    std::vector<std::vector<Index>> result(some.size());
+    for (const Triangle& v : mesh.triangles())
+      for (int i = 0; i < 3; ++i)
+        if (position[v[i]] != no_index) {
+          result[position[v[i]]].push_back(v[ccw(i)]);
+          result[position[v[i]]].push_back(v[cw(i)]);
+        }
+    return result;
   }
 
   struct Hole
@@ -136,7 +148,7 @@ private:
   {
     std::vector<Hole> holes;
     for (const Triangle& t : mesh.triangles())
-      add_hole(b, mesh.bubbles(t), holes);
+      add_hole(b, t, holes);
     if (holes.empty())
       return;
     std::sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& c) {

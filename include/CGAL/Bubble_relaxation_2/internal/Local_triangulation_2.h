@@ -10,103 +10,99 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_LOCAL_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Delaunay_star_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
+#include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The Delaunay triangulation near some of the bubbles: of them, their neighbours, and the neighbours of
-/// these. A triangle with one of the bubbles themselves is one of the triangulation of all, unless its
-/// circle is so large that there is a hole anyway.
+/// The Delaunay triangles with at least one of some bubbles, found from their neighbour sets: each bubble
+/// wraps its own star, and of the stars of a triangle's corners that of the first one counts. A triangle is
+/// one of the triangulation of all bubbles, unless its circle is so large that there is a hole anyway.
 class Local_triangulation_2
 {
 public:
-  using Triangle = std::array<Index, 3>; ///< local numbers, counterclockwise
+  using Triangle = std::array<Index, 3>; ///< bubbles, counterclockwise
 
-  Local_triangulation_2(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-                        const std::vector<Index>& touched)
-    : m_bubbles(touched), m_number_of_touched(touched.size())
+  template <class Concurrency_tag>
+  static Local_triangulation_2 make(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
+                                    const std::vector<Index>& touched)
   {
-    std::vector<char> is_taken(bubbles.size(), 0);
-    for (Index i : m_bubbles)
-      is_taken[i] = 1;
-    std::size_t first = 0;
-    for (int ring = 0; ring < 2; ++ring) {
-      const std::size_t last = m_bubbles.size();
-      for (; first < last; ++first) {
-        const Index i = m_bubbles[first];
-        for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
-          if (!is_taken[*j]) {
-            is_taken[*j] = 1;
-            m_bubbles.push_back(*j);
-          }
-      }
-    }
-    triangulate(bubbles);
+    Local_triangulation_2 result(touched);
+    result.template wrap<Concurrency_tag>(bubbles, neighbors);
+    return result;
   }
 
-  std::size_t number_of_bubbles() const { return m_bubbles.size(); }
-  /// the first local numbers
-  std::size_t number_of_touched() const { return m_number_of_touched; }
-  Index bubble(Index local) const { return m_bubbles[local]; }
+  const std::vector<Index>& touched() const { return m_touched; }
 
   /// those with a touched bubble
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  Triangle bubbles(const Triangle& t) const
-  {
-    return {m_bubbles[t[0]], m_bubbles[t[1]], m_bubbles[t[2]]};
-  }
-
-  /// the local numbers of the neighbours of some touched bubbles, some twice
-  std::vector<std::vector<Index>> neighbors_of(const std::vector<Index>& some) const
-  {
-    std::vector<Index> position(m_number_of_touched, no_index);
-    for (std::size_t c = 0; c < some.size(); ++c)
-      position[some[c]] = static_cast<Index>(c);
-    std::vector<std::vector<Index>> result(some.size());
-    for (const Triangle& t : m_triangles)
-      for (int i = 0; i < 3; ++i)
-        if (is_touched(t[i]) && position[t[i]] != no_index) {
-          result[position[t[i]]].push_back(t[ccw(i)]);
-          result[position[t[i]]].push_back(t[cw(i)]);
-        }
-    return result;
-  }
-
 private:
-  bool is_touched(Index local) const
+  explicit Local_triangulation_2(const std::vector<Index>& touched) : m_touched(touched) {}
+
+  /// The forces end at 1.5 d, and pairs farther apart than that may be missing in the sets: circles up to a
+  /// diameter of this are known to be empty. For others the neighbours' neighbours are looked at as well.
+  static constexpr double certain_diameter = 1.5;
+
+  static constexpr std::size_t block_size = 512;
+
+  template <class Concurrency_tag>
+  void wrap(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors)
   {
-    return static_cast<std::size_t>(local) < m_number_of_touched;
+    std::vector<Index> order(bubbles.size(), no_index); // among the touched
+    for (std::size_t k = 0; k < m_touched.size(); ++k)
+      order[m_touched[k]] = static_cast<Index>(k);
+    std::vector<std::vector<Triangle>> blocks((m_touched.size() + block_size - 1) / block_size);
+    parallel_for<Concurrency_tag>(
+      blocks.size(),
+      [&](std::size_t b) {
+        const std::size_t last = (std::min)((b + 1) * block_size, m_touched.size());
+        for (std::size_t k = b * block_size; k < last; ++k)
+          add_star(bubbles, neighbors, order, m_touched[k], blocks[b]);
+      },
+      1);
+    for (const std::vector<Triangle>& block : blocks)
+      m_triangles.insert(m_triangles.end(), block.begin(), block.end());
   }
 
-  void triangulate(const Bubbles_2& bubbles)
+  static void add_star(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
+                       const std::vector<Index>& order, Index i, std::vector<Triangle>& triangles)
   {
-    using Vb = Triangulation_vertex_base_with_info_2<Index, Kernel>;
-    using Tds = Triangulation_data_structure_2<Vb, Triangulation_face_base_2<Kernel>>;
-    std::vector<std::pair<Point, Index>> points;
-    points.reserve(m_bubbles.size());
-    for (std::size_t k = 0; k < m_bubbles.size(); ++k)
-      points.emplace_back(bubbles.point(m_bubbles[k]), static_cast<Index>(k));
-    const Delaunay_triangulation_2<Kernel, Tds> dt(points.begin(), points.end());
-    for (const auto f : dt.finite_face_handles()) {
-      const Triangle t{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()};
-      if (is_touched(t[0]) || is_touched(t[1]) || is_touched(t[2]))
-        m_triangles.push_back(t);
+    Delaunay_star_2::Indices candidates(neighbors.begin(i), neighbors.end(i));
+    Delaunay_star_2 star(bubbles, i);
+    star.wrap(candidates);
+    constexpr double certain = 0.25 * certain_diameter * certain_diameter;
+    if ((!star.is_closed() && bubbles.is_in_face(i)) || star.largest_circle() > certain) {
+      add_neighbors_of_neighbors(neighbors, i, candidates);
+      star.wrap(candidates);
+    }
+    const auto& ring = star.ring();
+    for (std::size_t k = star.is_closed() ? 0 : 1; k < ring.size(); ++k) {
+      const Index u = ring[k == 0 ? ring.size() - 1 : k - 1], v = ring[k];
+      if ((order[u] == no_index || order[u] > order[i]) && (order[v] == no_index || order[v] > order[i]))
+        triangles.push_back({i, u, v});
     }
   }
 
-  std::vector<Index> m_bubbles; // by local number, the touched first
-  std::size_t m_number_of_touched;
+  static void add_neighbors_of_neighbors(const Neighbor_sets_2& neighbors, Index i,
+                                         Delaunay_star_2::Indices& candidates)
+  {
+    const std::size_t n = candidates.size();
+    for (std::size_t k = 0; k < n; ++k)
+      candidates.insert(candidates.end(), neighbors.begin(candidates[k]), neighbors.end(candidates[k]));
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    candidates.erase(std::remove(candidates.begin(), candidates.end(), i), candidates.end());
+  }
+
+  std::vector<Index> m_touched;
   std::vector<Triangle> m_triangles;
 };
 

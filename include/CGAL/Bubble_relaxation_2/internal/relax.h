@@ -20,7 +20,7 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// How the bubbles' number should change, by the rule the user chose.
-template <class Simulation, class Sizing>
+template <class Concurrency_tag, class Simulation, class Sizing>
 Population_change adjust_population(const Domain_2& domain, const Sizing& sizing,
                                     const Relaxation_options& options, const Bubbles_2& bubbles,
                                     const Simulation& simulation)
@@ -29,7 +29,7 @@ Population_change adjust_population(const Domain_2& domain, const Sizing& sizing
   case Bubble_population::OVERLAP_RATIO:
     return Overlap_population<Sizing>(domain, sizing)(bubbles);
   case Bubble_population::DELAUNAY:
-    return Delaunay_population<Sizing>(domain, sizing)(bubbles, simulation.neighbors(),
+    return Delaunay_population<Concurrency_tag, Sizing>(domain, sizing)(bubbles, simulation.neighbors(),
                                                        simulation.touched());
   default:
     return Population_change();
@@ -71,7 +71,7 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
       break;
     const Phase_timer timer(report.seconds.population);
     const Population_change change =
-      adjust_population(domain, sizing, options, bubbles, simulation);
+      adjust_population<Concurrency_tag>(domain, sizing, options, bubbles, simulation);
     if (change.is_empty() && result.is_at_rest && !simulation.rest_finely()) {
       report.stop_reason = Bubble_stop_reason::CONVERGED;
       break;
