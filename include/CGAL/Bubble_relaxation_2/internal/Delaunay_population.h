@@ -171,8 +171,9 @@ private:
       return;
     const Point center = CGAL::circumcenter(p, q, r);
     const double radius = std::sqrt(CGAL::squared_distance(center, p));
-    // a cheap test first: d is not asked for all triangles
-    if (!(radius > 0.8 * largest_radius * (std::min)({b.d[v[0]], b.d[v[1]], b.d[v[2]]})))
+    // where d jumps, the bubbles around the hole count too; and d is not asked for all triangles
+    const double mean = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3;
+    if (!(radius > largest_radius * mean))
       return;
     const Point centroid = CGAL::centroid(p, q, r);
     const Index start = m_domain.locate_inside(centroid, m_hint);
@@ -181,9 +182,8 @@ private:
     const Walk_end end = m_domain.walk(start, centroid, center);
     if (end.is_blocked())
       return;
-    // where d jumps, the bubbles around the hole count too
-    const double d = m_sizing(center), mean = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3;
-    if (radius > largest_radius * (std::max)(d, mean))
+    const double d = m_sizing(center);
+    if (radius > largest_radius * d)
       holes.push_back(Hole{radius / d, center, d, end.triangle});
   }
 

@@ -13,6 +13,8 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -21,7 +23,7 @@ namespace internal {
 
 /// The neighbours of a bubble in the Delaunay triangulation of some bubbles around it, by wrapping: from the
 /// nearest one, which is a neighbour, to the one whose triangle has an empty circle, and so on. Computed with
-/// doubles: where four bubbles lie on a circle two stars may disagree about which of them are neighbours.
+/// doubles, up to roundings; of bubbles on one circle their numbers decide which are neighbours.
 class Delaunay_star_2
 {
 public:
@@ -78,38 +80,63 @@ private:
     return best;
   }
 
-  /// the candidate on the left (`side` 1) or right of the ray to neighbour `j` that sees the bubble and `j` in
-  /// the largest angle: no other lies in their circle on this side
-  Index beside(Index j, const Indices& candidates, int side)
+  /// the cotangent of the angle in which candidate `k` sees the bubble and its neighbour `j`, if it lies on the
+  /// left (`side` 1) or right of the ray to `j`; else infinity
+  double cotangent(Index j, Index k, int side) const
   {
     const double x = m_bubbles.x[m_center], y = m_bubbles.y[m_center], unit = 1 / m_bubbles.d[m_center];
     const double ux = (m_bubbles.x[j] - x) * unit, uy = (m_bubbles.y[j] - y) * unit;
-    Index best = no_index;
-    double least = std::numeric_limits<double>::infinity(); // cotangent of the angle
-    for (Index k : candidates) {
-      const double vx = (m_bubbles.x[k] - x) * unit, vy = (m_bubbles.y[k] - y) * unit;
-      const double area = side * (ux * vy - uy * vx);
-      if (k == j || !(area > flat))
-        continue;
-      const double cotangent = (vx * (vx - ux) + vy * (vy - uy)) / area;
-      if (cotangent < least) {
-        least = cotangent;
+    const double vx = (m_bubbles.x[k] - x) * unit, vy = (m_bubbles.y[k] - y) * unit;
+    const double area = side * (ux * vy - uy * vx);
+    return k != j && area > flat ? (vx * (vx - ux) + vy * (vy - uy)) / area
+                                 : std::numeric_limits<double>::infinity();
+  }
+
+  /// the candidate beside the ray to `j` with the largest angle: no other lies in its circle on this side
+  Index beside(Index j, const Indices& candidates, int side)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (Index k : candidates)
+      least = (std::min)(least, cotangent(j, k, side));
+    if (least == std::numeric_limits<double>::infinity())
+      return no_index;
+    const double ux = m_bubbles.x[j] - m_bubbles.x[m_center], uy = m_bubbles.y[j] - m_bubbles.y[m_center];
+    const double d = m_bubbles.d[m_center];
+    // (side / (2 sin))^2
+    m_largest_circle = (std::max)(m_largest_circle, 0.25 * (ux * ux + uy * uy) / (d * d) * (1 + least * least));
+    m_equal.clear();
+    for (Index k : candidates)
+      if (cotangent(j, k, side) <= least + equal * (1 + std::abs(least)))
+        m_equal.push_back(k);
+    return m_equal.size() == 1 ? m_equal.front() : choice_on_circle(j, side);
+  }
+
+  /// Of several on one circle all are connected to the one with the smallest number. All stars agree on that.
+  Index choice_on_circle(Index j, int side) const
+  {
+    const Index smallest = *std::min_element(m_equal.begin(), m_equal.end());
+    if (smallest < m_center && smallest < j)
+      return smallest;
+    const bool wants_next = m_center < j; // the next on the circle after j, or the last before the center
+    Index best = m_equal.front();
+    for (Index k : m_equal) {
+      const double x = m_bubbles.x[m_center], y = m_bubbles.y[m_center];
+      const double turn = side * ((m_bubbles.x[best] - x) * (m_bubbles.y[k] - y) -
+                                  (m_bubbles.y[best] - y) * (m_bubbles.x[k] - x));
+      if (wants_next ? turn < 0 : turn > 0)
         best = k;
-      }
-    }
-    if (best != no_index) {
-      const double circle = 0.25 * (ux * ux + uy * uy) * (1 + least * least); // (a / (2 sin))^2
-      m_largest_circle = circle > m_largest_circle ? circle : m_largest_circle;
     }
     return best;
   }
 
   /// twice the area, in square sizes, of triangles that count as none
   static constexpr double flat = 1e-9;
+  /// differences of cotangents that count as none
+  static constexpr double equal = 1e-7;
 
   const Bubbles_2& m_bubbles;
   Index m_center;
-  Indices m_ring;
+  Indices m_ring, m_equal;
   bool m_is_closed = false;
   double m_largest_circle = 0;
 };

@@ -14,8 +14,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,8 +28,9 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The Delaunay triangles with at least one of some bubbles, found from their neighbour sets: each bubble
-/// wraps its own star, and of the stars of a triangle's corners that of the first one counts. A triangle is
-/// one of the triangulation of all bubbles, unless its circle is so large that there is a hole anyway.
+/// wraps its own star, and of the stars of a triangle's corners that of the first one counts. Beside holes that
+/// no neighbour set reaches across, the buckets are asked. A triangle is one of the triangulation of all
+/// bubbles, unless its circle is so large that there is a hole anyway.
 class Local_triangulation_2
 {
 public:
@@ -35,7 +41,10 @@ public:
                                     const std::vector<Index>& touched)
   {
     Local_triangulation_2 result(touched);
-    result.template wrap<Concurrency_tag>(bubbles, neighbors);
+    if (neighbors.has_buckets())
+      result.template wrap<Concurrency_tag>(bubbles, neighbors);
+    else
+      result.triangulate(bubbles, neighbors);
     return result;
   }
 
@@ -48,8 +57,11 @@ private:
   explicit Local_triangulation_2(const std::vector<Index>& touched) : m_touched(touched) {}
 
   /// The forces end at 1.5 d, and pairs farther apart than that may be missing in the sets: circles up to a
-  /// diameter of this are known to be empty. For others the neighbours' neighbours are looked at as well.
-  static constexpr double certain_diameter = 1.5;
+  /// diameter of this are known to be empty. For others the neighbours' neighbours are looked at as well, which
+  /// reach around a hole of up to the second of these. Beside wider ones all bubbles up to about five sizes away
+  /// are looked at.
+  static constexpr double certain_diameter = 1.5, widest_hole = 2.4;
+  static constexpr double far = 5;
 
   static constexpr std::size_t block_size = 512;
 
@@ -78,9 +90,18 @@ private:
     Delaunay_star_2::Indices candidates(neighbors.begin(i), neighbors.end(i));
     Delaunay_star_2 star(bubbles, i);
     star.wrap(candidates);
-    constexpr double certain = 0.25 * certain_diameter * certain_diameter;
-    if ((!star.is_closed() && bubbles.is_in_face(i)) || star.largest_circle() > certain) {
+    const auto is_within = [&](double diameter) {
+      return !bubbles.is_in_face(i) ||
+             (star.is_closed() && star.largest_circle() <= 0.25 * diameter * diameter);
+    };
+    if (!is_within(certain_diameter)) {
       add_neighbors_of_neighbors(neighbors, i, candidates);
+      star.wrap(candidates);
+    }
+    if (!is_within(widest_hole)) {
+      candidates.clear();
+      neighbors.find_around(i, far, [&](Index j) { candidates.push_back(j); });
+      std::sort(candidates.begin(), candidates.end());
       star.wrap(candidates);
     }
     const auto& ring = star.ring();
@@ -100,6 +121,43 @@ private:
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     candidates.erase(std::remove(candidates.begin(), candidates.end(), i), candidates.end());
+  }
+
+  void triangulate(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors)
+  {
+    using Vb = Triangulation_vertex_base_with_info_2<Index, Kernel>;
+    using Tds = Triangulation_data_structure_2<Vb, Triangulation_face_base_2<Kernel>>;
+    std::vector<char> is_touched(bubbles.size(), 0);
+    for (Index i : m_touched)
+      is_touched[i] = 1;
+    std::vector<std::pair<Point, Index>> points;
+    for (Index i : with_two_rings(neighbors, is_touched))
+      points.emplace_back(bubbles.point(i), i);
+    const Delaunay_triangulation_2<Kernel, Tds> dt(points.begin(), points.end());
+    m_triangles.clear();
+    for (const auto f : dt.finite_face_handles()) {
+      const Triangle t{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()};
+      if (is_touched[t[0]] || is_touched[t[1]] || is_touched[t[2]])
+        m_triangles.push_back(t);
+    }
+  }
+
+  /// the touched bubbles, their neighbours, and the neighbours of these
+  std::vector<Index> with_two_rings(const Neighbor_sets_2& neighbors, std::vector<char> is_taken) const
+  {
+    std::vector<Index> result = m_touched;
+    std::size_t first = 0;
+    for (int ring = 0; ring < 2; ++ring) {
+      const std::size_t last = result.size();
+      for (; first < last; ++first)
+        for (const Index *j = neighbors.begin(result[first]), *end = neighbors.end(result[first]);
+             j != end; ++j)
+          if (!is_taken[*j]) {
+            is_taken[*j] = 1;
+            result.push_back(*j);
+          }
+    }
+    return result;
   }
 
   std::vector<Index> m_touched;

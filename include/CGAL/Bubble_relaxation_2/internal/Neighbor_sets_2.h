@@ -153,6 +153,21 @@ public:
     m_buckets.reset(); // their bubbles are not where they were
   }
 
+  /// whether `find_around()` can be asked: not after `renew_from_neighbors()`
+  bool has_buckets() const { return m_buckets != nullptr; }
+
+  /// calls `visit(j)` for all bubbles j whose distance from bubble `i` is less than the radius times the mean of
+  /// `times` its size and that of j, by references
+  template <class Visitor>
+  void find_around(Index i, double times, const Visitor& visit) const
+  {
+    m_buckets->for_each_near(m_x[i], m_y[i], times * m_d[i], [&](Index j, double, double) {
+      if (j != i)
+        visit(j);
+      return true;
+    });
+  }
+
   /// whether bubble `i` has used up its share of the skin, see above
   bool is_outrun_by(const Bubbles_2& bubbles, std::size_t i) const
   {
