@@ -15,6 +15,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/Surroundings_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -115,6 +117,15 @@ private:
     int size;
   };
 
+  /// a proposal, and what it is sorted by
+  struct Candidate
+  {
+    double misfit;
+    const Proposal* proposal;
+  };
+
+  using Settlers = boost::container::small_vector<Index, 16>;
+
   /// a generation is all bubbles of the front up to this times the smallest key
   static constexpr double band = 1.05;
   /// how far, in units of the mean size, the neighbours of a bubble's proposals are looked for
@@ -167,46 +178,50 @@ private:
       m_generation.push_back(m_front.top());
       m_proposes[m_front.top().index] = !m_bubbles.is_corner(m_front.top().index);
     }
-    std::sort(m_generation.begin(), m_generation.end(), [](const Proposer& a, const Proposer& b) {
-      return std::tie(a.index, a.direction.x, a.direction.y) <
-             std::tie(b.index, b.direction.x, b.direction.y);
-    });
-    m_proposals.resize(m_generation.size());
-    m_around.resize((std::max)(m_around.size(), m_generation.size()));
+    if (m_proposals.size() < m_generation.size())
+      m_proposals.resize(m_generation.size());
   }
 
   void propose_from(std::size_t k)
   {
     const Proposer& from = m_generation[k];
     const Index i = from.index;
-    m_around[k].gather(m_buckets, m_bubbles.point(i), m_bubbles.d[i], proposer_reach, i);
-    m_around[k].add(i, m_bubbles);
+    Surroundings_2 around;
+    around.gather(m_buckets, m_bubbles.point(i), m_bubbles.d[i], proposer_reach, i);
+    around.add(i, m_bubbles);
     m_proposals[k].size = 0;
     Direction u = from.direction;
     for (int turn = 0; turn < 6; ++turn, u = turned(u))
-      propose(from, u, m_around[k], m_proposals[k]);
+      propose(from, u, around, m_proposals[k]);
   }
 
+  /// tests by their cost: most places are taken
   void propose(const Proposer& from, const Direction& u, Surroundings_2& around, Proposals& proposals)
   {
     const Index i = from.index;
     const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
-    Point p(x + d_i * u.x, y + d_i * u.y);
-    if (!around.is_free(p, d_i) || is_left_to_other(i, p, around) ||
-        visible_triangle(i, p) == no_index)
+    const Point start(x + d_i * u.x, y + d_i * u.y);
+    if (!around.is_free(start, d_i) || is_left_to_other(i, start, around))
       return;
-    const double ahead = m_sizing(p), wanted = 0.5 * (d_i + ahead);
-    const double at_wanted = d_i + (ahead - d_i) * wanted / d_i; // linear between the two
-    p = around.settle(Point(x + wanted * u.x, y + wanted * u.y), at_wanted, proposal_steps);
-    const Index triangle = visible_triangle(i, p);
-    if (triangle == no_index)
+    const Index seen = visible_triangle(i, start);
+    if (seen == no_index)
       return;
-    const double d = m_sizing(p);
+    const double ahead = m_sizing(start), wanted = 0.5 * (d_i + ahead);
+    const auto d_at = [=](double distance) { // linear between the two
+      return d_i + (ahead - d_i) * (ahead < d_i ? (std::min)(distance / d_i, 1.) : distance / d_i);
+    };
+    Point p(x + wanted * u.x, y + wanted * u.y);
+    const Surroundings_2 near = around.near(p, d_at(wanted), settler_reach);
+    p = near.settle(p, d_at(wanted), proposal_steps);
+    const double d = d_at(std::sqrt((p.x() - x) * (p.x() - x) + (p.y() - y) * (p.y() - y)));
     if (!around.is_free(p, d))
       return;
-    const Direction v = m_lattice == Lattice_direction::KEEPS ? u : around.direction(p, d, u);
+    const Walk_end end = m_domain.walk(seen, start, p);
+    if (end.is_blocked())
+      return;
+    const Direction v = m_lattice == Lattice_direction::KEEPS ? u : near.direction(p, d, u);
     proposals.list[proposals.size++] =
-      Proposal{from.key, around.misfit(p, d), p, d, triangle, v};
+      Proposal{from.key, near.misfit(p, d), p, d, end.triangle, v};
     around.add(p, d); // its next proposals leave room
   }
 
@@ -231,50 +246,61 @@ private:
   void accept_proposals()
   {
     m_sorted.clear();
-    for (const Proposals& proposals : m_proposals)
-      for (int k = 0; k < proposals.size; ++k)
-        m_sorted.push_back(&proposals.list[k]);
-    std::sort(m_sorted.begin(), m_sorted.end(), [](const Proposal* a, const Proposal* b) {
-      return a->misfit < b->misfit || (a->misfit == b->misfit && a->p < b->p);
+    for (std::size_t k = 0; k < m_generation.size(); ++k)
+      for (int l = 0; l < m_proposals[k].size; ++l)
+        m_sorted.push_back(Candidate{m_proposals[k].list[l].misfit, &m_proposals[k].list[l]});
+    std::sort(m_sorted.begin(), m_sorted.end(), [](const Candidate& a, const Candidate& b) {
+      return a.misfit < b.misfit || (a.misfit == b.misfit && a.proposal->p < b.proposal->p);
     });
     m_keys.clear();
-    for (const Proposal* a : m_sorted) {
-      if (!m_buckets.is_free(a->p.x(), a->p.y(), a->d, Surroundings_2::least_distance))
-        continue;
-      m_bubbles.add(a->p, a->d, Bubbles_2::FACE, a->triangle);
-      m_direction.push_back(a->direction);
-      m_proposes.push_back(0);
-      m_keys.push_back(a->key);
-      insert_in_buckets(m_bubbles.size() - 1);
-    }
+    for (const Candidate& c : m_sorted)
+      if (find_settlers(*c.proposal))
+        accept(*c.proposal);
+  }
+
+  /// finds the bubbles among which one that is proposed would settle; returns whether it has room
+  bool find_settlers(const Proposal& a)
+  {
+    constexpr double least = 0.5 * Surroundings_2::least_distance;
+    m_found.clear();
+    return m_buckets.for_each_near(
+      a.p.x(), a.p.y(), a.d, settler_reach, [&](const Bubble_buckets_2::Entry& e, double squared) {
+        m_found.push_back(e.id);
+        return squared >= least * least * (a.d + e.d) * (a.d + e.d);
+      });
+  }
+
+  void accept(const Proposal& a)
+  {
+    const std::size_t k = m_keys.size(), i = m_bubbles.size(), first = i - k;
+    if (m_around.size() == k)
+      m_around.emplace_back();
+    m_around[k].assign(m_found.begin(), m_found.end());
+    for (Index j : m_found)
+      if (static_cast<std::size_t>(j) >= first)
+        m_around[static_cast<std::size_t>(j) - first].push_back(static_cast<Index>(i));
+    m_bubbles.add(a.p, a.d, Bubbles_2::FACE, a.triangle);
+    m_direction.push_back(a.direction);
+    m_proposes.push_back(0);
+    m_keys.push_back(a.key);
+    insert_in_buckets(i);
   }
 
   /// the bubbles from `first` on settle among each other
   void settle_from(std::size_t first)
   {
     const std::size_t n = m_bubbles.size() - first;
-    m_around.resize((std::max)(m_around.size(), n));
-    m_settled.resize(n);
-    parallel_for<Concurrency_tag>(
-      n,
-      [this, first](std::size_t k) {
-        const std::size_t i = first + k;
-        m_around[k].gather(m_buckets, m_bubbles.point(i), m_bubbles.d[i], settler_reach,
-                           static_cast<Index>(i));
-      },
-      grain);
+    m_settled.resize((std::max)(m_settled.size(), n));
     for (int round = 0; round < settling_rounds; ++round) {
       parallel_for<Concurrency_tag>(
         n,
         [this, first](std::size_t k) {
           const std::size_t i = first + k;
-          m_settled[k] = m_around[k].settle(m_bubbles.point(i), m_bubbles.d[i], 1);
+          m_settled[k] = settled(m_bubbles, i, m_around[k]);
         },
         grain);
       parallel_for<Concurrency_tag>(
         n, [this, first](std::size_t k) { set_point(first + k, m_settled[k]); }, grain);
-      parallel_for<Concurrency_tag>(
-        n, [this](std::size_t k) { m_around[k].update(m_bubbles); }, grain);
     }
     parallel_for<Concurrency_tag>(
       n, [this, first](std::size_t k) { finish(first + k); }, grain);
@@ -333,9 +359,10 @@ private:
   // of the present generation
   std::vector<Proposer> m_generation;
   std::vector<Proposals> m_proposals;                // of each proposer
-  std::vector<const Proposal*> m_sorted;
+  std::vector<Candidate> m_sorted;
   std::vector<double> m_keys;                        // of the proposers of the new bubbles
-  std::vector<Surroundings_2> m_around;              // each proposer, then each new bubble
+  std::vector<Settlers> m_around;                    // the bubbles among which each new one settles
+  std::vector<Index> m_found;                        // the same for the next
   std::vector<Point> m_settled;                      // the new bubbles' places
 };
 
