@@ -36,19 +36,18 @@ template <class Cdt, class Use>
 void with_outline_limit(const Domain_reading_2<Cdt>& reading, const Relaxation_options& options,
                         const Sizing_field_ref_2& wanted, const Use& use)
 {
-  check_expected_number(reading.domain, wanted, options.maximum_number_of_bubbles);
+  const Counted_sizing_field_2 counted_wanted =
+    counted(reading.domain, wanted, options.maximum_number_of_bubbles);
   std::vector<Size_source_2> sources;
   if (options.limit_by_outline)
     sources = Outline_sizes_2<Cdt>(reading, &wanted)();
   if (sources.empty()) {
-    use(wanted, wanted);
+    use(counted_wanted, wanted);
     return;
   }
   const Outline_field_2 limit(sources, reading.domain.bbox());
   const Smaller_of_2 smaller(&wanted, &limit);
-  const Sizing_field_ref_2 sizing(smaller);
-  check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
-  use(sizing, wanted);
+  use(counted(reading.domain, Sizing_field_ref_2(smaller), options.maximum_number_of_bubbles), wanted);
 }
 
 /// Calls `use(sizing, wanted)` with the sizing field that the simulation follows and the one that the named
@@ -60,8 +59,7 @@ void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_m
                        const Use& use)
 {
   const auto use_as_it_is = [&](const Sizing_field_ref_2& sizing) {
-    check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
-    use(sizing, sizing);
+    use(counted(reading.domain, sizing, options.maximum_number_of_bubbles), sizing);
   };
   using Point_2 = typename Cdt::Geom_traits::Point_2;
   if constexpr (!Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
