@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SURROUNDINGS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SURROUNDINGS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
 
@@ -84,33 +83,24 @@ public:
   /// no bubble is set nearer to another than this, in units of their mean size
   static constexpr double least_distance = 0.8;
 
-  /// the bubbles in the buckets nearer than `reach` times the mean size, without bubble `self`
-  void gather(const Bubble_buckets_2& buckets, const Point& p, double d, double reach, Index self)
+  std::size_t size() const { return m_bubbles.size(); }
+  Index index(std::size_t k) const { return m_bubbles[k].id; }
+
+  bool has(Index i) const
   {
-    m_bubbles.clear();
-    buckets.for_each_near(p.x(), p.y(), d, reach, [&](const Bubble_buckets_2::Entry& e, double) {
-      if (e.id != self)
-        m_bubbles.push_back(Bubble{e.x, e.y, e.d, e.id});
-      return true;
-    });
+    return std::any_of(m_bubbles.begin(), m_bubbles.end(), [i](const Bubble& b) { return b.id == i; });
   }
 
-  void add(Index i, const Bubbles_2& b) { m_bubbles.push_back(Bubble{b.x[i], b.y[i], b.d[i], i}); }
+  /// bubble `i` if it is nearer to one of size `d` at `p` than `reach` times the mean size
+  void add_if_near(Index i, const Bubbles_2& b, const Point& p, double d, double reach)
+  {
+    const double dx = p.x() - b.x[i], dy = p.y() - b.y[i], distance = 0.5 * reach * (d + b.d[i]);
+    if (dx * dx + dy * dy < distance * distance)
+      m_bubbles.push_back(Bubble{b.x[i], b.y[i], b.d[i], i});
+  }
 
   /// one that is not there yet
   void add(const Point& p, double d) { m_bubbles.push_back(Bubble{p.x(), p.y(), d, no_index}); }
-
-  /// those of them nearer to `p` than `reach` times the mean size
-  Surroundings_2 near(const Point& p, double d, double reach) const
-  {
-    Surroundings_2 result;
-    for (const Bubble& b : m_bubbles) {
-      const double distance = 0.5 * reach * (d + b.d), dx = p.x() - b.x, dy = p.y() - b.y;
-      if (dx * dx + dy * dy < distance * distance)
-        result.m_bubbles.push_back(b);
-    }
-    return result;
-  }
 
   /// whether a bubble of size `d` has room at `p`
   bool is_free(const Point& p, double d) const
@@ -187,7 +177,7 @@ private:
     }
   }
 
-  boost::container::small_vector<Bubble, 32> m_bubbles;
+  boost::container::small_vector<Bubble, 24> m_bubbles;
 };
 
 } // namespace internal
