@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -22,22 +23,38 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// The index of the lowest bit that is set. \pre one is
+inline int lowest_bit(std::uint64_t bits)
+{
+#ifdef __GNUC__
+  return __builtin_ctzll(bits);
+#else
+  int k = 0;
+  for (int half = 32; half > 0; half /= 2)
+    if (((bits >> k) << (64 - half)) == 0)
+      k += half;
+  return k;
+#endif
+}
+
 /// The buckets of Fig. 4 of the paper for bubbles of any mixture of sizes: square cells in levels, the
 /// side doubling from level to level. A bubble lies in the level whose side just exceeds its reach, so
-/// cells hold few bubbles however graded the sizes are. Cells nest, and a cell knows whether anything
-/// smaller lies in it, so a query goes down only where there is something. Stored in a hash table.
+/// cells hold few bubbles however graded the sizes are.
+///
+/// Cells are stored in blocks of 8 x 8, with a bit for each cell that holds bubbles and for each that has
+/// smaller ones inside, so that a query finds the cells that it must look into with a few operations on
+/// whole blocks. A block points to the four of the next lower level inside it; only those of the highest
+/// level are hashed.
 class Bubble_buckets_2
 {
 public:
   /// `reach`: bubbles i and j are near when their distance is less than `reach * (d_i + d_j) / 2`;
   /// `unit`: any typical size; `x0`, `y0`: any point near the bubbles
   Bubble_buckets_2(double reach, double unit, double x0, double y0, std::size_t expected)
-    : m_reach(reach), m_unit(unit), m_x0(x0), m_y0(y0)
+    : m_reach(reach), m_unit(unit), m_side(sides_of_reach * reach * unit),
+      m_inverse(1 / m_side), m_x0(x0), m_y0(y0)
   {
-    std::size_t capacity = 1024;
-    while (capacity < 3 * expected)
-      capacity *= 2;
-    m_slots.assign(capacity, Slot());
+    m_table.assign(64, no_index);
     m_bubbles.reserve(expected);
   }
 
@@ -60,13 +77,16 @@ public:
     Entry& e = m_bubbles[k];
     const Cell from = cell_at(level_of(e.x, e.y, e.d), e.x, e.y);
     const Cell to = cell_at(level_of(x, y, d), x, y);
+    const bool grows = d > e.d, stays = from == to;
+    if (!stays)
+      take_from_cell(from, static_cast<Index>(k));
     e.x = x;
     e.y = y;
     e.d = d;
-    if (from == to)
-      return;
-    take_from_cell(from, static_cast<Index>(k));
-    add_to_cell(to, static_cast<Index>(k));
+    if (!stays)
+      add_to_cell(to, static_cast<Index>(k));
+    else if (grows)
+      block_for(to, d);
   }
 
   /// takes out the bubble that was the `k`-th to be inserted; it still counts in `size()`
@@ -100,14 +120,19 @@ public:
   {
     if (m_bubbles.empty())
       return true;
-    const int own = level_of(x, y, d);
-    if (own > m_highest && is_wider_than_all(d))
+    if (d > 4 * m_largest && is_wider_than_all(d))
       return visit_all(x, y, d, near, visit);
-    // up: cells of the own level and above that the reach can touch; at most 3 x 3 a level
-    for (int level = m_highest; level > own; --level)
-      if (!visit_level(level, x, y, d, near, false, visit))
-        return false;
-    return visit_level((std::min)(own, m_highest), x, y, d, near, true, visit);
+    const Query q{x, y, d, near};
+    const double r = slack * 0.5 * near * (d + m_largest), inverse = inverse_side(m_highest);
+    const Cell low = block_of(Cell{index_at(x - r - m_x0, inverse), index_at(y - r - m_y0, inverse), 0}),
+               high = block_of(Cell{index_at(x + r - m_x0, inverse), index_at(y + r - m_y0, inverse), 0});
+    for (std::int64_t iy = low.iy; iy <= high.iy; ++iy)
+      for (std::int64_t ix = low.ix; ix <= high.ix; ++ix) {
+        const Index root = m_table[slot_of(ix, iy)];
+        if (root != no_index && !visit_block(root, q, visit))
+          return false;
+      }
+    return true;
   }
 
   /// whether no bubble is near to one of size `d` at (x, y)
@@ -130,19 +155,28 @@ private:
     bool operator==(const Cell& c) const { return ix == c.ix && iy == c.iy && level == c.level; }
   };
 
-  struct Slot
+  /// 8 x 8 cells of a level
+  struct Block
   {
-    Cell cell = {0, 0, 0};
-    Index first = no_index;       // of the linked list of its bubbles
-    bool used = false;
-    bool has_descendants = false; // whether smaller cells inside hold bubbles
+    std::uint64_t occupied = 0;   ///< a bit for each cell: whether it holds bubbles
+    std::uint64_t descendants = 0; ///< whether smaller cells inside do
+    double largest = 0;           ///< no bubble in it, or in smaller cells inside, is larger
+    double inverse;               ///< of the side of its cells
+    std::int64_t ix, iy;          ///< of its first cell, divided by 8
+    std::array<Index, 4> children{no_index, no_index, no_index, no_index};
+    std::array<Index, 64> first;  ///< of the linked lists of the bubbles; read for occupied cells only
+  };
+
+  struct Query
+  {
+    double x, y, d, near;
   };
 
   // covers the rounding of cell coordinates, so that no bubble in reach is missed
   static constexpr double slack = 1 + 1e-6;
+  static constexpr double sides_of_reach = 0.5;
 
-  double bound(int level) const { return m_unit * power_of_two(level); } // largest d in the level
-  double side(int level) const { return m_reach * bound(level); }
+  double inverse_side(int level) const { return m_inverse * power_of_two(-level); }
 
   /// the lowest level whose bound is at least d, but not so low that coordinates of cells overflow
   int level_of(double x, double y, double d) const
@@ -150,7 +184,7 @@ private:
     constexpr int bits = 48;
     const int level = exponent_above(d / m_unit);
     const double far = (std::max)(std::abs(x - m_x0), std::abs(y - m_y0));
-    return far > 0 ? (std::max)(level, exponent_above(far / (m_reach * m_unit)) - bits) : level;
+    return far > 0 ? (std::max)(level, exponent_above(far / m_side) - bits) : level;
   }
 
   static double power_of_two(int exponent)
@@ -166,173 +200,224 @@ private:
   // the least e with value <= 2^e
   static int exponent_above(double value)
   {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    const int biased = static_cast<int>(bits >> 52);
+    if (biased > 0 && biased < 0x7FF)
+      return biased - 1023 + ((bits << 12) != 0);
     int exponent;
     const double mantissa = std::frexp(value, &exponent);
     return mantissa == 0.5 ? exponent - 1 : exponent;
   }
 
-  Cell cell_at(int level, double x, double y) const
+  static std::int64_t index_at(double offset, double inverse)
   {
-    const double inverse = 1 / side(level);
-    return Cell{static_cast<std::int64_t>(std::floor((x - m_x0) * inverse)),
-                static_cast<std::int64_t>(std::floor((y - m_y0) * inverse)), level};
+    const double v = offset * inverse;
+    const std::int64_t i = static_cast<std::int64_t>(v);
+    return i - (static_cast<double>(i) > v);
   }
 
-  static Cell parent(const Cell& c) { return Cell{c.ix >> 1, c.iy >> 1, c.level + 1}; }
-
-  // Blocks of 8 x 8 cells of a level are hashed and lie together in memory, and so do the cells that
-  // bubbles with neighbouring numbers look at.
-  std::size_t slot_of(const Cell& c) const
+  Cell cell_at(int level, double x, double y) const
   {
-    std::uint64_t h = static_cast<std::uint64_t>(c.ix >> 3) * 0x9E3779B97F4A7C15u;
-    h ^= static_cast<std::uint64_t>(c.iy >> 3) * 0xC2B2AE3D27D4EB4Fu + (h >> 29);
-    h ^= static_cast<std::uint64_t>(c.level) * 0x165667B19E3779F9u;
-    h ^= h >> 32;
-    h *= 0xD6E8FEB86659FD93u;
-    h ^= h >> 32;
-    const std::size_t within = static_cast<std::size_t>((c.ix & 7) | ((c.iy & 7) << 3));
-    std::size_t k = (h * 64 + within) & (m_slots.size() - 1);
-    for (int attempt = 0; m_slots[k].used && !(m_slots[k].cell == c); ++attempt)
-      k = (k + (attempt < 8 ? 64 : 1)) & (m_slots.size() - 1);
+    const double inverse = inverse_side(level);
+    return Cell{index_at(x - m_x0, inverse), index_at(y - m_y0, inverse), level};
+  }
+
+  static Cell block_of(const Cell& c) { return Cell{c.ix >> 3, c.iy >> 3, c.level}; }
+
+  static int bit_of(const Cell& c) { return static_cast<int>((c.ix & 7) | ((c.iy & 7) << 3)); }
+
+  // of a block of the highest level
+  std::size_t slot_of(std::int64_t ix, std::int64_t iy) const
+  {
+    std::uint64_t h = static_cast<std::uint64_t>(ix) * 0x9E3779B97F4A7C15u;
+    h = (h ^ (h >> 32) ^ static_cast<std::uint64_t>(iy)) * 0xD6E8FEB86659FD93u;
+    std::size_t k = (h ^ (h >> 32)) & (m_table.size() - 1);
+    while (m_table[k] != no_index &&
+           !(m_blocks[m_table[k]].ix == ix && m_blocks[m_table[k]].iy == iy))
+      k = (k + 1) & (m_table.size() - 1);
     return k;
   }
 
-  const Slot* find(const Cell& c) const
+  Index add_block(const Cell& block)
   {
-    const Slot& s = m_slots[slot_of(c)];
-    return s.used ? &s : nullptr;
+    m_blocks.emplace_back();
+    Block& b = m_blocks.back();
+    b.inverse = inverse_side(block.level);
+    b.ix = block.ix;
+    b.iy = block.iy;
+    return static_cast<Index>(m_blocks.size()) - 1;
   }
 
-  Slot& find_or_add(const Cell& c)
+  Index find_or_add_root(const Cell& block)
   {
-    std::size_t k = slot_of(c);
-    if (!m_slots[k].used) {
-      if (2 * (m_used + 1) > m_slots.size()) {
-        grow();
-        k = slot_of(c);
+    const std::size_t k = slot_of(block.ix, block.iy);
+    return m_table[k] != no_index ? m_table[k] : enter_root(add_block(block));
+  }
+
+  Index enter_root(Index block)
+  {
+    m_roots.push_back(block);
+    if (4 * m_roots.size() > m_table.size()) {
+      m_table.assign(4 * m_table.size(), no_index);
+      for (Index root : m_roots)
+        m_table[slot_of(m_blocks[root].ix, m_blocks[root].iy)] = root;
+    } else
+      m_table[slot_of(m_blocks[block].ix, m_blocks[block].iy)] = block;
+    return block;
+  }
+
+  /// The block of a cell. On the way down blocks that are not there are made, and `mark(block, bit)` is
+  /// called for all cells around the given one.
+  template <class Mark>
+  Index find_or_add_block(const Cell& cell, const Mark& mark)
+  {
+    const auto above = [&cell](int k) { return Cell{cell.ix >> k, cell.iy >> k, cell.level + k}; };
+    Index b = find_or_add_root(block_of(above(m_highest - cell.level)));
+    for (int k = m_highest - cell.level; k > 0; --k) {
+      mark(m_blocks[b], bit_of(above(k)));
+      const Cell block = block_of(above(k - 1));
+      const std::size_t quarter = static_cast<std::size_t>((block.ix & 1) | ((block.iy & 1) << 1));
+      if (m_blocks[b].children[quarter] == no_index) {
+        const Index child = add_block(block);
+        m_blocks[b].children[quarter] = child;
       }
-      m_slots[k].used = true;
-      m_slots[k].cell = c;
-      ++m_used;
+      b = m_blocks[b].children[quarter];
     }
-    return m_slots[k];
+    return b;
   }
 
   void take_from_cell(const Cell& cell, Index k)
   {
-    Index* link = &m_slots[slot_of(cell)].first;
+    Block& b = m_blocks[find_or_add_block(cell, [](Block&, int) {})];
+    const int bit = bit_of(cell);
+    Index* link = &b.first[static_cast<std::size_t>(bit)];
     while (*link != k)
       link = &m_bubbles[*link].next;
     *link = m_bubbles[k].next;
+    if (b.first[static_cast<std::size_t>(bit)] == no_index)
+      b.occupied &= ~(std::uint64_t(1) << bit);
   }
 
   void add_to_cell(const Cell& cell, Index k)
   {
-    Slot& slot = find_or_add(cell);
-    m_bubbles[k].next = slot.first;
-    slot.first = k;
-    if (cell.level > m_highest)
-      raise_top(cell.level);
-    mark_ancestors(cell);
+    while (cell.level > m_highest)
+      raise_top();
+    Block& b = block_for(cell, m_bubbles[k].d);
+    const int bit = bit_of(cell);
+    Index& first = b.first[static_cast<std::size_t>(bit)];
+    m_bubbles[k].next = (b.occupied >> bit & 1) != 0 ? first : no_index;
+    first = k;
+    b.occupied |= std::uint64_t(1) << bit;
   }
 
-  void grow()
+  /// the block of a cell in which a bubble of size `d` lies or will lie; those around it know of it then
+  Block& block_for(const Cell& cell, double d)
   {
-    std::vector<Slot> old(2 * m_slots.size());
-    old.swap(m_slots);
-    for (const Slot& s : old)
-      if (s.used)
-        m_slots[slot_of(s.cell)] = s;
+    m_largest = (std::max)(m_largest, d);
+    Block& b = m_blocks[find_or_add_block(cell, [d](Block& around, int bit) {
+      around.descendants |= std::uint64_t(1) << bit;
+      around.largest = (std::max)(around.largest, d);
+    })];
+    b.largest = (std::max)(b.largest, d);
+    return b;
   }
 
-  void mark_ancestors(Cell cell)
+  // a larger bubble than all before: the blocks of the highest level get parents
+  void raise_top()
   {
-    while (cell.level < m_highest) {
-      cell = parent(cell);
-      Slot& slot = find_or_add(cell);
-      if (slot.has_descendants)
-        return;
-      slot.has_descendants = true;
+    std::vector<Index> below;
+    below.swap(m_roots);
+    m_table.assign(m_table.size(), no_index);
+    ++m_highest;
+    for (Index child : below) {
+      const std::int64_t ix = m_blocks[child].ix, iy = m_blocks[child].iy;
+      const std::size_t quarter = static_cast<std::size_t>((ix & 1) | ((iy & 1) << 1));
+      const Index parent = find_or_add_root(Cell{ix >> 1, iy >> 1, m_highest});
+      Block &p = m_blocks[parent], &c = m_blocks[child];
+      p.children[quarter] = child;
+      p.largest = (std::max)(p.largest, c.largest);
+      for (std::uint64_t bits = c.occupied | c.descendants; bits != 0; bits &= bits - 1) {
+        const int bit = lowest_bit(bits);
+        p.descendants |= std::uint64_t(1) << bit_of(Cell{(8 * ix + (bit & 7)) >> 1, (8 * iy + (bit >> 3)) >> 1, 0});
+      }
     }
   }
 
-  // a larger bubble than all before: all cells below need ancestors up to its level
-  void raise_top(int level)
-  {
-    std::vector<Cell> tops;
-    for (const Slot& s : m_slots)
-      if (s.used && s.cell.level == m_highest)
-        tops.push_back(s.cell);
-    m_highest = level;
-    for (const Cell& c : tops)
-      mark_ancestors(c);
-  }
-
-  /// whether one that is larger than all inserted would look into more cells than there are bubbles
+  /// whether one that is larger than all inserted would look into more blocks than there are bubbles
   bool is_wider_than_all(double d) const
   {
-    const double cells = d / bound(m_highest) + 3;
-    return cells * cells > static_cast<double>(m_bubbles.size());
+    const double blocks = d * inverse_side(m_highest) + 3;
+    return blocks * blocks > static_cast<double>(m_bubbles.size());
   }
 
   template <class Visitor>
   bool visit_all(double x, double y, double d, double near, Visitor& visit) const
   {
+    const Query q{x, y, d, near};
     for (const Entry& e : m_bubbles)
-      if (e.id != no_index && !visit_if_near(e, x, y, d, near, visit))
+      if (e.id != no_index && !visit_if_near(e, q, visit))
         return false;
     return true;
   }
 
   template <class Visitor>
-  bool visit_if_near(const Entry& e, double x, double y, double d, double near, Visitor& visit) const
+  bool visit_if_near(const Entry& e, const Query& q, Visitor& visit) const
   {
-    const double dx = e.x - x, dy = e.y - y, reach = 0.5 * near * (d + e.d);
+    const double dx = e.x - q.x, dy = e.y - q.y, reach = 0.5 * q.near * (q.d + e.d);
     const double squared = dx * dx + dy * dy;
     return !(squared < reach * reach) || visit(e, squared);
   }
 
-  template <class Visitor>
-  bool visit_level(int level, double x, double y, double d, double near, bool descend,
-                   Visitor& visit) const
+  /// the cells of a block that bubbles near `q` can be in, or can be in smaller cells inside
+  std::uint64_t cells_near(const Block& b, const Query& q) const
   {
-    const double r = slack * 0.5 * near * (d + bound(level));
-    const Cell low = cell_at(level, x - r, y - r), high = cell_at(level, x + r, y + r);
-    for (std::int64_t iy = low.iy; iy <= high.iy; ++iy)
-      for (std::int64_t ix = low.ix; ix <= high.ix; ++ix)
-        if (!visit_cell(Cell{ix, iy, level}, x, y, d, near, descend, visit))
+    const double r = slack * 0.5 * q.near * (q.d + b.largest);
+    return bits_between(q.x - r - m_x0, q.x + r - m_x0, b.inverse, b.ix, 1) &
+           bits_between(q.y - r - m_y0, q.y + r - m_y0, b.inverse, b.iy, 8);
+  }
+
+  /// The bits of the columns of a block that lie between two coordinates, or of the rows: `step` is from
+  /// one bit to the next. Rounded as in `cell_at()`.
+  static std::uint64_t bits_between(double low, double high, double inverse, std::int64_t block,
+                                    int step)
+  {
+    const double start = 8 * static_cast<double>(block);
+    const double from = low * inverse - start, to = high * inverse - start;
+    if (!(from < 8 && to >= 0))
+      return 0;
+    const int first = from > 0 ? static_cast<int>(from) : 0, last = to < 8 ? static_cast<int>(to) : 7;
+    constexpr std::uint64_t all = ~std::uint64_t(0), first_column = 0x0101010101010101u;
+    return step == 8 ? all >> 8 * (7 - last) & all << 8 * first
+                     : (0xFFu >> (7 - last) & 0xFFu << first) * first_column;
+  }
+
+  template <class Visitor>
+  bool visit_block(Index block, const Query& q, Visitor& visit) const
+  {
+    const Block& b = m_blocks[block];
+    const std::uint64_t near = cells_near(b, q);
+    for (std::uint64_t bits = b.occupied & near; bits != 0; bits &= bits - 1)
+      for (Index k = b.first[static_cast<std::size_t>(lowest_bit(bits))]; k != no_index; k = m_bubbles[k].next)
+        if (!visit_if_near(m_bubbles[k], q, visit))
           return false;
+    const std::uint64_t below = b.descendants & near;
+    if (below == 0)
+      return true;
+    constexpr std::uint64_t quarter = 0x0F0F0F0Fu;
+    for (int k = 0; k < 4; ++k)
+      if ((below & (quarter << ((k & 1) * 4 + (k >> 1) * 32))) != 0 &&
+          !visit_block(b.children[static_cast<std::size_t>(k)], q, visit))
+        return false;
     return true;
   }
 
-  template <class Visitor>
-  bool visit_cell(const Cell& cell, double x, double y, double d, double near, bool descend,
-                  Visitor& visit) const
-  {
-    const Slot* slot = find(cell);
-    if (slot == nullptr)
-      return true;
-    for (Index k = slot->first; k != no_index; k = m_bubbles[k].next)
-      if (!visit_if_near(m_bubbles[k], x, y, d, near, visit))
-        return false;
-    if (!descend || !slot->has_descendants)
-      return true;
-    const double r = slack * 0.5 * near * (d + bound(cell.level - 1)), c = side(cell.level - 1);
-    for (int k = 0; k < 4; ++k) {
-      const Cell child{2 * cell.ix + (k & 1), 2 * cell.iy + (k >> 1), cell.level - 1};
-      const double left = m_x0 + c * child.ix, bottom = m_y0 + c * child.iy;
-      if (x + r < left || x - r > left + c || y + r < bottom || y - r > bottom + c)
-        continue;
-      if (!visit_cell(child, x, y, d, near, true, visit))
-        return false;
-    }
-    return true;
-  }
-
-  double m_reach, m_unit, m_x0, m_y0;
-  std::vector<Slot> m_slots;
+  double m_reach, m_unit, m_side, m_inverse, m_x0, m_y0;
   std::vector<Entry> m_bubbles;
-  std::size_t m_used = 0;
+  std::vector<Block> m_blocks;
+  std::vector<Index> m_roots; // the blocks of the highest level
+  std::vector<Index> m_table; // the same, hashed
+  double m_largest = 0;       // no bubble is larger
   int m_highest = 0;
 };
 

@@ -15,6 +15,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/Surroundings_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,14 +56,22 @@ public:
   Crystal_growth_2(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles,
                    Lattice_direction lattice)
     : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles), m_lattice(lattice),
-      m_buckets(cell_size, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
+      m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
                 4 * bubbles.size())
   {
     find_edges_of_corners();
     m_direction.assign(bubbles.size(), Direction{1, 0});
     m_proposes.assign(bubbles.size(), 0);
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      m_found.clear();
+      m_buckets.for_each_near(bubbles.x[i], bubbles.y[i], bubbles.d[i],
+                              [this](Index j, double, double) {
+                                m_found.push_back(j);
+                                return true;
+                              });
+      link(i);
       insert_in_buckets(i);
+    }
   }
 
   void set_direction(std::size_t i, const Direction& u) { m_direction[i] = u; }
@@ -115,13 +125,23 @@ private:
     int size;
   };
 
+  /// a proposal, and what it is sorted by
+  struct Candidate
+  {
+    double misfit;
+    const Proposal* proposal;
+  };
+
+  using Links = boost::container::small_vector<Index, 10>;
+
   /// a generation is all bubbles of the front up to this times the smallest key
   static constexpr double band = 1.05;
-  /// how far, in units of the mean size, the neighbours of a bubble's proposals are looked for
-  static constexpr double proposer_reach = 2.4;
-  /// how far the neighbours of a new bubble, while it settles
-  static constexpr double settler_reach = 1.6;
-  static constexpr double cell_size = 2;
+  /// how far, in units of the mean size, bubbles are linked
+  static constexpr double link_reach = 1.6;
+  /// how far the neighbours of a proposal are looked for
+  static constexpr double surroundings_reach = 1.7;
+  /// bubbles are not linked when one is this many times as large: it would have too many links
+  static constexpr double largest_ratio = 4;
   static constexpr int proposal_steps = 3;
   static constexpr int settling_rounds = 3;
   static constexpr std::size_t grain = 64;
@@ -167,47 +187,97 @@ private:
       m_generation.push_back(m_front.top());
       m_proposes[m_front.top().index] = !m_bubbles.is_corner(m_front.top().index);
     }
-    std::sort(m_generation.begin(), m_generation.end(), [](const Proposer& a, const Proposer& b) {
-      return std::tie(a.index, a.direction.x, a.direction.y) <
-             std::tie(b.index, b.direction.x, b.direction.y);
-    });
-    m_proposals.resize(m_generation.size());
-    m_around.resize((std::max)(m_around.size(), m_generation.size()));
+    if (m_proposals.size() < m_generation.size())
+      m_proposals.resize(m_generation.size());
+  }
+
+  /// Bubble `i`, which is not linked yet, to those of `m_found` that are of about its size.
+  void link(std::size_t i)
+  {
+    m_links.emplace_back();
+    for (Index j : m_found) {
+      const double d = m_bubbles.d[i], d_j = m_bubbles.d[j];
+      if (d > largest_ratio * d_j || d_j > largest_ratio * d)
+        continue;
+      m_links[i].push_back(j);
+      m_links[j].push_back(static_cast<Index>(i));
+    }
   }
 
   void propose_from(std::size_t k)
   {
     const Proposer& from = m_generation[k];
-    const Index i = from.index;
-    m_around[k].gather(m_buckets, m_bubbles.point(i), m_bubbles.d[i], proposer_reach, i);
-    m_around[k].add(i, m_bubbles);
     m_proposals[k].size = 0;
+    const unsigned taken = taken_places(from);
     Direction u = from.direction;
     for (int turn = 0; turn < 6; ++turn, u = turned(u))
-      propose(from, u, m_around[k], m_proposals[k]);
+      if ((taken >> turn & 1) == 0)
+        propose(from, u, m_proposals[k]);
   }
 
-  void propose(const Proposer& from, const Direction& u, Surroundings_2& around, Proposals& proposals)
+  /// a bit for each of the six places around a bubble: whether one that is linked to it takes it
+  unsigned taken_places(const Proposer& from) const
+  {
+    const Index i = from.index;
+    const double d = m_bubbles.d[i];
+    const Direction u = from.direction, v = turned(u), w = turned(v);
+    unsigned taken = 0;
+    for (Index j : m_links[i]) {
+      const double x = m_bubbles.x[j] - m_bubbles.x[i], y = m_bubbles.y[j] - m_bubbles.y[i];
+      const double reach = 0.5 * Surroundings_2::least_distance * (d + m_bubbles.d[j]);
+      // by the law of cosines; opposite places differ in a sign
+      const double least = (x * x + y * y + d * d - reach * reach) / (2 * d);
+      const double a = x * u.x + y * u.y, b = x * v.x + y * v.y, c = x * w.x + y * w.y;
+      taken |= unsigned(a > least) | unsigned(b > least) << 1 | unsigned(c > least) << 2 |
+               unsigned(-a > least) << 3 | unsigned(-b > least) << 4 | unsigned(-c > least) << 5;
+    }
+    return taken;
+  }
+
+  /// the bubbles around `p` that are linked to `i`, or to one of these, and other proposals of `i`
+  Surroundings_2 surroundings(Index i, const Point& p, const Proposals& proposals) const
+  {
+    Surroundings_2 result;
+    const double d = m_bubbles.d[i];
+    result.add_if_near(i, m_bubbles, p, d, surroundings_reach);
+    for (Index j : m_links[i])
+      result.add_if_near(j, m_bubbles, p, d, surroundings_reach);
+    for (std::size_t k = 1, n = result.size(); k < n; ++k)
+      for (Index l : m_links[result.index(k)])
+        if (!result.has(l))
+          result.add_if_near(l, m_bubbles, p, d, surroundings_reach);
+    for (int k = 0; k < proposals.size; ++k)
+      result.add(proposals.list[k].p, proposals.list[k].d);
+    return result;
+  }
+
+  /// tests by their cost: most places are taken
+  void propose(const Proposer& from, const Direction& u, Proposals& proposals)
   {
     const Index i = from.index;
     const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
-    Point p(x + d_i * u.x, y + d_i * u.y);
-    if (!around.is_free(p, d_i) || is_left_to_other(i, p, around) ||
-        visible_triangle(i, p) == no_index)
+    const Point start(x + d_i * u.x, y + d_i * u.y);
+    const Surroundings_2 around = surroundings(i, start, proposals);
+    if (!around.is_free(start, d_i) || is_left_to_other(i, start, around))
       return;
-    const double ahead = m_sizing(p), wanted = 0.5 * (d_i + ahead);
-    const double at_wanted = d_i + (ahead - d_i) * wanted / d_i; // linear between the two
-    p = around.settle(Point(x + wanted * u.x, y + wanted * u.y), at_wanted, proposal_steps);
-    const Index triangle = visible_triangle(i, p);
-    if (triangle == no_index)
+    const Index seen = visible_triangle(i, start);
+    if (seen == no_index)
       return;
-    const double d = m_sizing(p);
+    const double ahead = m_sizing(start), wanted = 0.5 * (d_i + ahead);
+    const auto d_at = [=](double distance) { // linear between the two
+      return d_i + (ahead - d_i) * (ahead < d_i ? (std::min)(distance / d_i, 1.) : distance / d_i);
+    };
+    const Point p = around.settle(Point(x + wanted * u.x, y + wanted * u.y), d_at(wanted),
+                                  proposal_steps);
+    const double d = d_at(std::sqrt((p.x() - x) * (p.x() - x) + (p.y() - y) * (p.y() - y)));
     if (!around.is_free(p, d))
+      return;
+    const Walk_end end = m_domain.walk(seen, start, p);
+    if (end.is_blocked())
       return;
     const Direction v = m_lattice == Lattice_direction::KEEPS ? u : around.direction(p, d, u);
     proposals.list[proposals.size++] =
-      Proposal{from.key, around.misfit(p, d), p, d, triangle, v};
-    around.add(p, d); // its next proposals leave room
+      Proposal{from.key, around.misfit(p, d), p, d, end.triangle, v};
   }
 
   /// Whether another of the generation, an earlier one, has about `p` among its six places: then it is
@@ -231,50 +301,55 @@ private:
   void accept_proposals()
   {
     m_sorted.clear();
-    for (const Proposals& proposals : m_proposals)
-      for (int k = 0; k < proposals.size; ++k)
-        m_sorted.push_back(&proposals.list[k]);
-    std::sort(m_sorted.begin(), m_sorted.end(), [](const Proposal* a, const Proposal* b) {
-      return a->misfit < b->misfit || (a->misfit == b->misfit && a->p < b->p);
+    for (std::size_t k = 0; k < m_generation.size(); ++k)
+      for (int l = 0; l < m_proposals[k].size; ++l)
+        m_sorted.push_back(Candidate{m_proposals[k].list[l].misfit, &m_proposals[k].list[l]});
+    std::sort(m_sorted.begin(), m_sorted.end(), [](const Candidate& a, const Candidate& b) {
+      return a.misfit < b.misfit || (a.misfit == b.misfit && a.proposal->p < b.proposal->p);
     });
     m_keys.clear();
-    for (const Proposal* a : m_sorted) {
-      if (!m_buckets.is_free(a->p.x(), a->p.y(), a->d, Surroundings_2::least_distance))
-        continue;
-      m_bubbles.add(a->p, a->d, Bubbles_2::FACE, a->triangle);
-      m_direction.push_back(a->direction);
-      m_proposes.push_back(0);
-      m_keys.push_back(a->key);
-      insert_in_buckets(m_bubbles.size() - 1);
-    }
+    for (const Candidate& c : m_sorted)
+      if (find_links(*c.proposal))
+        accept(*c.proposal);
+  }
+
+  /// finds the bubbles to link one that is proposed to; returns whether it has room
+  bool find_links(const Proposal& a)
+  {
+    constexpr double least = 0.5 * Surroundings_2::least_distance;
+    m_found.clear();
+    return m_buckets.for_each_near(a.p.x(), a.p.y(), a.d, [&](Index j, double squared, double d_j) {
+      m_found.push_back(j);
+      return squared >= least * least * (a.d + d_j) * (a.d + d_j);
+    });
+  }
+
+  void accept(const Proposal& a)
+  {
+    const std::size_t i = m_bubbles.size();
+    m_bubbles.add(a.p, a.d, Bubbles_2::FACE, a.triangle);
+    m_direction.push_back(a.direction);
+    m_proposes.push_back(0);
+    m_keys.push_back(a.key);
+    link(i);
+    insert_in_buckets(i);
   }
 
   /// the bubbles from `first` on settle among each other
   void settle_from(std::size_t first)
   {
     const std::size_t n = m_bubbles.size() - first;
-    m_around.resize((std::max)(m_around.size(), n));
-    m_settled.resize(n);
-    parallel_for<Concurrency_tag>(
-      n,
-      [this, first](std::size_t k) {
-        const std::size_t i = first + k;
-        m_around[k].gather(m_buckets, m_bubbles.point(i), m_bubbles.d[i], settler_reach,
-                           static_cast<Index>(i));
-      },
-      grain);
+    m_settled.resize((std::max)(m_settled.size(), n));
     for (int round = 0; round < settling_rounds; ++round) {
       parallel_for<Concurrency_tag>(
         n,
         [this, first](std::size_t k) {
           const std::size_t i = first + k;
-          m_settled[k] = m_around[k].settle(m_bubbles.point(i), m_bubbles.d[i], 1);
+          m_settled[k] = settled(m_bubbles, i, m_links[i]);
         },
         grain);
       parallel_for<Concurrency_tag>(
         n, [this, first](std::size_t k) { set_point(first + k, m_settled[k]); }, grain);
-      parallel_for<Concurrency_tag>(
-        n, [this](std::size_t k) { m_around[k].update(m_bubbles); }, grain);
     }
     parallel_for<Concurrency_tag>(
       n, [this, first](std::size_t k) { finish(first + k); }, grain);
@@ -330,12 +405,13 @@ private:
   std::vector<Direction> m_direction;                // of the lattice around each bubble
   std::vector<std::vector<Index>> m_edges_of_corner;
   std::vector<char> m_proposes;                      // whether it is one of the generation
+  std::vector<Links> m_links;                        // to bubbles around, of each
+  std::vector<Index> m_found;                        // those of the next
   // of the present generation
   std::vector<Proposer> m_generation;
   std::vector<Proposals> m_proposals;                // of each proposer
-  std::vector<const Proposal*> m_sorted;
+  std::vector<Candidate> m_sorted;
   std::vector<double> m_keys;                        // of the proposers of the new bubbles
-  std::vector<Surroundings_2> m_around;              // each proposer, then each new bubble
   std::vector<Point> m_settled;                      // the new bubbles' places
 };
 

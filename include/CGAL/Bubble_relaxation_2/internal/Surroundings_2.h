@@ -9,14 +9,14 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SURROUNDINGS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SURROUNDINGS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -32,37 +32,75 @@ inline Direction turned(const Direction& u)
   return {cosine * u.x - sine * u.y, sine * u.x + cosine * u.y};
 }
 
+/// Bubbles nearer than this, in units of their mean size, are neighbours.
+constexpr double largest_distance_of_neighbors = 1.3;
+
+/// A step of Newton's method for springs between a bubble and its neighbours.
+class Spring_step_2
+{
+public:
+  Spring_step_2(const Point& p, double d) : m_x(p.x()), m_y(p.y()), m_d(d) {}
+
+  /// another bubble, a neighbour or not
+  void add(double x, double y, double d)
+  {
+    const double dx = m_x - x, dy = m_y - y, squared = dx * dx + dy * dy;
+    const double wanted = 0.5 * (m_d + d), reach = largest_distance_of_neighbors * wanted;
+    if (!(squared > 0 && squared <= reach * reach))
+      return;
+    const double stretch = wanted / std::sqrt(squared) - 1;
+    m_number += 1;
+    m_sum_x += stretch * dx;
+    m_sum_y += stretch * dy;
+  }
+
+  Point target() const
+  {
+    // springs in all directions are half as stiff as in one
+    const double compliance = 1 / (std::max)(1., 0.5 * m_number);
+    return Point(m_x + compliance * m_sum_x, m_y + compliance * m_sum_y);
+  }
+
+private:
+  double m_x, m_y, m_d;
+  double m_sum_x = 0, m_sum_y = 0, m_number = 0;
+};
+
+/// The place of bubble `i` after such a step, among the bubbles `others`.
+template <class Indices>
+Point settled(const Bubbles_2& b, std::size_t i, const Indices& others)
+{
+  Spring_step_2 step(b.point(i), b.d[i]);
+  for (Index j : others)
+    step.add(b.x[j], b.y[j], b.d[j]);
+  return step.target();
+}
+
 /// The bubbles around a place where another may go, gathered once for all questions about it.
 class Surroundings_2
 {
 public:
   /// no bubble is set nearer to another than this, in units of their mean size
   static constexpr double least_distance = 0.8;
-  /// bubbles nearer than this are neighbours
-  static constexpr double largest_distance = 1.3;
 
-  /// the bubbles in the buckets nearer than `reach` times the mean size, without bubble `self`
-  void gather(const Bubble_buckets_2& buckets, const Point& p, double d, double reach, Index self)
+  std::size_t size() const { return m_bubbles.size(); }
+  Index index(std::size_t k) const { return m_bubbles[k].id; }
+
+  bool has(Index i) const
   {
-    m_bubbles.clear();
-    buckets.for_each_near(p.x(), p.y(), d, reach, [&](const Bubble_buckets_2::Entry& e, double) {
-      if (e.id != self)
-        m_bubbles.push_back(Bubble{e.x, e.y, e.d, e.id});
-      return true;
-    });
+    return std::any_of(m_bubbles.begin(), m_bubbles.end(), [i](const Bubble& b) { return b.id == i; });
   }
 
-  void add(Index i, const Bubbles_2& b) { m_bubbles.push_back(Bubble{b.x[i], b.y[i], b.d[i], i}); }
+  /// bubble `i` if it is nearer to one of size `d` at `p` than `reach` times the mean size
+  void add_if_near(Index i, const Bubbles_2& b, const Point& p, double d, double reach)
+  {
+    const double dx = p.x() - b.x[i], dy = p.y() - b.y[i], distance = 0.5 * reach * (d + b.d[i]);
+    if (dx * dx + dy * dy < distance * distance)
+      m_bubbles.push_back(Bubble{b.x[i], b.y[i], b.d[i], i});
+  }
 
   /// one that is not there yet
   void add(const Point& p, double d) { m_bubbles.push_back(Bubble{p.x(), p.y(), d, no_index}); }
-
-  /// the bubbles gathered may have moved
-  void update(const Bubbles_2& b)
-  {
-    for (Bubble& a : m_bubbles)
-      a = Bubble{b.x[a.id], b.y[a.id], b.d[a.id], a.id};
-  }
 
   /// whether a bubble of size `d` has room at `p`
   bool is_free(const Point& p, double d) const
@@ -85,23 +123,15 @@ public:
 
   /// The place of a bubble among all its neighbours: a few steps of Newton's method for springs between
   /// them.
-  Point settle(const Point& p, double d, int steps) const
+  Point settle(Point p, double d, int steps) const
   {
-    double x = p.x(), y = p.y();
     for (int k = 0; k < steps; ++k) {
-      double sum_x = 0, sum_y = 0, number = 0;
-      for_each_neighbor(x, y, d, [&](double dx, double dy, double distance, double wanted) {
-        const double stretch = wanted / distance - 1;
-        number += 1;
-        sum_x += stretch * dx;
-        sum_y += stretch * dy;
-      });
-      // springs in all directions are half as stiff as in one
-      const double compliance = 1 / (std::max)(1., 0.5 * number);
-      x += compliance * sum_x;
-      y += compliance * sum_y;
+      Spring_step_2 step(p, d);
+      for (const Bubble& b : m_bubbles)
+        step.add(b.x, b.y, b.d);
+      p = step.target();
     }
-    return Point(x, y);
+    return p;
   }
 
   /// how badly a bubble fits: the energy of the springs to its neighbours
@@ -141,13 +171,13 @@ private:
   {
     for (const Bubble& b : m_bubbles) {
       const double dx = x - b.x, dy = y - b.y, squared = dx * dx + dy * dy;
-      const double wanted = 0.5 * (d + b.d), reach = largest_distance * wanted;
+      const double wanted = 0.5 * (d + b.d), reach = largest_distance_of_neighbors * wanted;
       if (squared > 0 && squared <= reach * reach)
         visit(dx, dy, std::sqrt(squared), wanted);
     }
   }
 
-  std::vector<Bubble> m_bubbles;
+  boost::container::small_vector<Bubble, 24> m_bubbles;
 };
 
 } // namespace internal

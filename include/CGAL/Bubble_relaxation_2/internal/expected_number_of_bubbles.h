@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_EXPECTED_NUMBER_OF_BUBBLES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Sizing_field_ref_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -144,9 +145,10 @@ private:
   double m_mean_density = 0; // of the last smooth triangle
 };
 
-/// \throws std::length_error if more bubbles are expected than the user wants to have
+/// \returns how many bubbles are expected
+/// \throws std::length_error if they are more than the user wants to have
 template <class Sizing>
-void check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
+double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
 {
   const double expected =
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
@@ -156,6 +158,25 @@ void check_expected_number(const Domain_2& domain, const Sizing& sizing, std::si
             << ": the sizing function, and the outline of the domain, ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
+  return expected;
+}
+
+/// A sizing field, and how many bubbles it asks for in the domain: that costs calls of d, so it is found
+/// once.
+struct Counted_sizing_field_2 : Sizing_field_ref_2
+{
+  double expected_number;
+
+  Counted_sizing_field_2(const Sizing_field_ref_2& field, double number)
+    : Sizing_field_ref_2(field), expected_number(number)
+  {}
+};
+
+/// \throws std::length_error if more bubbles are expected than the user wants to have
+inline Counted_sizing_field_2 counted(const Domain_2& domain, const Sizing_field_ref_2& sizing,
+                                      std::size_t maximum)
+{
+  return Counted_sizing_field_2(sizing, check_expected_number(domain, sizing, maximum));
 }
 
 } // namespace internal

@@ -14,7 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/Crystal_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Surroundings_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/expected_number_of_bubbles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,13 +158,13 @@ Growth fill_in_better_way(const Domain_2& domain, const Sizing& sizing, Bubbles_
 }
 
 /// Initial bubbles of the faces. What suits a domain is found with large bubbles if there will be many.
+/// `sizing`: has `expected_number`
 template <class Concurrency_tag, class Sizing>
 void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
 {
-  constexpr double enough = 1000, limit = 1e9;
-  const double expected = Expected_number_of_bubbles<Sizing>(domain, sizing, limit)();
+  constexpr double enough = 400;
   double factor = 1;
-  while (expected >= 4 * factor * factor * enough)
+  while (sizing.expected_number >= 4 * factor * factor * enough)
     factor *= 2;
   if (factor == 1) {
     fill_in_better_way<Concurrency_tag>(domain, sizing, bubbles);

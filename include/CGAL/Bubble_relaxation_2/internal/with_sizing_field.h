@@ -62,19 +62,18 @@ void with_limited_sizing_field(const Cdt& cdt, const NamedParameters& np,
 {
   constexpr bool is_given = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
   with_sizing_field(cdt, np, marks, reading, [&](const Sizing_field_ref_2& wanted) {
-    check_expected_number(reading.domain, wanted, options.maximum_number_of_bubbles);
+    const std::size_t maximum = options.maximum_number_of_bubbles;
+    const Counted_sizing_field_2 counted_wanted = counted(reading.domain, wanted, maximum);
     std::vector<Size_source_2> sources;
     if (is_given && options.limit_by_outline)
       sources = Outline_sizes_2<Cdt>(reading, &wanted)();
     if (sources.empty()) {
-      use(wanted, wanted);
+      use(counted_wanted, wanted);
       return;
     }
     const Outline_field_2 limit(sources, reading.domain.bbox());
     const Smaller_of_2 smaller(&wanted, &limit);
-    const Sizing_field_ref_2 sizing(smaller);
-    check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
-    use(sizing, wanted);
+    use(counted(reading.domain, Sizing_field_ref_2(smaller), maximum), wanted);
   });
 }
 
