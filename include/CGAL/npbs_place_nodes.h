@@ -82,7 +82,8 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
   Phase_timer reading_time(nodes.report.seconds.reading);
   const Domain_marks_2<CDT> is_inside(cdt, np);
   const auto reading = read_domain(cdt, np, is_inside);
-  with_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto&) {
+  with_limited_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing,
+                                                                       const auto&) {
     reading_time.stop();
     using Tag = Concurrency<NamedParameters>;
     Bubbles_2 bubbles =

@@ -213,7 +213,8 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   Phase_timer reading_time(report.seconds.reading);
   const Domain_marks_2<CDT> is_inside(cdt, np);
   const auto reading = read_domain(cdt, np, is_inside);
-  with_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto& wanted) {
+  with_limited_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing,
+                                                                       const auto& wanted) {
     reading_time.stop();
     using Tag = Concurrency<NamedParameters>;
     const Bubble_mesh_2 mesh =

@@ -118,7 +118,7 @@ TEST_P(Treated_domain, has_no_bad_triangles)
     EXPECT_GE(with.quality.minimum_angle(), 35);
     EXPECT_GE(with.quality.minimum_quality(), without.quality.minimum_quality());
     EXPECT_GE(with.quality.mean_quality(), without.quality.mean_quality());
-    EXPECT_GT(with.number_of_treated_vertices, 0u);
+    EXPECT_EQ(with.number_of_treated_vertices > 0, without.quality.minimum_quality() < 0.95);
     EXPECT_EQ(without.number_of_treated_vertices, 0u);
   }
 }
@@ -261,7 +261,7 @@ TEST(Outline_limit, makes_a_narrow_channel_finer)
   const auto with = relax(domain, limited, P::mass(1.));
   const auto without = relax(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
   EXPECT_LT(without.quality.minimum_angle(), 25);
-  EXPECT_GE(with.quality.minimum_angle(), 30);
+  EXPECT_GE(with.quality.minimum_angle(), 38);
 }
 
 TEST(Outline_limit, leaves_an_outline_alone_that_fits)

@@ -82,9 +82,9 @@ public:
   }
 
 private:
-  /// Without these two limits a slit, or two vertices that almost coincide, would ask for bubbles without
-  /// number: the least share of a constraint's length, and of the domain's extent.
-  static constexpr double least_share = 0.125, least_size = 1e-6;
+  /// Without these limits a slit, or two vertices that almost coincide, would ask for bubbles without number:
+  /// the least share of the domain's extent, and of a constraint's length or of the wish.
+  static constexpr double least_size = 1e-6, least_share = 0.125, least_share_of_wish = 1. / 256;
 
   /// A wish is granted up to this times what the outline asks for: one row of triangles in a channel is no
   /// worse when it is lower by a fifth than it should be.
@@ -100,8 +100,14 @@ private:
 
   void add(const Point& p, double d)
   {
-    if (m_wanted == nullptr || asked(d) < (*m_wanted)(p))
-      m_sources.push_back(Size_source_2{p, (std::max)(asked(d), least_size * extent())});
+    double least = least_size * extent();
+    if (m_wanted != nullptr) {
+      const double wanted = (*m_wanted)(p);
+      if (asked(d) >= wanted)
+        return;
+      least = (std::max)(least, least_share_of_wish * wanted);
+    }
+    m_sources.push_back(Size_source_2{p, (std::max)(asked(d), least)});
   }
 
   /// The pieces of an edge between the vertices of the constraint. Those that only split it may slide and go
@@ -187,7 +193,7 @@ private:
 
   double least_width(const Bubbles_2& nodes, Index i) const
   {
-    if (is_pin(nodes, i))
+    if (m_wanted != nullptr)
       return 0;
     if (nodes.is_corner(i))
       return least_share * m_corner_sizes[nodes.place[i]];

@@ -30,53 +30,52 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Calls `use(sizing, wanted)` with the size that the user wants, and with what is smaller where the outline
-/// is too fine or the domain too narrow for it.
-template <class Cdt, class Use>
-void with_outline_limit(const Domain_reading_2<Cdt>& reading, const Relaxation_options& options,
-                        const Sizing_field_ref_2& wanted, const Use& use)
-{
-  check_expected_number(reading.domain, wanted, options.maximum_number_of_bubbles);
-  std::vector<Size_source_2> sources;
-  if (options.limit_by_outline)
-    sources = Outline_sizes_2<Cdt>(reading, &wanted)();
-  if (sources.empty()) {
-    use(wanted, wanted);
-    return;
-  }
-  const Outline_field_2 limit(sources, reading.domain.bbox());
-  const Smaller_of_2 smaller(&wanted, &limit);
-  const Sizing_field_ref_2 sizing(smaller);
-  check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
-  use(sizing, wanted);
-}
-
-/// Calls `use(sizing, wanted)` with the sizing field that the simulation follows and the one that the named
-/// parameters want: the user's function, checked, or by default that of the mesh that is there, or else what
-/// the outline asks for.
+/// Calls `use(sizing)` with the sizing field of the named parameters: the user's function, checked, or by
+/// default that of the mesh that is there, or else what the outline asks for.
 template <class Cdt, class NamedParameters, class Use>
 void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
-                       const Domain_reading_2<Cdt>& reading, const Relaxation_options& options,
-                       const Use& use)
+                       const Domain_reading_2<Cdt>& reading, const Use& use)
 {
-  const auto use_as_it_is = [&](const Sizing_field_ref_2& sizing) {
-    check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
-    use(sizing, sizing);
-  };
   using Point_2 = typename Cdt::Geom_traits::Point_2;
   if constexpr (!Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     if (reading.free.empty()) { // no mesh yet
       const Outline_field_2 field = outline_field(reading);
-      use_as_it_is(Sizing_field_ref_2(field));
+      use(Sizing_field_ref_2(field));
     } else {
       const Interpolated_field_2 field = mean_edge_length_field(cdt, marks);
-      use_as_it_is(Sizing_field_ref_2(field));
+      use(Sizing_field_ref_2(field));
     }
   } else {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
     const Checked_sizing_field_2<Point_2, std::decay_t<decltype(f)>> field(f);
-    with_outline_limit(reading, options, Sizing_field_ref_2(field), use);
+    use(Sizing_field_ref_2(field));
   }
+}
+
+/// Calls `use(sizing, wanted)` with the sizing field of the named parameters, `wanted`, and with the one that
+/// the simulation follows: it is smaller where the outline is too fine or the domain too narrow for what the
+/// user wants. Both have been checked for the number of bubbles that they ask for.
+template <class Cdt, class NamedParameters, class Use>
+void with_limited_sizing_field(const Cdt& cdt, const NamedParameters& np,
+                               const Domain_marks_2<Cdt>& marks, const Domain_reading_2<Cdt>& reading,
+                               const Relaxation_options& options, const Use& use)
+{
+  constexpr bool is_given = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
+  with_sizing_field(cdt, np, marks, reading, [&](const Sizing_field_ref_2& wanted) {
+    check_expected_number(reading.domain, wanted, options.maximum_number_of_bubbles);
+    std::vector<Size_source_2> sources;
+    if (is_given && options.limit_by_outline)
+      sources = Outline_sizes_2<Cdt>(reading, &wanted)();
+    if (sources.empty()) {
+      use(wanted, wanted);
+      return;
+    }
+    const Outline_field_2 limit(sources, reading.domain.bbox());
+    const Smaller_of_2 smaller(&wanted, &limit);
+    const Sizing_field_ref_2 sizing(smaller);
+    check_expected_number(reading.domain, sizing, options.maximum_number_of_bubbles);
+    use(sizing, wanted);
+  });
 }
 
 /// Reads the domain with what the user pinned.
