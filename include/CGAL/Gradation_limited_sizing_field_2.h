@@ -74,13 +74,13 @@ public:
   using Point_2 = typename CDT::Geom_traits::Point_2; ///< the point type
 
   /*!
-  limits the sizes that `npbs_relax()` would use with the same parameters.
+  limits the sizes that are given, or by default those that `npbs_relax()` would use. What `npbs_relax()` does by its
+  parameter `limit_by_outline` comes later, and grows by 0.2 per unit of length.
 
   \param cdt the domain, as for `npbs_relax()`
   \param gradation g, the most that h changes per unit of length, positive; 0.1 to 0.3 is usual
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `sizing_function`, `seeds`,
-  `seeds_are_in_domain`, `vertex_is_constrained_map`, `limit_by_outline` and `maximum_number_of_bubbles` as for
-  `npbs_relax()`, with the same defaults, and
+  `seeds_are_in_domain` and `vertex_is_constrained_map` as for `npbs_relax()`, with the same defaults, and
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{maximum_number_of_vertices}
@@ -92,7 +92,6 @@ public:
 
   \throws std::invalid_argument if a parameter is out of its range, if a coordinate or a size is not finite,
   if a size is not positive, or if there is no domain with constraints all around it
-  \throws std::length_error if the sizes ask for more bubbles than `maximum_number_of_bubbles`, before they are limited
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   Gradation_limited_sizing_field_2(const CDT& cdt, double gradation,
@@ -108,8 +107,7 @@ public:
       static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
     const Domain_marks_2<CDT> is_inside(cdt, np);
     const auto reading = read_domain(cdt, np, is_inside);
-    const auto options = read_options(np);
-    with_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto&) {
+    with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
       // every vertex of the user's is a place to look at d: none is taken as a mere split of a constraint
       const Domain_reading_2<CDT> all(cdt, is_inside, [](typename CDT::Vertex_handle) { return true; });
       std::vector<Point> inner;
