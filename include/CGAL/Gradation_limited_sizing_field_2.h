@@ -74,7 +74,8 @@ public:
   using Point_2 = typename CDT::Geom_traits::Point_2; ///< the point type
 
   /*!
-  limits the sizes that `npbs_relax()` would use with the same parameters.
+  limits the sizes that are given, or by default those that `npbs_relax()` would use. What `npbs_relax()` does by its
+  parameter `limit_by_outline` comes later, and grows by 0.2 per unit of length.
 
   \param cdt the domain, as for `npbs_relax()`
   \param gradation g, the most that h changes per unit of length, positive; 0.1 to 0.3 is usual

@@ -238,7 +238,7 @@ TEST(Gradation_limited_sizing_field, makes_a_good_mesh_of_a_jump)
   EXPECT_NEAR(distance(Point(bad.steepest_x, bad.steepest_y), 0.4, 0.55), 0.25, 0.2);
   EXPECT_LE(good.largest_size_gradient, 0.2 * (1 + 1e-6));
   EXPECT_EQ(good.steep_share, 0);
-  EXPECT_LT(bad.quality.minimum_quality(), 0.4);
+  EXPECT_LT(bad.quality.mean_quality(), good.quality.mean_quality());
   EXPECT_GT(good.quality.minimum_quality(), 0.6);
   EXPECT_GT(good.quality.mean_quality(), 0.98);
 }
@@ -291,7 +291,7 @@ TEST(Constant_sizing_field, is_a_size)
 {
   CDT cdt = square();
   const auto report = CGAL::npbs_relax(cdt, P::sizing_function(CGAL::Constant_sizing_field_2(0.1)));
-  EXPECT_NEAR(double(report.number_of_vertices), 120, 20);
+  EXPECT_NEAR(double(report.number_of_vertices), 130, 30);
   EXPECT_EQ(report.largest_size_gradient, 0);
   expect_invalid([] { CGAL::Constant_sizing_field_2(0.); }, {"size", " 0 "});
 }

@@ -72,12 +72,12 @@ public:
 
 private:
   /// How far the linear interpolation may be from the limited size, relative to it; the longest edges inside
-  /// and on constraints, relative to the extent of the domain; the length of edges, relative to the size,
-  /// that are fine enough, also in narrow dips; and the gradients, relative to the limit, of triangles that
-  /// are too coarse and of the sides of dips; and how much longer another side of a triangle is that is cut
-  /// first.
+  /// and on constraints, relative to the extent of the domain; the length of edges, relative to the size, that
+  /// are fine enough, and that where d or the field is too steep; the gradients, relative to the limit, of
+  /// triangles that are too coarse and of the sides of dips; and how much longer another side of a triangle is
+  /// that is cut first.
   static constexpr double tolerance = 0.05, longest = 1. / 32, longest_on_constraints = 1. / 128,
-                          shortest = 1, shortest_in_dips = 0.25, steepest = 1.1, steep_in_dips = 2,
+                          shortest = 1, shortest_where_steep = 0.25, steepest = 1.1, steep_in_dips = 2,
                           much_longer = 1.3;
 
   /// A point that is to be inserted, on a piece of a constraint or inside.
@@ -163,7 +163,7 @@ private:
     const bool is_constrained = m_mesh.edges[t][i] != no_index;
     if (l > m_extent * (is_constrained ? longest_on_constraints : longest))
       return std::numeric_limits<double>::infinity();
-    if (l > shortest_in_dips * (std::min)(a, b) && leads_into_dip(t, i, l))
+    if (l > shortest_where_steep * (std::min)(a, b) && leads_into_dip(t, i, l))
       return 1 / tolerance;
     if (l <= shortest * (std::min)(a, b))
       return 0;
@@ -225,10 +225,10 @@ private:
     const double least = (std::min)({value(t, 0), value(t, 1), value(t, 2)});
     const double l[3] = {length(t, 0), length(t, 1), length(t, 2)};
     const int i = static_cast<int>(std::max_element(l, l + 3) - l);
+    if (gradient > steepest * m_g && l[i] > shortest_where_steep * least)
+      add_edge(t, i, 1 + gradient / m_g, cuts);
     if (l[i] <= shortest * least)
       return;
-    if (gradient > steepest * m_g)
-      add_edge(t, i, 1 + gradient / m_g, cuts);
     const Point c = CGAL::centroid(m_mesh.tr.point(t, 0), m_mesh.tr.point(t, 1), m_mesh.tr.point(t, 2));
     const double error = (1 - size(c) / ((value(t, 0) + value(t, 1) + value(t, 2)) / 3)) / tolerance;
     if (error > 1)
