@@ -155,7 +155,7 @@ double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::
   if (expected > static_cast<double>(maximum)) {
     std::ostringstream message;
     message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
-            << ": the sizing function, and the outline of the domain, ask for more, at least " << expected;
+            << ": the domain and the sizing function ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
   return expected;
