@@ -182,7 +182,7 @@ void register_benchmarks(const Case& c)
   const std::pair<const char*, double Phases::*> phases[] = {
     {"reading", &Phases::reading},       {"placement", &Phases::placement}, {"renewal", &Phases::renewal},
     {"motion", &Phases::motion},         {"population", &Phases::population},
-    {"evaluation", &Phases::evaluation}, {"writing", &Phases::writing}};
+    {"treatment", &Phases::treatment},   {"evaluation", &Phases::evaluation}, {"writing", &Phases::writing}};
   for (const auto& p : phases)
     add(std::string("relaxation/") + p.first, [c, seconds = p.second](State& s) { phase(s, c, seconds); })
       ->UseManualTime()

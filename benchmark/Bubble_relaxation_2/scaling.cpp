@@ -124,7 +124,7 @@ void show_growth(double largest)
   std::cout << std::fixed << std::setw(10) << "vertices" << std::setw(11) << "us/vertex" << std::setw(9) << "floors"
             << std::setw(12) << "over 1e4's" << std::setw(12) << "MB at peak" << std::setw(14) << "bytes/vertex"
             << std::setw(9) << "mean q" << std::setw(8) << "min q" << std::setw(7) << "steps"
-            << "   % of: reading, placement, renewal, motion, population, writing, evaluation\n";
+            << "   % of: reading, placement, renewal, motion, population, treatment, writing, evaluation\n";
   double at_ten_thousand = 0;
   for_each_size(largest, [&](const paper::Domain& domain, double n) {
     const auto m = in_child_process<Measurement>([&] { return mesh<CGAL::Sequential_tag>(domain, true); });
@@ -145,7 +145,7 @@ void show_growth(double largest)
               << "  ";
     const Phases& s = m.phases; // of wall-clock time: phases are not timed otherwise
     for (double phase :
-         {s.reading, s.placement, s.renewal, s.motion, s.population, s.writing, s.evaluation})
+         {s.reading, s.placement, s.renewal, s.motion, s.population, s.treatment, s.writing, s.evaluation})
       std::cout << ' ' << 100 * phase / s.total();
     std::cout << std::endl;
   });
@@ -160,7 +160,8 @@ void print_threads(const paper::Domain& domain, const std::string& threads, cons
             << std::setprecision(3) << std::setw(9) << m.wall << std::setprecision(2) << std::setw(9)
             << first.wall / m.wall << std::setprecision(3);
   const Phases& s = m.phases;
-  for (double phase : {s.reading, s.placement, s.renewal, s.motion, s.population, s.writing, s.evaluation})
+  for (double phase :
+       {s.reading, s.placement, s.renewal, s.motion, s.population, s.treatment, s.writing, s.evaluation})
     std::cout << std::setw(11) << phase;
   std::cout << "  " << std::hex << std::setw(16) << std::setfill('0') << m.hash << std::dec << std::setfill(' ')
             << (m.hash == first.hash ? "" : "  DIFFERENT") << std::endl;
@@ -172,7 +173,8 @@ bool show_threads([[maybe_unused]] int threads, double largest)
   print_name("domain");
   std::cout << std::fixed << std::setw(10) << "vertices" << std::setw(12) << "threads" << std::setw(9) << "seconds"
             << std::setw(9) << "speed-up";
-  for (const char* phase : {"reading", "placement", "renewal", "motion", "population", "writing", "evaluation"})
+  for (const char* phase :
+       {"reading", "placement", "renewal", "motion", "population", "treatment", "writing", "evaluation"})
     std::cout << std::setw(11) << phase;
   std::cout << "  hash of the points\n";
   bool is_equal = true;
