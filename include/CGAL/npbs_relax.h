@@ -113,7 +113,7 @@ those on edges lie exactly on them.
                           bubble of an edge more than a twentieth of it. By default a bubble also sleeps
                           while it and its neighbours move no more}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{0.01; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
+    \cgalParamDefault{0.007; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
   \cgalParamNBegin{integrator}
     \cgalParamDescription{how the equation of motion (eq. 3 of the paper) is integrated}
@@ -133,7 +133,7 @@ those on edges lie exactly on them.
   \cgalParamNBegin{damping}
     \cgalParamDescription{c of eq. 3}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{0.3, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
+    \cgalParamDefault{0.5, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
   \cgalParamNEnd
   \cgalParamNBegin{time_step}
     \cgalParamDescription{the length of a step in time}
@@ -224,7 +224,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     progress.report(1);
     // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
     Restore_on_throw<CDT> guard(cdt);
-    write_back(cdt, *reading, mesh.bubbles, report);
+    write_back(cdt, *reading, mesh, report);
     guard.all_went_well();
   });
   return report;

@@ -91,9 +91,22 @@ public:
     for (Index i : m_before)
       if (m_added_in[i] != m_step)
         bubbles.stop(i);
+    if (many * m_indices.size() > bubbles.size())
+      sort_by_index();
   }
 
 private:
+  /// from one in so many on, active bubbles are visited in the order in which they lie in memory
+  static constexpr std::size_t many = 32;
+
+  void sort_by_index()
+  {
+    m_indices.clear();
+    for (std::size_t i = 0; i < m_added_in.size(); ++i)
+      if (m_added_in[i] == m_step)
+        m_indices.push_back(static_cast<Index>(i));
+  }
+
   void start(const Bubbles_2& bubbles)
   {
     m_indices.clear();

@@ -73,6 +73,14 @@ public:
   /// whether the vertex is an end of one of the graph's edges
   bool contains(Vertex_handle v) const { return m_index.is_defined(v); }
 
+  /// whether a constraint without a part in the domain ends at a vertex of the graph
+  bool touches_other_constraints() const
+  {
+    return std::any_of(m_nodes.begin(), m_nodes.end(), [](const Node& node) {
+      return static_cast<std::size_t>(node.degree) != node.edges.size();
+    });
+  }
+
   /// the lexicographic order of points
   static bool is_before(Vertex_handle u, Vertex_handle v)
   {

@@ -32,7 +32,7 @@ class Delaunay_population
 {
 public:
   /// insert where the radius of an empty circle exceeds this times d (0.577 in the hexagonal lattice)
-  double largest_radius = 0.65;
+  double largest_radius = 0.645;
   /// delete where two bubbles are nearer than this times their mean size
   double least_distance = 0.62;
   /// delete bubbles of the faces with as many neighbours or less
@@ -229,7 +229,8 @@ private:
 
   static double relative_distance(const Bubbles_2& b, Index i, Index j)
   {
-    return 2 * std::hypot(b.x[i] - b.x[j], b.y[i] - b.y[j]) / (b.d[i] + b.d[j]);
+    const double dx = b.x[i] - b.x[j], dy = b.y[i] - b.y[j];
+    return 2 * std::sqrt(dx * dx + dy * dy) / (b.d[i] + b.d[j]);
   }
 
   const Domain_2& m_domain;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace CGAL {
@@ -38,25 +39,16 @@ public:
     m_ring.clear();
     m_is_closed = false;
     m_largest_circle = 0;
-    const Index first = nearest(candidates);
-    if (first == no_index)
+    take(candidates);
+    const std::size_t first = nearest();
+    if (first == none)
       return;
-    m_ring.push_back(first);
-    for (;;) {
-      const Index next = beside(m_ring.back(), candidates, 1);
-      if (next == no_index)
-        break;
-      m_is_closed = next == first;
-      if (m_is_closed || m_ring.size() > candidates.size())
-        return;
-      m_ring.push_back(next);
-    }
-    for (;;) { // the other way from the first
-      const Index next = beside(m_ring.front(), candidates, -1);
-      if (next == no_index || m_ring.size() > candidates.size())
-        return;
-      m_ring.insert(m_ring.begin(), next);
-    }
+    Positions ring(1, first);
+    m_is_closed = wrap_left(first, ring);
+    if (!m_is_closed)
+      wrap_right(first, ring);
+    for (std::size_t k : ring)
+      m_ring.push_back(m_others[k].index);
   }
 
   const Indices& ring() const { return m_ring; }
@@ -65,64 +57,102 @@ public:
   double largest_circle() const { return m_largest_circle; }
 
 private:
-  Index nearest(const Indices& candidates) const
+  using Positions = boost::container::small_vector<std::size_t, 24>;
+
+  /// another bubble, in coordinates relative to the center and in units of its size
+  struct Other
   {
-    Index best = no_index;
+    double x, y;
+    Index index;
+  };
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  void take(const Indices& candidates)
+  {
+    const double x = m_bubbles.x[m_center], y = m_bubbles.y[m_center], unit = 1 / m_bubbles.d[m_center];
+    m_others.clear();
+    for (Index j : candidates)
+      m_others.push_back(Other{(m_bubbles.x[j] - x) * unit, (m_bubbles.y[j] - y) * unit, j});
+    m_cotangents.resize(m_others.size());
+  }
+
+  std::size_t nearest() const
+  {
+    std::size_t best = none;
     double least = std::numeric_limits<double>::infinity();
-    for (Index j : candidates) {
-      const double dx = m_bubbles.x[j] - m_bubbles.x[m_center], dy = m_bubbles.y[j] - m_bubbles.y[m_center];
-      const double squared = dx * dx + dy * dy;
+    for (std::size_t k = 0; k < m_others.size(); ++k) {
+      const double squared = m_others[k].x * m_others[k].x + m_others[k].y * m_others[k].y;
       if (squared > 0 && squared < least) {
         least = squared;
-        best = j;
+        best = k;
       }
     }
     return best;
   }
 
-  /// the cotangent of the angle in which candidate `k` sees the bubble and its neighbour `j`, if it lies on the
-  /// left (`side` 1) or right of the ray to `j`; else infinity
-  double cotangent(Index j, Index k, int side) const
+  /// goes around to the left; returns whether it comes back to the first
+  bool wrap_left(std::size_t first, Positions& ring)
   {
-    const double x = m_bubbles.x[m_center], y = m_bubbles.y[m_center], unit = 1 / m_bubbles.d[m_center];
-    const double ux = (m_bubbles.x[j] - x) * unit, uy = (m_bubbles.y[j] - y) * unit;
-    const double vx = (m_bubbles.x[k] - x) * unit, vy = (m_bubbles.y[k] - y) * unit;
-    const double area = side * (ux * vy - uy * vx);
-    return k != j && area > flat ? (vx * (vx - ux) + vy * (vy - uy)) / area
-                                 : std::numeric_limits<double>::infinity();
+    while (ring.size() <= m_others.size()) {
+      const std::size_t next = beside(ring.back(), 1);
+      if (next == none || next == first)
+        return next == first;
+      ring.push_back(next);
+    }
+    return false;
   }
 
-  /// the candidate beside the ray to `j` with the largest angle: no other lies in its circle on this side
-  Index beside(Index j, const Indices& candidates, int side)
+  void wrap_right(std::size_t first, Positions& ring)
   {
-    double least = std::numeric_limits<double>::infinity();
-    for (Index k : candidates)
-      least = (std::min)(least, cotangent(j, k, side));
-    if (least == std::numeric_limits<double>::infinity())
-      return no_index;
-    const double ux = m_bubbles.x[j] - m_bubbles.x[m_center], uy = m_bubbles.y[j] - m_bubbles.y[m_center];
-    const double d = m_bubbles.d[m_center];
+    Positions right;
+    for (std::size_t next = beside(first, -1); next != none && ring.size() + right.size() <= m_others.size();
+         next = beside(next, -1))
+      right.push_back(next);
+    ring.insert(ring.begin(), right.rbegin(), right.rend());
+  }
+
+  /// The other bubble on the left (`side` 1) or right of the ray to the one at `j` that sees the center and `j` in
+  /// the largest angle: no other lies in its circle on this side.
+  std::size_t beside(std::size_t j, int side)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double ux = m_others[j].x, uy = m_others[j].y;
+    double least = infinity;
+    std::size_t best = none;
+    for (std::size_t k = 0; k < m_others.size(); ++k) {
+      const double vx = m_others[k].x, vy = m_others[k].y, area = side * (ux * vy - uy * vx);
+      m_cotangents[k] = area > flat ? (vx * (vx - ux) + vy * (vy - uy)) / area : infinity;
+      if (m_cotangents[k] < least) {
+        least = m_cotangents[k];
+        best = k;
+      }
+    }
+    if (best == none)
+      return none;
     // (side / (2 sin))^2
-    m_largest_circle = (std::max)(m_largest_circle, 0.25 * (ux * ux + uy * uy) / (d * d) * (1 + least * least));
+    m_largest_circle = (std::max)(m_largest_circle, 0.25 * (ux * ux + uy * uy) * (1 + least * least));
     m_equal.clear();
-    for (Index k : candidates)
-      if (cotangent(j, k, side) <= least + equal * (1 + std::abs(least)))
+    const double limit = least + equal * (1 + std::abs(least));
+    for (std::size_t k = 0; k < m_others.size(); ++k)
+      if (m_cotangents[k] <= limit)
         m_equal.push_back(k);
-    return m_equal.size() == 1 ? m_equal.front() : choice_on_circle(j, side);
+    return m_equal.size() == 1 ? best : choice_on_circle(j, side);
   }
 
   /// Of several on one circle all are connected to the one with the smallest number. All stars agree on that.
-  Index choice_on_circle(Index j, int side) const
+  std::size_t choice_on_circle(std::size_t j, int side) const
   {
-    const Index smallest = *std::min_element(m_equal.begin(), m_equal.end());
-    if (smallest < m_center && smallest < j)
+    const std::size_t smallest = *std::min_element(m_equal.begin(), m_equal.end(), [this](auto k, auto l) {
+      return m_others[k].index < m_others[l].index;
+    });
+    if (m_others[smallest].index < m_center && m_others[smallest].index < m_others[j].index)
       return smallest;
-    const bool wants_next = m_center < j; // the next on the circle after j, or the last before the center
-    Index best = m_equal.front();
-    for (Index k : m_equal) {
-      const double x = m_bubbles.x[m_center], y = m_bubbles.y[m_center];
-      const double turn = side * ((m_bubbles.x[best] - x) * (m_bubbles.y[k] - y) -
-                                  (m_bubbles.y[best] - y) * (m_bubbles.x[k] - x));
+    // the next on the circle after j, or the last before the center
+    const bool wants_next = m_center < m_others[j].index;
+    std::size_t best = m_equal.front();
+    for (std::size_t k : m_equal) {
+      const double turn = side * (m_others[best].x * m_others[k].y - m_others[best].y * m_others[k].x);
       if (wants_next ? turn < 0 : turn > 0)
         best = k;
     }
@@ -136,7 +166,10 @@ private:
 
   const Bubbles_2& m_bubbles;
   Index m_center;
-  Indices m_ring, m_equal;
+  Indices m_ring;
+  boost::container::small_vector<Other, 24> m_others;
+  boost::container::small_vector<double, 24> m_cotangents;
+  Positions m_equal; // on one circle
   bool m_is_closed = false;
   double m_largest_circle = 0;
 };

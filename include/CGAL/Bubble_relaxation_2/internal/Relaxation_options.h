@@ -25,7 +25,7 @@ namespace internal {
 constexpr std::size_t default_number_of_iterations = 30;
 constexpr std::size_t default_number_of_rounds = 10;
 constexpr std::size_t default_maximum_number_of_bubbles = 100000000;
-constexpr double default_displacement_tolerance = 0.01;
+constexpr double default_displacement_tolerance = 0.007;
 
 /// The values of the named parameters that steer the simulation, checked.
 struct Relaxation_options
@@ -33,7 +33,7 @@ struct Relaxation_options
   Bubble_integrator integrator = Bubble_integrator::SEMI_IMPLICIT_EULER;
   double force_coefficient = 1;
   double mass = 1;
-  double damping = 0.3;
+  double damping = 0.5;
   double time_step = 0.6;
   std::size_t number_of_iterations = default_number_of_iterations;
   std::size_t number_of_rounds = default_number_of_rounds;

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITE_BACK_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Direct_write_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
@@ -284,12 +285,18 @@ private:
   std::vector<Vertex_handle> m_on_hull;            // bubbles on edges of the hull
 };
 
+/// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
+/// nothing else in it, else by insertion.
 template <class Cdt, class Report>
-void write_back(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubbles_2& bubbles,
-                Report& report)
+void write_back(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
-  Write_back_2<Cdt>(cdt, reading, bubbles)();
+  if constexpr (Is_plain<Cdt>::value)
+    if (Direct_write_2<Cdt>::is_possible(cdt, reading)) {
+      Direct_write_2<Cdt>(cdt, reading, mesh)();
+      return;
+    }
+  Write_back_2<Cdt>(cdt, reading, mesh.bubbles)();
 }
 
 /// Gives a triangulation its former content back unless it is told that all went well. The content is

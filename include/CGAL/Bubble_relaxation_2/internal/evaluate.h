@@ -41,7 +41,7 @@ void add_triangles(const Marked_triangulation_2& mesh, std::size_t first, std::s
         continue; // seen from the other side
       const Point &p = tr.point(f, ccw(i)), &q = tr.point(f, cw(i));
       const double dx = q.x() - p.x(), dy = q.y() - p.y();
-      accumulator.add_length(std::hypot(dx, dy) / sizing(p.x() + dx / 2, p.y() + dy / 2));
+      accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(p.x() + dx / 2, p.y() + dy / 2));
     }
   }
 }

@@ -47,14 +47,15 @@ void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizing& si
       if (n != no_index && mesh.inside[n] && static_cast<std::size_t>(n) < t)
         continue; // seen from the other side
       const Point &p = tr.points[a], &q = tr.points[b];
-      const double gradient = std::abs(sizes[b] - sizes[a]) / std::hypot(q.x() - p.x(), q.y() - p.y());
+      const double dx = q.x() - p.x(), dy = q.y() - p.y();
+      const double gradient = std::abs(sizes[b] - sizes[a]) / std::sqrt(dx * dx + dy * dy);
       ++all;
       if (gradient > Report::steep_size_gradient)
         ++steep;
       if (gradient > largest) {
         largest = gradient;
-        report.steepest_x = FT(p.x() + (q.x() - p.x()) / 2);
-        report.steepest_y = FT(p.y() + (q.y() - p.y()) / 2);
+        report.steepest_x = FT(p.x() + dx / 2);
+        report.steepest_y = FT(p.y() + dy / 2);
       }
     }
   report.largest_size_gradient = FT(largest);
