@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -116,7 +117,9 @@ private:
 
   void make_room(const Bubbles_2& bubbles)
   {
+    internal::make_room_for(bubbles.size() - m_added_in.size(), m_added_in);
     m_added_in.resize(bubbles.size(), 0);
+    internal::make_room_for(bubbles.size() - m_is_touched.size(), m_is_touched);
     m_is_touched.resize(bubbles.size(), 0);
   }
 
@@ -139,8 +142,8 @@ private:
 
   std::vector<Index> m_indices, m_before, m_touched;
   std::vector<char> m_is_touched;
-  std::vector<std::uint64_t> m_added_in; // the step in which a bubble was added last
-  std::uint64_t m_step = 1;
+  std::vector<std::uint32_t> m_added_in; // the step in which a bubble was added last
+  std::uint32_t m_step = 1;
   bool m_is_roused = false;
 };
 

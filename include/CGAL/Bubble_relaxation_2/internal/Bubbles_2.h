@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLES_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 
 #include <cstddef>
 #include <vector>
@@ -46,13 +47,14 @@ struct Bubbles_2
   /// and two rows that face each other part slowly.
   double share_of_tolerance(std::size_t i) const { return is_on_edge(i) ? 0.05 : 1.; }
 
-  void reserve(std::size_t n)
+  /// makes room for `n` more
+  void make_room_for(std::size_t n)
   {
     for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
-      a->reserve(n);
-    dimension.reserve(n);
-    place.reserve(n);
-    tag.reserve(n);
+      internal::make_room_for(n, *a);
+    internal::make_room_for(n, dimension);
+    internal::make_room_for(n, place);
+    internal::make_room_for(n, tag);
   }
 
   void add(const Point& p, double size, Dimension dim, Index at, double on_edge = 0,

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
@@ -60,16 +61,23 @@ public:
     for (std::size_t i = 0; i < n; ++i)
       if (bubbles.is_gone(i))
         m_buckets->erase(i);
-    std::vector<Block> blocks((n + block_size - 1) / block_size);
-    parallel_for<Concurrency_tag>(
-      blocks.size(), [&](std::size_t k) { find_neighbors(bubbles, k, blocks[k]); }, 1);
-    for (const Block& block : blocks) {
-      const Index* first = block.found.data();
-      for (std::size_t size : block.sizes) {
-        append(first, size);
-        first += size;
-      }
+    std::vector<Block> blocks(blocks_at_once);
+    for (std::size_t first = 0; first < n; first += blocks_at_once * block_size) {
+      parallel_for<Concurrency_tag>(
+        blocks_at_once,
+        [&](std::size_t k) { find_neighbors(bubbles, first + k * block_size, blocks[k]); }, 1);
+      for (const Block& block : blocks)
+        append(block);
     }
+  }
+
+  /// makes room for `n` more bubbles
+  void make_room_for(std::size_t n)
+  {
+    for (std::vector<double>* a : {&m_x, &m_y, &m_d})
+      internal::make_room_for(n, *a);
+    internal::make_room_for(n, m_sets);
+    internal::make_room_for(usual_number * n, m_pool);
   }
 
   /// takes bubble `i` out of all sets
@@ -189,7 +197,7 @@ private:
     m_sets.clear();
     m_sets.reserve(bubbles.size());
     m_pool.clear();
-    m_pool.reserve(10 * bubbles.size());
+    m_pool.reserve(usual_number * bubbles.size());
     m_x = bubbles.x;
     m_y = bubbles.y;
     m_d = bubbles.d;
@@ -202,14 +210,15 @@ private:
     std::vector<std::size_t> sizes;
   };
 
-  static constexpr std::size_t block_size = 1024;
+  static constexpr std::size_t block_size = 512, blocks_at_once = 32;
+  /// numbers that a set takes, with room for one more neighbour: about so many
+  static constexpr std::size_t usual_number = 12;
 
-  void find_neighbors(const Bubbles_2& bubbles, std::size_t block, Block& result) const
+  void find_neighbors(const Bubbles_2& bubbles, std::size_t first, Block& result) const
   {
-    const std::size_t first = block * block_size,
-                      last = (std::min)(first + block_size, bubbles.size());
-    result.found.reserve(10 * (last - first));
-    result.sizes.reserve(last - first);
+    const std::size_t last = (std::min)(first + block_size, bubbles.size());
+    result.found.clear();
+    result.sizes.clear();
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t before = result.found.size();
       if (!bubbles.is_gone(i))
@@ -230,11 +239,21 @@ private:
     std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
   }
 
+  void append(const Block& block)
+  {
+    const Index* first = block.found.data();
+    for (std::size_t size : block.sizes) {
+      append(first, size);
+      first += size;
+    }
+  }
+
   void append(const Index* set, std::size_t n)
   {
     const std::uint32_t size = static_cast<std::uint32_t>(n);
     const std::uint32_t capacity = size + 1; // bubbles rarely get more than one more
     m_sets.push_back(Set{m_pool.size(), size, capacity});
+    internal::make_room_for(capacity, m_pool);
     m_pool.insert(m_pool.end(), set, set + n);
     m_pool.resize(m_pool.size() + capacity - size);
   }
@@ -284,6 +303,7 @@ private:
       return;
     s.capacity = static_cast<std::uint32_t>(size + size / 2 + 1);
     const std::size_t first = m_pool.size();
+    internal::make_room_for(s.capacity, m_pool);
     m_pool.resize(first + s.capacity);
     std::copy_n(m_pool.begin() + s.first, s.size, m_pool.begin() + first);
     s.first = first;

@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/integrators.h>
+#include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
@@ -56,6 +57,12 @@ public:
     b.d[i] = m_sizing(b.x[i], b.y[i]);
     m_x[i] = b.x[i];
     m_y[i] = b.y[i];
+  }
+
+  void make_room_for(std::size_t n)
+  {
+    internal::make_room_for(n, m_x);
+    internal::make_room_for(n, m_y);
   }
 
   /// a bubble added after the last; its size is known
@@ -162,6 +169,9 @@ public:
                                   [this](Index i) { return m_bubbles.is_gone(i); }),
                    m_outrun.end());
     const Bubbles_2& in = change.inserted;
+    m_bubbles.make_room_for(in.size());
+    m_neighbors.make_room_for(in.size());
+    m_update_size.make_room_for(in.size());
     for (std::size_t k = 0; k < in.size(); ++k) {
       const Index i = static_cast<Index>(m_bubbles.size());
       m_bubbles.add(in.point(k), in.d[k], static_cast<Bubbles_2::Dimension>(in.dimension[k]),
