@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -75,12 +76,47 @@ public:
   }
 
   /// goes on to the next step; `is_moving[k]`: whether the `k`-th of `indices()` moves noticeably
-  void advance(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-               const std::vector<char>& is_moving)
+  template <class Concurrency_tag>
+  void advance(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
   {
     m_is_roused = false;
     m_before.swap(m_indices);
     start(bubbles);
+    if (many * m_before.size() > bubbles.size())
+      ask_all<Concurrency_tag>(bubbles, neighbors, is_moving);
+    else
+      tell_neighbors(bubbles, neighbors, is_moving);
+    for (Index i : m_before)
+      if (m_added_in[i] != m_step)
+        bubbles.stop(i);
+  }
+
+private:
+  /// from one in so many on
+  static constexpr std::size_t many = 8;
+
+  /// Many are active: each bubble looks whether it or a neighbour moves. Then the active ones come in the order
+  /// in which they lie in memory.
+  template <class Concurrency_tag>
+  void ask_all(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
+  {
+    m_moves.assign(bubbles.size(), 0);
+    for (std::size_t k = 0; k < m_before.size(); ++k)
+      m_moves[m_before[k]] = is_moving[k];
+    m_is_called.resize(bubbles.size());
+    parallel_for<Concurrency_tag>(bubbles.size(), [&](std::size_t i) {
+      m_is_called[i] = m_moves[i] || std::any_of(neighbors.begin(i), neighbors.end(i),
+                                                 [this](Index j) { return m_moves[j] != 0; });
+    });
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (m_is_called[i])
+        add(bubbles, static_cast<Index>(i));
+  }
+
+  /// few are active: those that move tell their neighbours
+  void tell_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
+                      const std::vector<char>& is_moving)
+  {
     for (std::size_t k = 0; k < m_before.size(); ++k) {
       if (!is_moving[k])
         continue;
@@ -89,23 +125,6 @@ public:
       for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
         add(bubbles, *j);
     }
-    for (Index i : m_before)
-      if (m_added_in[i] != m_step)
-        bubbles.stop(i);
-    if (many * m_indices.size() > bubbles.size())
-      sort_by_index();
-  }
-
-private:
-  /// from one in so many on, active bubbles are visited in the order in which they lie in memory
-  static constexpr std::size_t many = 32;
-
-  void sort_by_index()
-  {
-    m_indices.clear();
-    for (std::size_t i = 0; i < m_added_in.size(); ++i)
-      if (m_added_in[i] == m_step)
-        m_indices.push_back(static_cast<Index>(i));
   }
 
   void start(const Bubbles_2& bubbles)
@@ -142,6 +161,7 @@ private:
 
   std::vector<Index> m_indices, m_before, m_touched;
   std::vector<char> m_is_touched;
+  std::vector<char> m_moves, m_is_called; // in this step; or has a neighbour that does
   std::vector<std::uint32_t> m_added_in; // the step in which a bubble was added last
   std::uint32_t m_step = 1;
   bool m_is_roused = false;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -75,7 +76,8 @@ inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubble
 
 /// Removes bubbles that cannot be told apart in the triangulation: those in one place with another,
 /// and those on an edge whose order along it is lost in rounding. Corners stay.
-inline void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+template <class Concurrency_tag = Sequential_tag>
+void remove_coincident(const Domain_2& domain, Bubbles_2& b)
 {
   constexpr double least_gap = 1e-3; // of the size, along an edge; simulated bubbles are far above
   std::vector<char> dead(b.size(), 0);
@@ -91,17 +93,23 @@ inline void remove_coincident(const Domain_2& domain, Bubbles_2& b)
         last = b.s[i];
     }
   }
-  std::vector<Index> order;
+  struct Place
+  {
+    double x, y;
+    Index i;
+  };
+  std::vector<Place> places;
+  places.reserve(b.size());
   for (std::size_t i = 0; i < b.size(); ++i)
     if (!dead[i])
-      order.push_back(static_cast<Index>(i));
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) {
-    return std::tie(b.x[i], b.y[i], b.dimension[i], i) < std::tie(b.x[j], b.y[j], b.dimension[j], j);
+      places.push_back(Place{b.x[i], b.y[i], static_cast<Index>(i)});
+  parallel_sort<Concurrency_tag>(places, [&](const Place& p, const Place& q) {
+    return std::tie(p.x, p.y, b.dimension[p.i], p.i) < std::tie(q.x, q.y, b.dimension[q.i], q.i);
   });
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (b.x[order[k]] == b.x[order[k - 1]] && b.y[order[k]] == b.y[order[k - 1]])
-      dead[order[k]] = 1;
-  order.clear();
+  for (std::size_t k = 1; k < places.size(); ++k)
+    if (places[k].x == places[k - 1].x && places[k].y == places[k - 1].y)
+      dead[places[k].i] = 1;
+  std::vector<Index> order;
   for (std::size_t i = 0; i < b.size(); ++i)
     if (!dead[i])
       order.push_back(static_cast<Index>(i));

@@ -62,16 +62,9 @@ public:
     find_edges_of_corners();
     m_direction.assign(bubbles.size(), Direction{1, 0});
     m_proposes.assign(bubbles.size(), 0);
-    for (std::size_t i = 0; i < bubbles.size(); ++i) {
-      m_found.clear();
-      m_buckets.for_each_near(bubbles.x[i], bubbles.y[i], bubbles.d[i],
-                              [this](Index j, double, double) {
-                                m_found.push_back(j);
-                                return true;
-                              });
-      link(i);
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
       insert_in_buckets(i);
-    }
+    link_from(0);
   }
 
   void set_direction(std::size_t i, const Direction& u) { m_direction[i] = u; }
@@ -90,6 +83,7 @@ public:
         m_proposes[p.index] = 0;
       const std::size_t first = m_bubbles.size();
       accept_proposals();
+      link_from(first);
       settle_from(first);
       for (std::size_t i = first; i < m_bubbles.size(); ++i)
         add_to_front((std::max)(m_keys[i - first], m_bubbles.d[i]), i);
@@ -189,19 +183,6 @@ private:
     }
     if (m_proposals.size() < m_generation.size())
       m_proposals.resize(m_generation.size());
-  }
-
-  /// Bubble `i`, which is not linked yet, to those of `m_found` that are of about its size.
-  void link(std::size_t i)
-  {
-    m_links.emplace_back();
-    for (Index j : m_found) {
-      const double d = m_bubbles.d[i], d_j = m_bubbles.d[j];
-      if (d > largest_ratio * d_j || d_j > largest_ratio * d)
-        continue;
-      m_links[i].push_back(j);
-      m_links[j].push_back(static_cast<Index>(i));
-    }
   }
 
   void propose_from(std::size_t k)
@@ -309,19 +290,8 @@ private:
     });
     m_keys.clear();
     for (const Candidate& c : m_sorted)
-      if (find_links(*c.proposal))
+      if (m_buckets.is_free(c.proposal->p.x(), c.proposal->p.y(), c.proposal->d, Surroundings_2::least_distance))
         accept(*c.proposal);
-  }
-
-  /// finds the bubbles to link one that is proposed to; returns whether it has room
-  bool find_links(const Proposal& a)
-  {
-    constexpr double least = 0.5 * Surroundings_2::least_distance;
-    m_found.clear();
-    return m_buckets.for_each_near(a.p.x(), a.p.y(), a.d, [&](Index j, double squared, double d_j) {
-      m_found.push_back(j);
-      return squared >= least * least * (a.d + d_j) * (a.d + d_j);
-    });
   }
 
   void accept(const Proposal& a)
@@ -331,8 +301,29 @@ private:
     m_direction.push_back(a.direction);
     m_proposes.push_back(0);
     m_keys.push_back(a.key);
-    link(i);
     insert_in_buckets(i);
+  }
+
+  /// links the bubbles from `first` on to all around
+  void link_from(std::size_t first)
+  {
+    m_links.resize(m_bubbles.size());
+    parallel_for<Concurrency_tag>(
+      m_bubbles.size() - first, [this, first](std::size_t k) { find_links(first + k); }, grain);
+    for (std::size_t i = first; i < m_bubbles.size(); ++i)
+      for (Index j : m_links[i])
+        if (static_cast<std::size_t>(j) < first)
+          m_links[j].push_back(static_cast<Index>(i));
+  }
+
+  void find_links(std::size_t i)
+  {
+    const double d = m_bubbles.d[i];
+    m_buckets.for_each_near(m_bubbles.x[i], m_bubbles.y[i], d, [&](Index j, double, double d_j) {
+      if (static_cast<std::size_t>(j) != i && d <= largest_ratio * d_j && d_j <= largest_ratio * d)
+        m_links[i].push_back(j);
+      return true;
+    });
   }
 
   /// the bubbles from `first` on settle among each other
@@ -406,7 +397,6 @@ private:
   std::vector<std::vector<Index>> m_edges_of_corner;
   std::vector<char> m_proposes;                      // whether it is one of the generation
   std::vector<Links> m_links;                        // to bubbles around, of each
-  std::vector<Index> m_found;                        // those of the next
   // of the present generation
   std::vector<Proposer> m_generation;
   std::vector<Proposals> m_proposals;                // of each proposer

@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_QUALITY_ACCUMULATOR_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_QUALITY_ACCUMULATOR_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/order_independent.h>
 #include <CGAL/radius_ratio_2.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -104,15 +104,14 @@ public:
     m_lengths.insert(m_lengths.end(), other.m_lengths.begin(), other.m_lengths.end());
   }
 
-  template <class Concurrency_tag = Sequential_tag>
   Mesh_statistics_2 statistics()
   {
     m.triangles = m_qualities.size();
     if (!m_qualities.empty())
-      finish_qualities<Concurrency_tag>();
+      finish_qualities();
     m.has_lengths = !m_lengths.empty();
     if (m.has_lengths)
-      finish_lengths<Concurrency_tag>();
+      finish_lengths();
     return m;
   }
 
@@ -162,43 +161,42 @@ private:
     }
   }
 
-  // values are sorted before they are summed: the order of their terms decides how sums are rounded
-
-  template <class Concurrency_tag>
   void finish_qualities()
   {
-    parallel_sort<Concurrency_tag>(m_qualities);
-    double sum = 0;
     for (double q : m_qualities) {
-      sum += q;
       const double bar = q * double(number_of_quality_bars);
       ++m.histogram[(std::min)(static_cast<std::size_t>(bar), number_of_quality_bars - 1)];
     }
-    m.mean_quality = sum / double(m_qualities.size());
-    for (std::size_t k = 0; k < quality_percents.size(); ++k)
-      m.quality_percentiles[k] = percentile(m_qualities, quality_percents[k]);
+    m.mean_quality = sum_in_any_order(m_qualities, [](double q) { return q; }) / double(m_qualities.size());
+    m.quality_percentiles = percentiles(m_qualities, quality_percents);
   }
 
-  template <class Concurrency_tag>
   void finish_lengths()
   {
-    parallel_sort<Concurrency_tag>(m_lengths);
-    double sum = 0, squares = 0;
-    for (double l : m_lengths)
-      sum += l;
-    m.mean_length = sum / double(m_lengths.size());
-    for (double l : m_lengths)
-      squares += (l - m.mean_length) * (l - m.mean_length);
-    m.deviation = std::sqrt(squares / double(m_lengths.size()));
-    m.length_percentile_1 = percentile(m_lengths, 1);
-    m.length_percentile_99 = percentile(m_lengths, 99);
+    const double n = double(m_lengths.size());
+    m.mean_length = sum_in_any_order(m_lengths, [](double l) { return l; }) / n;
+    m.deviation = std::sqrt(
+      sum_in_any_order(m_lengths, [this](double l) { return (l - m.mean_length) * (l - m.mean_length); }) / n);
+    const auto ends = percentiles(m_lengths, std::array<int, 2>{1, 99});
+    m.length_percentile_1 = ends[0];
+    m.length_percentile_99 = ends[1];
   }
 
-  /// the smallest of the sorted values that at least `percent` of all values do not exceed
-  static double percentile(const std::vector<double>& values, int percent)
+  /// the smallest of the values that at least each of `percents` of all values do not exceed
+  template <std::size_t n>
+  static std::array<double, n> percentiles(std::vector<double>& values, const std::array<int, n>& percents)
   {
-    const std::size_t rank = (values.size() * static_cast<std::size_t>(percent) + 99) / 100;
-    return values[(std::max)(rank, std::size_t(1)) - 1];
+    std::array<std::size_t, n> positions;
+    std::transform(percents.begin(), percents.end(), positions.begin(), [&values](int percent) {
+      const std::size_t rank = (values.size() * static_cast<std::size_t>(percent) + 99) / 100;
+      return (std::max)(rank, std::size_t(1)) - 1;
+    });
+    auto distinct = positions;
+    sort_positions(values, 0, values.size(), distinct.begin(), std::unique(distinct.begin(), distinct.end()));
+    std::array<double, n> result;
+    std::transform(positions.begin(), positions.end(), result.begin(),
+                   [&values](std::size_t position) { return values[position]; });
+    return result;
   }
 
   Mesh_statistics_2 m;

@@ -103,7 +103,7 @@ public:
     m_buckets->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
     m_found.clear();
     find_neighbors(i, m_found);
-    replace(i);
+    replace(i, m_found);
   }
 
   /// renews the bubbles that have used up their skin, in the sets of their neighbours too
@@ -120,9 +120,19 @@ public:
       m_y[i] = bubbles.y[i];
       m_d[i] = bubbles.d[i];
       m_buckets->move(i, m_x[i], m_y[i], m_d[i]);
-      m_found.clear();
-      find_neighbors(i, m_found);
-      replace(i);
+    }
+    m_new_sets.resize((std::min)(outrun.size(), renewed_at_once));
+    for (std::size_t first = 0; first < outrun.size(); first += renewed_at_once) {
+      const std::size_t n = (std::min)(outrun.size() - first, renewed_at_once);
+      parallel_for<Concurrency_tag>(
+        n,
+        [&](std::size_t k) {
+          m_new_sets[k].clear();
+          find_neighbors(outrun[first + k], m_new_sets[k]);
+        },
+        64);
+      for (std::size_t k = 0; k < n; ++k)
+        replace(outrun[first + k], m_new_sets[k]);
     }
   }
 
@@ -210,7 +220,7 @@ private:
     std::vector<std::size_t> sizes;
   };
 
-  static constexpr std::size_t block_size = 512, blocks_at_once = 32;
+  static constexpr std::size_t block_size = 512, blocks_at_once = 32, renewed_at_once = 8192;
   /// numbers that a set takes, with room for one more neighbour: about so many
   static constexpr std::size_t usual_number = 12;
 
@@ -258,21 +268,23 @@ private:
     m_pool.resize(m_pool.size() + capacity - size);
   }
 
-  /// makes `m_found` the set of bubble `i`, and tells the bubbles that are neighbours no more, or newly
-  void replace(Index i)
+  /// makes `found` the set of bubble `i`, and tells the bubbles that are neighbours no more, or newly
+  void replace(Index i, const std::vector<Index>& found)
   {
     m_left.clear();
     m_joined.clear();
-    std::set_difference(begin(i), end(i), m_found.begin(), m_found.end(), std::back_inserter(m_left));
-    std::set_difference(m_found.begin(), m_found.end(), begin(i), end(i),
+    if (std::equal(begin(i), end(i), found.begin(), found.end()))
+      return;
+    std::set_difference(begin(i), end(i), found.begin(), found.end(), std::back_inserter(m_left));
+    std::set_difference(found.begin(), found.end(), begin(i), end(i),
                         std::back_inserter(m_joined));
     for (Index j : m_left)
       erase(j, i);
     for (Index j : m_joined)
       insert(j, i);
-    make_room(i, m_found.size());
-    std::copy(m_found.begin(), m_found.end(), m_pool.begin() + m_sets[i].first);
-    m_sets[i].size = static_cast<std::uint32_t>(m_found.size());
+    make_room(i, found.size());
+    std::copy(found.begin(), found.end(), m_pool.begin() + m_sets[i].first);
+    m_sets[i].size = static_cast<std::uint32_t>(found.size());
   }
 
   void erase(Index i, Index neighbor)
@@ -314,6 +326,7 @@ private:
   std::vector<Index> m_pool;
   std::vector<double> m_x, m_y, m_d; // the references
   std::unique_ptr<Bubble_buckets_2> m_buckets;
+  std::vector<std::vector<Index>> m_new_sets; // of those that are renewed at once
   std::vector<Index> m_found, m_left, m_joined;
 };
 

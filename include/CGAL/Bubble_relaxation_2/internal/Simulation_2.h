@@ -227,7 +227,7 @@ private:
       if (m_flags.is_outrun[k])
         m_outrun.push_back(active[k]);
     if (Integrator::lets_bubbles_sleep)
-      m_active.advance(m_bubbles, m_neighbors, m_flags.is_moving);
+      m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
   }
 
   void move(std::size_t k, Index i)

@@ -82,12 +82,12 @@ void evaluate(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& 
       add_triangles(mesh, k * block_size, (std::min)((k + 1) * block_size, n), sizing, blocks[k]);
     },
     1);
-  evaluate_size_gradient(mesh, sizing, report);
+  evaluate_size_gradient<Concurrency_tag>(mesh, sizing, report);
   Mesh_quality_accumulator_2 all;
   add_vertices(mesh, all);
   for (const Mesh_quality_accumulator_2& block : blocks)
     all.add(block);
-  report.quality = decltype(report.quality)(all.statistics<Concurrency_tag>());
+  report.quality = decltype(report.quality)(all.statistics());
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
 }

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_EVALUATE_SIZE_GRADIENT_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <cmath>
 #include <cstddef>
@@ -20,24 +21,28 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// d at the vertices of a mesh that belong to its domain; others are not the business of d
-template <class Sizing>
+template <class Concurrency_tag, class Sizing>
 std::vector<double> sizes_at_vertices(const Marked_triangulation_2& mesh, const Sizing& sizing)
 {
-  std::vector<double> sizes(mesh.tr.points.size(), 0);
+  std::vector<char> is_in_domain(mesh.tr.points.size(), 0);
   for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
     for (Index v : mesh.tr.vertices[t])
-      if (mesh.inside[t] && sizes[v] == 0)
-        sizes[v] = sizing(mesh.tr.points[v]);
+      is_in_domain[v] |= mesh.inside[t];
+  std::vector<double> sizes(mesh.tr.points.size(), 0);
+  parallel_for<Concurrency_tag>(sizes.size(), [&](std::size_t v) {
+    if (is_in_domain[v])
+      sizes[v] = sizing(mesh.tr.points[v]);
+  });
   return sizes;
 }
 
 /// Tells how much d changes from one vertex of a mesh to the next, which is what the mesh can see of its
 /// gradient, kinks and jumps included.
-template <class Sizing, class Report>
+template <class Concurrency_tag, class Sizing, class Report>
 void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& report)
 {
   using FT = typename Report::FT;
-  const std::vector<double> sizes = sizes_at_vertices(mesh, sizing);
+  const std::vector<double> sizes = sizes_at_vertices<Concurrency_tag>(mesh, sizing);
   const Flat_triangulation_2& tr = mesh.tr;
   double largest = 0;
   std::size_t steep = 0, all = 0;

@@ -14,9 +14,9 @@
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
-#include <cstddef>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,14 +24,22 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The indices of points along the Hilbert curve, where neighbours in space are near each other.
-inline std::vector<Index> hilbert_order(const std::vector<Point>& points)
+template <class Concurrency_tag = Sequential_tag>
+std::vector<Index> hilbert_order(const std::vector<Point>& points)
 {
-  std::vector<std::size_t> order(points.size()); // the index type of the map
-  std::iota(order.begin(), order.end(), 0);
-  using Map = Pointer_property_map<Point>::const_type;
-  hilbert_sort(order.begin(), order.end(),
-               Spatial_sort_traits_adapter_2<Kernel, Map>(make_property_map(points.data())));
-  return std::vector<Index>(order.begin(), order.end());
+  using Numbered_point = std::pair<Point, Index>;
+  std::vector<Numbered_point> order;
+  order.reserve(points.size());
+  for (const Point& p : points)
+    order.emplace_back(p, static_cast<Index>(order.size()));
+  hilbert_sort<Concurrency_tag>(
+    order.begin(), order.end(),
+    Spatial_sort_traits_adapter_2<Kernel, First_of_pair_property_map<Numbered_point>>());
+  std::vector<Index> result;
+  result.reserve(points.size());
+  for (const Numbered_point& p : order)
+    result.push_back(p.second);
+  return result;
 }
 
 } // namespace internal

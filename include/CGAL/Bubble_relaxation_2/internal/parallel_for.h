@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -48,17 +49,18 @@ void parallel_for(std::size_t n, const Function& f, [[maybe_unused]] std::size_t
     f(i);
 }
 
-/// Sorts numbers; equal ones cannot be told apart, so the result does not depend on the number of threads.
-template <class Concurrency_tag>
-void parallel_sort(std::vector<double>& values)
+/// Sorts values of which none are equal, or else cannot be told apart: so the result does not depend on the
+/// number of threads.
+template <class Concurrency_tag, class T, class Less = std::less<T>>
+void parallel_sort(std::vector<T>& values, const Less& less = Less())
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible<Concurrency_tag, Parallel_tag>::value) {
-    tbb::parallel_sort(values.begin(), values.end());
+    tbb::parallel_sort(values.begin(), values.end(), less);
     return;
   }
 #endif
-  std::sort(values.begin(), values.end());
+  std::sort(values.begin(), values.end(), less);
 }
 
 } // namespace internal

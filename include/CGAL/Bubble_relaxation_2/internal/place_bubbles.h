@@ -108,13 +108,14 @@ void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const 
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
-inline void sort_in_space(Bubbles_2& bubbles)
+template <class Concurrency_tag>
+void sort_in_space(Bubbles_2& bubbles)
 {
   std::vector<Point> points;
   points.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     points.push_back(bubbles.point(i));
-  bubbles.select(hilbert_order(points));
+  bubbles.select(hilbert_order<Concurrency_tag>(points));
 }
 
 /// whether the user gives all bubbles, as vertices of an existing mesh
@@ -124,7 +125,7 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
 }
 
 /// The bubbles that the user gives, all of them, whatever d asks for.
-template <class Cdt, class Sizing>
+template <class Concurrency_tag, class Cdt, class Sizing>
 Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizing)
 {
   Bubbles_2 bubbles;
@@ -132,8 +133,8 @@ Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
   for (std::size_t e = 0; e < reading.domain.edges().size(); ++e)
     place_on_splits(reading, static_cast<Index>(e), sizing, bubbles);
   keep_in_faces(reading, sizing, bubbles);
-  remove_coincident(reading.domain, bubbles);
-  sort_in_space(bubbles);
+  remove_coincident<Concurrency_tag>(reading.domain, bubbles);
+  sort_in_space<Concurrency_tag>(bubbles);
   return bubbles;
 }
 
@@ -162,8 +163,8 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
     Rhombic_placement<Sizing>(domain, sizing, bubbles)();
   else
     place_frontal<Concurrency_tag>(domain, sizing, bubbles);
-  remove_coincident(domain, bubbles);
-  sort_in_space(bubbles);
+  remove_coincident<Concurrency_tag>(domain, bubbles);
+  sort_in_space<Concurrency_tag>(bubbles);
   return bubbles;
 }
 

@@ -84,7 +84,7 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
   bubbles.forget_gone();
-  remove_coincident(domain, bubbles);
+  remove_coincident<Concurrency_tag>(domain, bubbles);
 }
 
 } // namespace internal

@@ -83,7 +83,7 @@ void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
 {
   constexpr double same_number = 0.05;
   Bubble_mesh_2 given;
-  given.bubbles = given_bubbles(reading, sizing);
+  given.bubbles = given_bubbles<Concurrency_tag>(reading, sizing);
   const double before = double(given.bubbles.size()), after = double(mesh.bubbles.size());
   if (std::abs(after - before) > same_number * before)
     return;

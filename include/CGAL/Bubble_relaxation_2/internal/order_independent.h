@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ORDER_INDEPENDENT_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ORDER_INDEPENDENT_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The sum of `term(v)` over values, the same to the last bit in whatever order they come: of terms as
+/// multiples of a unit, summed as integers. The unit is so small that the mean is off by less than
+/// n / 2^60 times the largest term.
+/// \pre no term is negative
+template <class Term>
+double sum_in_any_order(const std::vector<double>& values, const Term& term)
+{
+  double largest = 0;
+  for (double v : values)
+    largest = (std::max)(largest, term(v));
+  if (largest == 0 || !std::isfinite(largest))
+    return largest;
+  const double n = static_cast<double>(values.size());
+  const int digits = (std::min)(60 - std::ilogb(n) - std::ilogb(largest), 1000);
+  const double scale = std::ldexp(1., digits);
+  std::int64_t sum = 0; // stays below 2^62
+  for (double v : values)
+    sum += static_cast<std::int64_t>(scale * term(v));
+  return std::ldexp(static_cast<double>(sum), -digits);
+}
+
+/// Brings the values from `begin` to `end` into an order in which those at some positions are where sorting
+/// would bring them. `first`, `last`: the positions, each greater than the last
+template <class Iterator>
+void sort_positions(std::vector<double>& values, std::size_t begin, std::size_t end, Iterator first, Iterator last)
+{
+  if (first == last)
+    return;
+  const Iterator middle = first + (last - first) / 2;
+  const auto at = [&values](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(*middle), at(end));
+  sort_positions(values, begin, *middle, first, middle);
+  sort_positions(values, *middle + 1, end, middle + 1, last);
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ORDER_INDEPENDENT_H
