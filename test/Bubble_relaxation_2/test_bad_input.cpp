@@ -120,7 +120,7 @@ TEST(Bad_size, too_many_bubbles_on_edges)
                                   {"maximum_number_of_bubbles", "390"});
   // it is narrower than d
   expect_throw<std::length_error>(cdt, P::sizing_function(0.005).maximum_number_of_bubbles(410),
-                                  {"maximum_number_of_bubbles", "410", "at least"});
+                                  {"maximum_number_of_bubbles", "410", "at least", "limit_by_outline"});
   const auto report = CGAL::npbs_relax(
     cdt, P::sizing_function(0.005).maximum_number_of_bubbles(410).limit_by_outline(false));
   EXPECT_NEAR(double(report.number_of_initial_bubbles), 402, 8);

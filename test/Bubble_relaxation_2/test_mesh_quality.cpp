@@ -15,6 +15,10 @@
 #include <CGAL/Mesh_quality_2.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
 #include <sstream>
 #include <type_traits>
 
@@ -191,6 +195,51 @@ TEST(Mesh_quality, agrees_with_brute_force_on_a_random_mesh)
   }
   EXPECT_THROW(q.quality_percentile(33), std::invalid_argument);
   EXPECT_THROW(q.length_ratio_percentile(2), std::invalid_argument);
+}
+
+TEST(Order_independent, sums_are_equal_to_the_last_bit_in_any_order)
+{
+  using CGAL::Bubble_relaxation_2::internal::sum_in_any_order;
+  const auto identity = [](double v) { return v; };
+  std::mt19937 random(validation::seed());
+  for (double scale : {1., 1e-300, 1e300, 5e-324}) {
+    std::vector<double> values;
+    long double exact = 0;
+    for (int i = 0; i < 1000; ++i) {
+      values.push_back(scale * std::exp(-1e-2 * i) * double(random() % 1000) / 1000);
+      exact += values.back();
+    }
+    const double sum = sum_in_any_order(values, identity);
+    EXPECT_NEAR(sum / exact, 1, 1e-12);
+    for (int k = 0; k < 5; ++k) {
+      std::shuffle(values.begin(), values.end(), random);
+      EXPECT_EQ(sum_in_any_order(values, identity), sum);
+    }
+  }
+  EXPECT_EQ(sum_in_any_order({}, identity), 0.);
+  EXPECT_EQ(sum_in_any_order({0., 0.}, identity), 0.);
+  EXPECT_EQ(sum_in_any_order({3.}, identity), 3.);
+  EXPECT_EQ(sum_in_any_order({1., INFINITY}, identity), INFINITY);
+}
+
+TEST(Order_independent, positions_are_sorted)
+{
+  using CGAL::Bubble_relaxation_2::internal::sort_positions;
+  std::mt19937 random(validation::seed());
+  for (std::size_t n : {1, 2, 3, 10, 1000}) {
+    std::vector<double> values;
+    std::vector<std::size_t> positions;
+    for (std::size_t i = 0; i < n; ++i) {
+      values.push_back(double(random() % 100)); // many are equal
+      if (random() % 3 == 0)
+        positions.push_back(i);
+    }
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    sort_positions(values, 0, n, positions.begin(), positions.end());
+    for (std::size_t p : positions)
+      EXPECT_EQ(values[p], sorted[p]);
+  }
 }
 
 TEST(Mesh_quality, counts_irregular_vertices)

@@ -163,6 +163,44 @@ TYPED_TEST(Write_back, a_hole_with_vertices_is_left_alone)
   EXPECT_NEAR(validation::domain_area(cdt), 0.84, 1e-9);
 }
 
+/// a constraint between two corners of the domain that lies outside of it, and one that only begins at a corner
+TYPED_TEST(Write_back, constraints_beside_the_domain_are_left_alone)
+{
+  using Point = typename TypeParam::Point;
+  const Outline l_shape{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}};
+  for (const Outline& beside : {Outline{{1, 0.5}, {0.5, 1}}, Outline{{0.5, 0.5}, {0.7, 0.8}}}) {
+    TypeParam cdt = domains::make<TypeParam>({l_shape});
+    domains::insert(cdt, beside, false);
+    const std::vector<Point> seeds{Point(0.2, 0.3)};
+    const validation::Snapshot before = validation::snapshot(cdt);
+    CGAL::npbs_relax(
+      cdt,
+      CGAL::Bubble_relaxation_parameters::sizing_function(0.07).seeds(seeds).seeds_are_in_domain(true));
+    const validation::Snapshot after = validation::snapshot(cdt);
+    validation::expect_valid_mesh(cdt);
+    validation::expect_vertices_kept(before.vertices, after);
+    validation::expect_constraints_kept(before, after);
+    EXPECT_NEAR(validation::domain_area(cdt), 0.75, 1e-9);
+  }
+}
+
+/// A plain triangulation takes the triangles as they are, others get them by insertion.
+TEST(Write_back_plus, the_mesh_is_the_same_with_and_without_a_hierarchy)
+{
+  const auto triangles = [](auto cdt, double d) {
+    CGAL::npbs_relax(cdt, size(0.1));
+    CGAL::npbs_relax(cdt, size(d));
+    std::set<std::set<validation::Xy>> result;
+    for (auto f : cdt.finite_face_handles())
+      result.insert({validation::xy(f->vertex(0)), validation::xy(f->vertex(1)), validation::xy(f->vertex(2))});
+    EXPECT_EQ(result.size(), cdt.number_of_faces());
+    return result;
+  };
+  for (double d : {0.2, 0.05})
+    EXPECT_TRUE(triangles(domains::make<domains::CDT>({slanted, hole}), d) ==
+                triangles(domains::make<Plus>({slanted, hole}), d));
+}
+
 TEST(Write_back_info, vertices_keep_what_they_carry)
 {
   Info_cdt cdt = domains::make<Info_cdt>({slanted, hole});

@@ -10,32 +10,18 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_BUBBLE_BUCKETS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/bits.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-/// The index of the lowest bit that is set. \pre one is
-inline int lowest_bit(std::uint64_t bits)
-{
-#ifdef __GNUC__
-  return __builtin_ctzll(bits);
-#else
-  int k = 0;
-  for (int half = 32; half > 0; half /= 2)
-    if (((bits >> k) << (64 - half)) == 0)
-      k += half;
-  return k;
-#endif
-}
 
 /// The buckets of Fig. 4 of the paper for bubbles of any mixture of sizes: square cells in levels, the
 /// side doubling from level to level. A bubble lies in the level whose side just exceeds its reach, so
@@ -185,29 +171,6 @@ private:
     const int level = exponent_above(d / m_unit);
     const double far = (std::max)(std::abs(x - m_x0), std::abs(y - m_y0));
     return far > 0 ? (std::max)(level, exponent_above(far / m_side) - bits) : level;
-  }
-
-  static double power_of_two(int exponent)
-  {
-    if (exponent < -1022 || exponent > 1023)
-      return std::ldexp(1., exponent);
-    const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
-    double power;
-    std::memcpy(&power, &bits, sizeof power);
-    return power;
-  }
-
-  // the least e with value <= 2^e
-  static int exponent_above(double value)
-  {
-    std::uint64_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    const int biased = static_cast<int>(bits >> 52);
-    if (biased > 0 && biased < 0x7FF)
-      return biased - 1023 + ((bits << 12) != 0);
-    int exponent;
-    const double mantissa = std::frexp(value, &exponent);
-    return mantissa == 0.5 ? exponent - 1 : exponent;
   }
 
   static std::int64_t index_at(double offset, double inverse)

@@ -117,16 +117,24 @@ void remove_coincident(const Domain_2& domain, Bubbles_2& b)
     b.select(order);
 }
 
-/// The constrained Delaunay triangulation of the bubbles with the domain marked, in arrays.
-/// \pre no two bubbles are in one place, see `remove_coincident()`
-inline Marked_triangulation_2 triangulate(const Domain_2& domain, const Bubbles_2& b)
+/// Makes the constrained Delaunay triangulation of the bubbles with the domain marked, in arrays; returns
+/// whether it can be made.
+inline bool try_to_triangulate(const Domain_2& domain, const Bubbles_2& b, Marked_triangulation_2& mesh)
 {
   std::vector<Point> points;
   points.reserve(b.size());
   for (std::size_t i = 0; i < b.size(); ++i)
     points.push_back(b.point(i));
+  mesh = Marked_triangulation_2();
+  return mark_triangulation(points, cut_edges(domain, b), mesh) == Marking_error::NONE;
+}
+
+/// The constrained Delaunay triangulation of the bubbles with the domain marked, in arrays.
+/// \pre no two bubbles are in one place, see `remove_coincident()`
+inline Marked_triangulation_2 triangulate(const Domain_2& domain, const Bubbles_2& b)
+{
   Marked_triangulation_2 mesh;
-  if (mark_triangulation(points, cut_edges(domain, b), mesh) != Marking_error::NONE)
+  if (!try_to_triangulate(domain, b, mesh))
     throw std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the "
                              "rounding of bubbles on them");
   return mesh;

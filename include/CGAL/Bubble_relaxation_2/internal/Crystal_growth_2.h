@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Growth_front_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Surroundings_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
@@ -21,9 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -55,11 +53,10 @@ class Crystal_growth_2
 public:
   Crystal_growth_2(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles,
                    Lattice_direction lattice)
-    : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles), m_lattice(lattice),
+    : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles), m_lattice(lattice), m_front(domain),
       m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
                 4 * bubbles.size())
   {
-    find_edges_of_corners();
     m_direction.assign(bubbles.size(), Direction{1, 0});
     m_proposes.assign(bubbles.size(), 0);
     for (std::size_t i = 0; i < bubbles.size(); ++i)
@@ -70,7 +67,7 @@ public:
   void set_direction(std::size_t i, const Direction& u) { m_direction[i] = u; }
 
   /// one of the bubbles that were there before belongs to the front when the growth begins
-  void add_to_front(std::size_t i) { add_to_front(m_bubbles.d[i], i); }
+  void add_to_front(std::size_t i) { m_front.add(m_bubbles, i, m_bubbles.d[i], m_direction[i]); }
 
   /// grows until there is no front left
   void operator()()
@@ -86,24 +83,11 @@ public:
       link_from(first);
       settle_from(first);
       for (std::size_t i = first; i < m_bubbles.size(); ++i)
-        add_to_front((std::max)(m_keys[i - first], m_bubbles.d[i]), i);
+        m_front.add(m_bubbles, i, (std::max)(m_keys[i - first], m_bubbles.d[i]), m_direction[i]);
     }
   }
 
 private:
-  /// a bubble of the front, and with which direction it proposes
-  struct Proposer
-  {
-    double key; ///< how small it counts
-    Index index;
-    Direction direction;
-
-    bool operator>(const Proposer& p) const
-    {
-      return std::tie(key, index) > std::tie(p.key, p.index);
-    }
-  };
-
   struct Proposal
   {
     double key, misfit;
@@ -128,8 +112,6 @@ private:
 
   using Links = boost::container::small_vector<Index, 10>;
 
-  /// a generation is all bubbles of the front up to this times the smallest key
-  static constexpr double band = 1.05;
   /// how far, in units of the mean size, bubbles are linked
   static constexpr double link_reach = 1.6;
   /// how far the neighbours of a proposal are looked for
@@ -140,47 +122,16 @@ private:
   static constexpr int settling_rounds = 3;
   static constexpr std::size_t grain = 64;
 
-  void find_edges_of_corners()
-  {
-    m_edges_of_corner.resize(m_domain.corners().size());
-    for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
-      m_edges_of_corner[m_domain.edges()[e].source].push_back(static_cast<Index>(e));
-      m_edges_of_corner[m_domain.edges()[e].target].push_back(static_cast<Index>(e));
-    }
-  }
-
-  Direction direction_of_edge(Index e) const
-  {
-    const Point &a = m_domain.source(e), &b = m_domain.target(e);
-    const double length = m_domain.length(e);
-    return {(b.x() - a.x()) / length, (b.y() - a.y()) / length};
-  }
-
   void insert_in_buckets(std::size_t i)
   {
     m_buckets.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
   }
 
-  void add_to_front(double key, std::size_t i)
-  {
-    const Index index = static_cast<Index>(i), place = m_bubbles.place[i];
-    if (m_bubbles.is_on_edge(i))
-      m_front.push(Proposer{key, index, m_direction[i] = direction_of_edge(place)});
-    else if (m_bubbles.is_in_face(i) || place == no_index)
-      m_front.push(Proposer{key, index, m_direction[i]});
-    else
-      for (Index e : m_edges_of_corner[place])
-        m_front.push(Proposer{key, index, direction_of_edge(e)});
-  }
-
   void take_generation()
   {
-    const double limit = m_front.top().key * band;
-    m_generation.clear();
-    for (; !m_front.empty() && m_front.top().key <= limit; m_front.pop()) {
-      m_generation.push_back(m_front.top());
-      m_proposes[m_front.top().index] = !m_bubbles.is_corner(m_front.top().index);
-    }
+    m_front.take_generation(m_generation);
+    for (const Proposer& p : m_generation)
+      m_proposes[p.index] = !m_bubbles.is_corner(p.index);
     if (m_proposals.size() < m_generation.size())
       m_proposals.resize(m_generation.size());
   }
@@ -379,7 +330,7 @@ private:
       const Walk_end end = m_domain.walk(start, m_bubbles.point(i), p);
       return end.is_blocked() ? no_index : end.triangle;
     }
-    for (Index e : m_edges_of_corner[place]) {
+    for (Index e : m_front.edges_of_corner(place)) {
       const Index triangle = m_domain.walk_from_edge(e, m_bubbles.point(i), p);
       if (triangle != no_index)
         return triangle;
@@ -392,9 +343,8 @@ private:
   Bubbles_2& m_bubbles;
   const Lattice_direction m_lattice;
   Bubble_buckets_2 m_buckets;
-  std::priority_queue<Proposer, std::vector<Proposer>, std::greater<Proposer>> m_front;
+  Growth_front_2 m_front;
   std::vector<Direction> m_direction;                // of the lattice around each bubble
-  std::vector<std::vector<Index>> m_edges_of_corner;
   std::vector<char> m_proposes;                      // whether it is one of the generation
   std::vector<Links> m_links;                        // to bubbles around, of each
   // of the present generation

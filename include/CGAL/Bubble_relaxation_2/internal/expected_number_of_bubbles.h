@@ -148,14 +148,15 @@ private:
 /// \returns how many bubbles are expected
 /// \throws std::length_error if they are more than the user wants to have
 template <class Sizing>
-double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum)
+double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum,
+                             const char* asking = "the domain and the sizing function")
 {
   const double expected =
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
   if (expected > static_cast<double>(maximum)) {
     std::ostringstream message;
     message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
-            << ": the domain and the sizing function ask for more, at least " << expected;
+            << ": " << asking << " ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
   return expected;
@@ -177,6 +178,15 @@ inline Counted_sizing_field_2 counted(const Domain_2& domain, const Sizing_field
                                       std::size_t maximum)
 {
   return Counted_sizing_field_2(sizing, check_expected_number(domain, sizing, maximum));
+}
+
+/// the same for a field that limit_by_outline has made smaller
+inline Counted_sizing_field_2 counted_limited(const Domain_2& domain, const Sizing_field_ref_2& sizing,
+                                              std::size_t maximum)
+{
+  return Counted_sizing_field_2(
+    sizing, check_expected_number(domain, sizing, maximum,
+                                  "the sizing function and the fine parts of the outline (limit_by_outline)"));
 }
 
 } // namespace internal

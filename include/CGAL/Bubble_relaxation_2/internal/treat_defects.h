@@ -51,7 +51,8 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& rep
     if (bubbles.size() == 0)
       break;
     Bubble_mesh_2 changed{std::move(bubbles), {}};
-    changed.triangulation = triangulate(domain, changed.bubbles);
+    if (!try_to_triangulate(domain, changed.bubbles, changed.triangulation))
+      break; // rounding made a mess of a change; what was there is good
     smooth_defects<Concurrency_tag>(domain, changed, report);
     if (smallest_quality(changed.triangulation) < smallest_quality(mesh.triangulation))
       break;

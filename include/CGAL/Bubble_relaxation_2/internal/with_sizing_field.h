@@ -73,7 +73,7 @@ void with_limited_sizing_field(const Cdt& cdt, const NamedParameters& np,
     }
     const Outline_field_2 limit(sources, reading.domain.bbox());
     const Smaller_of_2 smaller(&wanted, &limit);
-    use(counted(reading.domain, Sizing_field_ref_2(smaller), maximum), wanted);
+    use(counted_limited(reading.domain, Sizing_field_ref_2(smaller), maximum), wanted);
   });
 }
 
