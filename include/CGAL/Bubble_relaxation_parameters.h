@@ -132,8 +132,9 @@ namespace Bubble_relaxation_parameters {
 `integrator(Bubble_integrator::RUNGE_KUTTA_4)`, `force_coefficient(1)`, `mass(1)`, `damping(3.8429)`,
 `time_step(0.02)`, `number_of_iterations(250)`, `number_of_rounds(6)`, `neighbor_radius(1.7)`,
 `renewal_interval(10)`, `displacement_tolerance(0)`, `initial_placement(Bubble_placement::RHOMBIC)` 
-`population_control(Bubble_population::OVERLAP_RATIO)`, `defect_treatment(false)` and `limit_by_outline(false)`. They are in units of length and time, for sizes
-of a few hundredths; the renewal interval, which the paper calls k, has no value there.
+`population_control(Bubble_population::OVERLAP_RATIO)`, `defect_treatment(false)` and
+`limit_by_outline(false)`. They are in units of length and time, for sizes of a few hundredths; the renewal
+interval, which the paper calls k, has no value there.
 */
 inline auto npbs_paper_parameters()
 {

@@ -24,7 +24,7 @@ the removal of bubbles in one place, and the copy of the triangulation that is k
 */
 struct Bubble_relaxation_seconds
 {
-  double reading = 0;    ///< from the triangulation to the domain and to the sizes, with the check of their expected number
+  double reading = 0;    ///< from the triangulation to the domain and the sizes, and their expected number
   double placement = 0;  ///< the initial bubbles
   double renewal = 0;    ///< neighbour sets
   double motion = 0;     ///< forces, steps and the boundary
@@ -58,9 +58,9 @@ struct Bubble_relaxation_report_2
   std::size_t number_of_rounds = 0;            ///< rounds of simulation, with one that was stopped
   std::size_t number_of_steps = 0;             ///< time steps, all rounds together
   std::size_t number_of_force_evaluations = 0; ///< evaluations of all forces: one a step, four with Runge-Kutta
-  std::size_t number_of_moves = 0;             ///< bubbles that took part in a step, summed over all steps; the others slept
+  std::size_t number_of_moves = 0;             ///< bubbles that did not sleep in a step, summed over the steps
   std::size_t number_of_renewals = 0;          ///< how often neighbour sets were made or renewed
-  std::size_t number_of_insertions = 0;        ///< bubbles inserted by the population control and the treatment of defects
+  std::size_t number_of_insertions = 0;        ///< bubbles inserted by population control and treatment
   /// bubbles deleted by them; not those removed because they were in one place with another
   std::size_t number_of_deletions = 0;
   std::size_t number_of_treated_vertices = 0; ///< vertices moved by the treatment of the last defects

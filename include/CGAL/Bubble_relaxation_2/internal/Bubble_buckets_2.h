@@ -302,7 +302,8 @@ private:
       p.largest = (std::max)(p.largest, c.largest);
       for (std::uint64_t bits = c.occupied | c.descendants; bits != 0; bits &= bits - 1) {
         const int bit = lowest_bit(bits);
-        p.descendants |= std::uint64_t(1) << bit_of(Cell{(8 * ix + (bit & 7)) >> 1, (8 * iy + (bit >> 3)) >> 1, 0});
+        const Cell cell{8 * ix + (bit & 7), 8 * iy + (bit >> 3), 0};
+        p.descendants |= std::uint64_t(1) << bit_of(Cell{cell.ix >> 1, cell.iy >> 1, 1});
       }
     }
   }

@@ -240,9 +240,11 @@ private:
       return a.misfit < b.misfit || (a.misfit == b.misfit && a.proposal->p < b.proposal->p);
     });
     m_keys.clear();
-    for (const Candidate& c : m_sorted)
-      if (m_buckets.is_free(c.proposal->p.x(), c.proposal->p.y(), c.proposal->d, Surroundings_2::least_distance))
+    for (const Candidate& c : m_sorted) {
+      const Point& p = c.proposal->p;
+      if (m_buckets.is_free(p.x(), p.y(), c.proposal->d, Surroundings_2::least_distance))
         accept(*c.proposal);
+    }
   }
 
   void accept(const Proposal& a)

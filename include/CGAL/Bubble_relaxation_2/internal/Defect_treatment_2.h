@@ -150,7 +150,7 @@ private:
     std::vector<Index> result;
     for (Index v : moved)
       for (const Corner_2& c : mesh.star(v))
-        for (Index w : {v, m_mesh.tr.vertices[c.triangle][ccw(c.index)], m_mesh.tr.vertices[c.triangle][cw(c.index)]})
+        for (Index w : m_mesh.tr.vertices[c.triangle])
           if (m_bubbles.can_move(w))
             result.push_back(w);
     std::sort(result.begin(), result.end());

@@ -112,8 +112,8 @@ private:
     ring.insert(ring.begin(), right.rbegin(), right.rend());
   }
 
-  /// The other bubble on the left (`side` 1) or right of the ray to the one at `j` that sees the center and `j` in
-  /// the largest angle: no other lies in its circle on this side.
+  /// The other bubble on the left (`side` 1) or right of the ray to the one at `j` that sees the center and `j`
+  /// in the largest angle: no other lies in its circle on this side.
   std::size_t beside(std::size_t j, int side)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();

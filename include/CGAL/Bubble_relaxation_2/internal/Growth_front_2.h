@@ -50,8 +50,8 @@ public:
 
   bool empty() const { return m_queue.empty(); }
 
-  /// Adds a bubble with the direction of its lattice: a corner has one for each of its edges, and a bubble on an
-  /// edge gets that of the edge.
+  /// Adds a bubble with the direction of its lattice: a corner has one for each of its edges, and a bubble on
+  /// an edge gets that of the edge.
   void add(const Bubbles_2& bubbles, std::size_t i, double key, Direction& direction)
   {
     const Index index = static_cast<Index>(i), place = bubbles.place[i];

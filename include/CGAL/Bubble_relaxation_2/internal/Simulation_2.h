@@ -101,8 +101,9 @@ class Simulation_2
 public:
   Simulation_2(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
                Bubbles_2& bubbles)
-    : m_options(options), m_tolerance(options.displacement_tolerance), m_boundary(domain), m_integrator(options), m_bubbles(bubbles),
-      m_neighbors(options.neighbor_radius), m_update_size(bubbles, sizing)
+    : m_options(options), m_tolerance(options.displacement_tolerance), m_boundary(domain),
+      m_integrator(options), m_bubbles(bubbles), m_neighbors(options.neighbor_radius),
+      m_update_size(bubbles, sizing)
   {
     m_active.wake_all(bubbles);
   }

@@ -33,18 +33,20 @@ double sum_in_any_order(const std::vector<double>& values, const Term& term)
   if (largest == 0 || !std::isfinite(largest))
     return largest;
   const double n = static_cast<double>(values.size());
-  const int digits = (std::min)(60 - std::ilogb(n) - std::ilogb(largest), 1000);
-  const double scale = std::ldexp(1., digits);
+  const int digits = 60 - std::ilogb(n) - std::ilogb(largest);
+  // in two parts, since the largest terms may be the smallest numbers
+  const double scale = std::ldexp(1., digits / 2), rest = std::ldexp(1., digits - digits / 2);
   std::int64_t sum = 0; // stays below 2^62
   for (double v : values)
-    sum += static_cast<std::int64_t>(scale * term(v));
+    sum += static_cast<std::int64_t>(term(v) * scale * rest);
   return std::ldexp(static_cast<double>(sum), -digits);
 }
 
 /// Brings the values from `begin` to `end` into an order in which those at some positions are where sorting
 /// would bring them. `first`, `last`: the positions, each greater than the last
 template <class Iterator>
-void sort_positions(std::vector<double>& values, std::size_t begin, std::size_t end, Iterator first, Iterator last)
+void sort_positions(std::vector<double>& values, std::size_t begin, std::size_t end, Iterator first,
+                    Iterator last)
 {
   if (first == last)
     return;

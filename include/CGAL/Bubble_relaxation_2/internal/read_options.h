@@ -28,8 +28,8 @@ namespace internal {
 [[noreturn]] inline void throw_invalid_count(const char* name, const std::string& value,
                                              const std::string& requirement)
 {
-  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " + value + " must be " +
-                              requirement);
+  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " + value +
+                              " must be " + requirement);
 }
 
 /// A count given as any number. A negative one would turn into a huge unsigned one silently, and what a

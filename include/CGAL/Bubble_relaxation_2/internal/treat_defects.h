@@ -32,7 +32,8 @@ void smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& report)
   const double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
   const std::vector<Index> moved =
     Defect_treatment_2<Concurrency_tag>(domain, mesh.triangulation, mesh.bubbles)();
-  if (smallest_quality<Concurrency_tag>(mesh.triangulation) < smallest) { // the moves made none worse, but flips can
+  // the moves made none worse, but flips can
+  if (smallest_quality<Concurrency_tag>(mesh.triangulation) < smallest) {
     mesh.bubbles = untreated;
     mesh.triangulation = triangulate(domain, mesh.bubbles);
   } else
