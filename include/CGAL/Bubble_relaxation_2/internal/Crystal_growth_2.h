@@ -344,8 +344,8 @@ private:
   const Sizing& m_sizing;
   Bubbles_2& m_bubbles;
   const Lattice_direction m_lattice;
-  Bubble_buckets_2 m_buckets;
   Growth_front_2 m_front;
+  Bubble_buckets_2 m_buckets;
   std::vector<Direction> m_direction;                // of the lattice around each bubble
   std::vector<char> m_proposes;                      // whether it is one of the generation
   std::vector<Links> m_links;                        // to bubbles around, of each
