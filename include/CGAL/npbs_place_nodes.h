@@ -92,8 +92,8 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
       bubbles =
         make_mesh<Tag>(*reading, sizing, options, std::move(bubbles), nodes.report).bubbles;
     // the simulation does not ask d again for every little displacement
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      bubbles.d[i] = sizing(bubbles.x[i], bubbles.y[i]);
+    parallel_for<Tag>(bubbles.size(),
+                      [&](std::size_t i) { bubbles.d[i] = sizing(bubbles.x[i], bubbles.y[i]); });
     Neighbor_sets_2 neighbors(options.neighbor_radius);
     neighbors.build<Tag>(bubbles);
     nodes.neighbor_offsets.push_back(0);

@@ -71,6 +71,34 @@ TEST(Concurrency, same_bits_for_any_number_of_threads)
   }
 }
 
+/// more bubbles than what is done at once anywhere; and all of `npbs_relax()`
+TEST(Concurrency, same_bits_of_large_meshes)
+{
+  const paper::Domain domain = paper::graded_circle(0.16);
+  const auto mesh = [&domain](auto tag) {
+    paper::CDT cdt = paper::triangulate(domain);
+    const auto report = CGAL::npbs_relax(
+      cdt, CGAL::parameters::sizing_function(domain.d).number_of_rounds(4).concurrency_tag(tag));
+    std::vector<std::array<paper::Point, 3>> triangles;
+    for (auto f : cdt.finite_face_handles())
+      triangles.push_back({f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()});
+    std::vector<double> figures{
+      report.quality.mean_quality(),      report.quality.minimum_quality(), report.quality.minimum_angle(),
+      report.quality.mean_length_ratio(), report.quality.length_ratio_deviation(),
+      report.quality.irregular_share(),   report.largest_size_gradient,     report.steepest_x,
+      report.steepest_y};
+    return std::make_pair(triangles, figures);
+  };
+  const auto sequential = mesh(CGAL::Sequential_tag());
+  ASSERT_GT(sequential.first.size(), 80000u);
+  for (int threads : {2, 3}) {
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const auto parallel = mesh(CGAL::Parallel_tag());
+    EXPECT_TRUE(parallel.first == sequential.first) << threads;
+    EXPECT_EQ(parallel.second, sequential.second) << threads;
+  }
+}
+
 TEST(Concurrency, same_bits_with_the_size_of_the_mesh)
 {
   // bubbles slide exactly on inner edges of the mesh that gives the size: which triangle is found beside

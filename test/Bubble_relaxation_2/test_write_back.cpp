@@ -14,10 +14,12 @@
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/npbs_relax.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -199,6 +201,105 @@ TEST(Write_back_plus, the_mesh_is_the_same_with_and_without_a_hierarchy)
   for (double d : {0.2, 0.05})
     EXPECT_TRUE(triangles(domains::make<domains::CDT>({slanted, hole}), d) ==
                 triangles(domains::make<Plus>({slanted, hole}), d));
+}
+
+template <class CDT>
+bool is_written_directly(const CDT& cdt)
+{
+  using namespace CGAL::Bubble_relaxation_2::internal;
+  const auto np = CGAL::parameters::default_values();
+  const Domain_marks_2<CDT> marks(cdt, np);
+  return Is_plain<CDT>::value && Direct_write_2<CDT>::is_possible(cdt, *read_domain(cdt, np, marks));
+}
+
+TEST(Direct_write, is_for_plain_triangulations_that_hold_the_domain_alone)
+{
+  using Inexact = CGAL::Simple_cartesian<double>;
+  EXPECT_TRUE(is_written_directly(domains::make({slanted, hole})));
+  EXPECT_TRUE(is_written_directly(domains::make<Info_cdt>({slanted})));
+  EXPECT_FALSE(is_written_directly(domains::make<Plus>({slanted, hole})));
+  EXPECT_FALSE(is_written_directly(domains::make<Exact_cdt>({slanted, hole})));
+  EXPECT_FALSE(CGAL::Bubble_relaxation_2::internal::Is_plain<
+               CGAL::Constrained_Delaunay_triangulation_2<Inexact>>::value);
+  domains::CDT with_mesh = domains::make({slanted, hole});
+  CGAL::npbs_relax(with_mesh, size(0.1));
+  EXPECT_TRUE(is_written_directly(with_mesh));
+  domains::CDT with_vertex_in_hole = domains::make({slanted, hole});
+  with_vertex_in_hole.insert(domains::Point(0.52, 0.5));
+  EXPECT_FALSE(is_written_directly(with_vertex_in_hole));
+  domains::CDT with_vertex_outside = domains::make({slanted});
+  with_vertex_outside.insert(domains::Point(3, 3));
+  EXPECT_FALSE(is_written_directly(with_vertex_outside));
+  const Outline notched{{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}, {0, 1}};
+  domains::CDT with_constraint_outside = domains::make({notched});
+  for (auto f : with_constraint_outside.finite_face_handles())
+    f->set_in_domain(CGAL::centroid(with_constraint_outside.triangle(f)).y() < 0.6);
+  EXPECT_TRUE(is_written_directly(with_constraint_outside));
+  with_constraint_outside.insert_constraint(domains::Point(1, 1), domains::Point(0, 1));
+  EXPECT_FALSE(is_written_directly(with_constraint_outside));
+}
+
+TEST(Direct_write, of_single_triangles)
+{
+  for (double turn : {0., 0.1, 2.}) {
+    Outline triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle.emplace_back(std::cos(turn + 2.1 * k), std::sin(turn + 2.1 * k));
+    for (double d : {10., 0.5}) {
+      domains::CDT cdt = domains::make({triangle});
+      CGAL::npbs_relax(cdt, size(d));
+      validation::expect_valid_mesh(cdt);
+      EXPECT_NEAR(validation::domain_area(cdt), domains::area(triangle), 1e-14);
+    }
+  }
+}
+
+TEST(Direct_write, content_comes_back_after_an_error)
+{
+  domains::CDT cdt = domains::make({slanted, hole});
+  CGAL::npbs_relax(cdt, size(0.1));
+  const validation::Snapshot before = validation::snapshot(cdt);
+  {
+    CGAL::Bubble_relaxation_2::internal::Restore_on_throw<domains::CDT> guard(cdt);
+    cdt.tds().faces().clear();
+    cdt.tds().create_vertex();
+  }
+  EXPECT_TRUE(validation::snapshot(cdt) == before);
+  validation::expect_valid_mesh(cdt);
+}
+
+/// Vertices on slanted edges lie beside them by a rounding, which changes when the treatment slides them: what is
+/// beyond the edge, slivers or the hull, must stay valid.
+TEST(Direct_write, of_treated_vertices_on_slanted_edges)
+{
+  std::size_t treated = 0;
+  for (int k = 0; k < 40; ++k) {
+    const double turn = 0.1 + 0.157 * k, d = 0.07 + 0.003 * k;
+    Outline outline;
+    for (int i = 0; i < 3 + k % 3; ++i) {
+      const double angle = turn + 6.283185307179586 * i / (3 + k % 3);
+      outline.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    domains::CDT cdt = domains::make({outline});
+    const auto report = CGAL::npbs_relax(cdt, size(d));
+    treated += report.number_of_treated_vertices;
+    validation::expect_valid_mesh(cdt);
+    EXPECT_NEAR(validation::domain_area(cdt), domains::area(outline), 1e-12);
+  }
+  EXPECT_GT(treated, 100u);
+}
+
+/// a wall opposite to a tip of the domain, with a gap between them that is not in the domain
+TEST(Direct_write, beside_narrow_gaps_outside_of_the_domain)
+{
+  for (double gap : {0.02, 0.005, 0.001})
+    for (double d : {0.05, 0.083, 0.11}) {
+      const Outline clamp{{0, 0}, {1, 0}, {1, 0.4}, {0.7, 0.4}, {0.52, gap + 0.21}, {0.34, 0.4}, {0.2, 0.4},
+                          {0.2, 0.6}, {0.5, 0.62}, {1.2, 0.6}, {1.2, -0.2}, {0.6, -gap}, {0, -0.2}, {-0.3, 0.3}};
+      domains::CDT cdt = domains::make({clamp});
+      CGAL::npbs_relax(cdt, size(d));
+      validation::expect_valid_mesh(cdt);
+    }
 }
 
 TEST(Write_back_info, vertices_keep_what_they_carry)

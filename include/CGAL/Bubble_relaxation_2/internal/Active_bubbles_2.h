@@ -163,7 +163,7 @@ private:
   std::vector<char> m_is_touched;
   std::vector<char> m_moves, m_is_called; // in this step; or has a neighbour that does
   std::vector<std::uint32_t> m_added_in; // the step in which a bubble was added last
-  std::uint32_t m_step = 1;
+  std::uint32_t m_step = 1; // there are fewer than 2^32
   bool m_is_roused = false;
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <tuple>
 #include <vector>

@@ -45,7 +45,7 @@ public:
       return;
     Positions ring(1, first);
     m_is_closed = wrap_left(first, ring);
-    if (!m_is_closed)
+    if (!m_is_closed && ring.size() <= m_others.size())
       wrap_right(first, ring);
     for (std::size_t k : ring)
       m_ring.push_back(m_others[k].index);

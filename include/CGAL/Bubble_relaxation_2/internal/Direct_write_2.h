@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DIRECT_WRITE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DIRECT_WRITE_2_H
 
@@ -24,14 +23,21 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Whether a triangulation is CGAL's constrained Delaunay triangulation itself, with coordinates in double:
-/// what is derived from it, like `Constrained_triangulation_plus_2`, may know more of its vertices and faces.
+/// Whether a kernel has coordinates in double and exact predicates.
+template <class Traits, class = void>
+struct Is_exact_on_doubles : std::false_type {};
+
+template <class Traits>
+struct Is_exact_on_doubles<Traits, std::enable_if_t<Traits::Has_filtered_predicates_tag::value>>
+  : std::is_same<typename Traits::FT, double> {};
+
+/// Whether a triangulation is CGAL's constrained Delaunay triangulation itself, on such a kernel: what is
+/// derived from it, like `Constrained_triangulation_plus_2`, may know more of its vertices and faces.
 template <class Cdt>
 struct Is_plain : std::false_type {};
 
 template <class Traits, class Tds, class Itag>
-struct Is_plain<Constrained_Delaunay_triangulation_2<Traits, Tds, Itag>>
-  : std::is_same<typename Traits::FT, double> {};
+struct Is_plain<Constrained_Delaunay_triangulation_2<Traits, Tds, Itag>> : Is_exact_on_doubles<Traits> {};
 
 /// Writes the mesh in arrays into the triangulation that its domain was read from, triangle by triangle: a mesh
 /// that is known need not be found again by insertion. Vertices of corners and pinned vertices stay. Nothing

@@ -66,6 +66,25 @@ public:
     return corners;
   }
 
+  /// whether all triangles around a vertex stay counterclockwise, and the hull convex, when it moves to `p`
+  bool stays_valid(Index v, const Point& p) const
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Star_2 corners = star(v);
+    for (const Corner_2& c : corners) {
+      const Point &a = tr.point(c.triangle, ccw(c.index)), &b = tr.point(c.triangle, cw(c.index));
+      if (CGAL::orientation(p, a, b) != LEFT_TURN)
+        return false;
+    }
+    if (!is_on_hull(corners))
+      return true;
+    const Index after = next_on_hull(corners), before = last_on_hull(corners);
+    const Point &q = tr.points[after], &r = tr.points[next_on_hull(star(after))];
+    const Point &o = tr.points[before], &n = tr.points[last_on_hull(star(before))];
+    return CGAL::orientation(o, p, q) != RIGHT_TURN && CGAL::orientation(p, q, r) != RIGHT_TURN &&
+           CGAL::orientation(n, o, p) != RIGHT_TURN;
+  }
+
   void move(Index v, const Point& p) { m_mesh.tr.points[v] = p; }
 
   /// flips edges until the triangulation is a constrained Delaunay triangulation again, after some vertices
@@ -88,6 +107,24 @@ public:
   }
 
 private:
+  bool is_on_hull(const Star_2& corners) const
+  {
+    const Corner_2& first = corners.front();
+    return m_mesh.tr.neighbors[first.triangle][cw(first.index)] == no_index;
+  }
+
+  // the neighbours on the hull, which runs counterclockwise
+
+  Index next_on_hull(const Star_2& corners) const
+  {
+    return m_mesh.tr.vertices[corners.front().triangle][ccw(corners.front().index)];
+  }
+
+  Index last_on_hull(const Star_2& corners) const
+  {
+    return m_mesh.tr.vertices[corners.back().triangle][cw(corners.back().index)];
+  }
+
   Corner_2 corner(Index t, Index v) const
   {
     const auto& vertices = m_mesh.tr.vertices[t];

@@ -30,7 +30,12 @@ struct Proposer
   Index index;
   Direction direction;
 
-  bool operator>(const Proposer& p) const { return std::tie(key, index) > std::tie(p.key, p.index); }
+  /// a corner proposes along each of its edges
+  bool operator>(const Proposer& p) const
+  {
+    return std::tie(key, index, direction.x, direction.y) >
+           std::tie(p.key, p.index, p.direction.x, p.direction.y);
+  }
 };
 
 /// The front of a growing crystal: the bubbles that have not proposed yet, the smallest keys first.

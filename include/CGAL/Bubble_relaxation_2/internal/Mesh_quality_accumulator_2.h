@@ -239,10 +239,9 @@ void add_lengths(const Cdt& cdt, const Is_inside& is_inside, const Sizing& sizin
 {
   using Point_2 = typename Cdt::Geom_traits::Point_2;
   const auto add = [&](const Point_2& p, const Point_2& q) {
-    const double length =
-      std::hypot(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()));
+    const double dx = CGAL::to_double(q.x() - p.x()), dy = CGAL::to_double(q.y() - p.y());
     const Point_2 middle(p.x() + (q.x() - p.x()) / 2, p.y() + (q.y() - p.y()) / 2);
-    accumulator.add_length(length / sizing(middle));
+    accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(middle));
   };
   // from faces, since the direction that CGAL's iterator gives an edge depends on addresses
   for (auto f : cdt.finite_face_handles())

@@ -61,10 +61,11 @@ public:
     for (std::size_t i = 0; i < n; ++i)
       if (bubbles.is_gone(i))
         m_buckets->erase(i);
-    std::vector<Block> blocks(blocks_at_once);
-    for (std::size_t first = 0; first < n; first += blocks_at_once * block_size) {
+    // not all at once: that would take as much memory as the sets
+    std::vector<Block> blocks((std::max)(least_blocks_at_once, n / block_size / 32));
+    for (std::size_t first = 0; first < n; first += blocks.size() * block_size) {
       parallel_for<Concurrency_tag>(
-        blocks_at_once,
+        blocks.size(),
         [&](std::size_t k) { find_neighbors(bubbles, first + k * block_size, blocks[k]); }, 1);
       for (const Block& block : blocks)
         append(block);
@@ -220,7 +221,7 @@ private:
     std::vector<std::size_t> sizes;
   };
 
-  static constexpr std::size_t block_size = 512, blocks_at_once = 32, renewed_at_once = 8192;
+  static constexpr std::size_t block_size = 512, least_blocks_at_once = 32, renewed_at_once = 8192;
   /// numbers that a set takes, with room for one more neighbour: about so many
   static constexpr std::size_t usual_number = 12;
 

@@ -22,8 +22,8 @@ namespace internal {
 
 /// Moves single vertices to where the triangles around them are better: one step of Newton's method for
 /// the energy of `Star_quality_2`, shortened until the energy falls and no triangle is worse than the worst
-/// was. Vertices on edges of the domain slide. Different vertices may be moved at the same time unless they
-/// are neighbours.
+/// was. Vertices on edges of the domain slide. Vertices in faces may be moved at the same time unless they are
+/// neighbours.
 class Vertex_smoothing_2
 {
 public:
@@ -47,10 +47,9 @@ public:
     double factor = (std::min)(1., longest_step / length);
     for (int attempt = 0; attempt < 4; ++attempt, factor *= 0.4) {
       const Vector there{factor * step.x, factor * step.y};
-      if (star.energy(there) < energy && star.smallest(there) >= smallest) {
-        move(mesh, bubbles, v, star.point(there), there);
+      if (star.energy(there) < energy && star.smallest(there) >= smallest &&
+          try_to_move(mesh, bubbles, v, star.point(there), there))
         return true;
-      }
     }
     return false;
   }
@@ -109,18 +108,25 @@ private:
     return slope > 0 ? Vector{-step_down * g.x / slope, -step_down * g.y / slope} : Vector{0, 0};
   }
 
-  /// to `p`, which is `step` away
-  void move(Editable_triangulation_2& mesh, Bubbles_2& b, Index v, Point p, Vector step) const
+  /// moves a vertex to `p`, which is `step` away, unless a triangle around it, in or outside of the domain,
+  /// would be turned over; returns whether it did
+  bool try_to_move(Editable_triangulation_2& mesh, Bubbles_2& b, Index v, Point p, Vector step) const
   {
+    double s = b.s[v];
     if (b.is_on_edge(v)) {
       const Vector u = direction(b.place[v]);
-      b.s[v] += b.d[v] / m_domain.length(b.place[v]) * (step.x * u.x + step.y * u.y);
-      p = m_domain.point_on_edge(b.place[v], b.s[v]);
-    } else
+      s += b.d[v] / m_domain.length(b.place[v]) * (step.x * u.x + step.y * u.y);
+      p = m_domain.point_on_edge(b.place[v], s);
+    }
+    if (!mesh.stays_valid(v, p))
+      return false;
+    if (b.is_in_face(v))
       b.place[v] = m_domain.walk(b.place[v], b.point(v), p).triangle;
+    b.s[v] = s;
     b.x[v] = p.x();
     b.y[v] = p.y();
     mesh.move(v, p);
+    return true;
   }
 
   const Domain_2& m_domain;

@@ -16,10 +16,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

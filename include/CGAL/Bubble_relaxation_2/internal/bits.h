@@ -42,7 +42,7 @@ inline double power_of_two(int exponent)
   return power;
 }
 
-/// the least e with `value` <= 2^e
+/// the least e with `value` <= 2^e \pre `value` is positive
 inline int exponent_above(double value)
 {
   std::uint64_t bits;
@@ -54,7 +54,6 @@ inline int exponent_above(double value)
   const double mantissa = std::frexp(value, &exponent);
   return mantissa == 0.5 ? exponent - 1 : exponent;
 }
-
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

@@ -27,7 +27,8 @@ std::vector<double> sizes_at_vertices(const Marked_triangulation_2& mesh, const 
   std::vector<char> is_in_domain(mesh.tr.points.size(), 0);
   for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
     for (Index v : mesh.tr.vertices[t])
-      is_in_domain[v] |= mesh.inside[t];
+      if (mesh.inside[t])
+        is_in_domain[v] = 1;
   std::vector<double> sizes(mesh.tr.points.size(), 0);
   parallel_for<Concurrency_tag>(sizes.size(), [&](std::size_t v) {
     if (is_in_domain[v])

@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MAKE_ROOM_FOR_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MAKE_ROOM_FOR_H
 
@@ -19,7 +18,7 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Makes room for `n` more elements. A vector of all bubbles that takes in a few more would double its memory
-/// otherwise; this adds an eighth.
+/// otherwise; this adds an eighth, or what is needed.
 template <class T>
 void make_room_for(std::size_t n, std::vector<T>& array)
 {

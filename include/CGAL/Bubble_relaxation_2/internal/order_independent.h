@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ORDER_INDEPENDENT_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ORDER_INDEPENDENT_H
 
@@ -23,7 +22,7 @@ namespace internal {
 /// The sum of `term(v)` over values, the same to the last bit in whatever order they come: of terms as
 /// multiples of a unit, summed as integers. The unit is so small that the mean is off by less than
 /// n / 2^60 times the largest term.
-/// \pre no term is negative
+/// \pre no term is negative or not a number
 template <class Term>
 double sum_in_any_order(const std::vector<double>& values, const Term& term)
 {

@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -24,25 +25,32 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// What was done to a mesh.
+struct Treatment_counts
+{
+  std::size_t treated = 0, inserted = 0, deleted = 0;
+};
+
 /// Moves vertices for the quality of their triangles. The smallest q never gets smaller.
-template <class Concurrency_tag, class Report>
-void smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& report)
+/// \returns the number of vertices that were moved
+template <class Concurrency_tag>
+std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
   const Bubbles_2 untreated = mesh.bubbles;
   const double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
   const std::vector<Index> moved =
     Defect_treatment_2<Concurrency_tag>(domain, mesh.triangulation, mesh.bubbles)();
   // the moves made none worse, but flips can
-  if (smallest_quality<Concurrency_tag>(mesh.triangulation) < smallest) {
-    mesh.bubbles = untreated;
-    mesh.triangulation = triangulate(domain, mesh.bubbles);
-  } else
-    report.number_of_treated_vertices += moved.size();
+  if (smallest_quality<Concurrency_tag>(mesh.triangulation) >= smallest)
+    return moved.size();
+  mesh.bubbles = untreated;
+  mesh.triangulation = triangulate(domain, mesh.bubbles);
+  return 0;
 }
 
-/// Inserts and removes single bubbles where moving is not enough, as long as the smallest q gets larger.
-template <class Concurrency_tag, class Report>
-void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& report)
+/// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller.
+template <class Concurrency_tag>
+void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Treatment_counts& counts)
 {
   constexpr int passes = 4;
   const std::size_t most = 32 + mesh.bubbles.size() / 1000; // operations are dear
@@ -54,34 +62,34 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Report& rep
     Bubble_mesh_2 changed{std::move(bubbles), {}};
     if (!try_to_triangulate(domain, changed.bubbles, changed.triangulation))
       break; // rounding made a mess of a change; what was there is good
-    smooth_defects<Concurrency_tag>(domain, changed, report);
-    if (smallest_quality(changed.triangulation) < smallest_quality(mesh.triangulation))
+    const std::size_t moved = smooth_defects<Concurrency_tag>(domain, changed);
+    if (smallest_quality<Concurrency_tag>(changed.triangulation) <
+        smallest_quality<Concurrency_tag>(mesh.triangulation))
       break;
     mesh = std::move(changed);
-    report.number_of_insertions += surgery.number_of_insertions;
-    report.number_of_deletions += surgery.number_of_deletions;
+    counts.treated += moved;
+    counts.inserted += surgery.number_of_insertions;
+    counts.deleted += surgery.number_of_deletions;
   }
 }
 
-/// Treats the last defects of a mesh. The smallest q never gets smaller.
-template <class Concurrency_tag, class Sizing, class Report>
-void treat_defects(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
-                   Bubble_mesh_2& mesh, Report& report)
+/// Treats the last defects of a mesh. The smallest q never gets smaller. Sizes of bubbles that move are not
+/// renewed.
+template <class Concurrency_tag>
+Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_options& options, Bubble_mesh_2& mesh)
 {
-  smooth_defects<Concurrency_tag>(domain, mesh, report);
+  Treatment_counts counts;
+  counts.treated = smooth_defects<Concurrency_tag>(domain, mesh);
   if (options.population != Bubble_population::NONE)
-    operate_on_defects<Concurrency_tag>(domain, mesh, report);
-  Bubbles_2& b = mesh.bubbles;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.can_move(i))
-      b.d[i] = sizing(b.x[i], b.y[i]);
+    operate_on_defects<Concurrency_tag>(domain, mesh, counts);
+  return counts;
 }
 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is
 /// larger, treated too, unless d asked for more or fewer bubbles.
-template <class Concurrency_tag, class Cdt, class Sizing, class Report>
+template <class Concurrency_tag, class Cdt, class Sizing>
 void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                     const Relaxation_options& options, Bubble_mesh_2& mesh, Report& report)
+                     const Relaxation_options& options, Bubble_mesh_2& mesh, Treatment_counts& counts)
 {
   constexpr double same_number = 0.05;
   Bubble_mesh_2 given;
@@ -90,9 +98,10 @@ void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
   if (std::abs(after - before) > same_number * before)
     return;
   given.triangulation = triangulate(reading.domain, given.bubbles);
-  if (smallest_quality(given.triangulation) <= smallest_quality(mesh.triangulation))
+  if (smallest_quality<Concurrency_tag>(given.triangulation) <=
+      smallest_quality<Concurrency_tag>(mesh.triangulation))
     return;
-  treat_defects<Concurrency_tag>(reading.domain, sizing, options, given, report);
+  counts = treat_defects<Concurrency_tag>(reading.domain, options, given);
   mesh = std::move(given);
 }
 
@@ -114,9 +123,12 @@ Bubble_mesh_2 make_mesh(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
   mesh.triangulation = triangulate(reading.domain, mesh.bubbles);
   if (!is_treatment_due(options, report))
     return mesh;
-  treat_defects<Concurrency_tag>(reading.domain, sizing, options, mesh, report);
+  Treatment_counts counts = treat_defects<Concurrency_tag>(reading.domain, options, mesh);
   if (keeps_given_bubbles(options))
-    keep_the_better<Concurrency_tag>(reading, sizing, options, mesh, report);
+    keep_the_better<Concurrency_tag>(reading, sizing, options, mesh, counts);
+  report.number_of_treated_vertices = counts.treated;
+  report.number_of_insertions += counts.inserted;
+  report.number_of_deletions += counts.deleted;
   return mesh;
 }
 
