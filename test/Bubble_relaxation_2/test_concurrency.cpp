@@ -14,7 +14,10 @@
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
+#include <array>
 #include <random>
+#include <utility>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
