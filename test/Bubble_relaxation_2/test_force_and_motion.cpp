@@ -130,7 +130,8 @@ TEST(Semi_implicit_euler, goes_by_its_formula_in_units_of_d)
 {
   const Domain_2 domain = unit_square();
   const Boundary_2 boundary(domain);
-  Relaxation_options o; // gamma = 0.3
+  Relaxation_options o;
+  o.damping = 0.3;
   o.time_step = 0.5;
   const double d = 0.1, w = 0.9;
   Bubbles_2 b = pair_at(domain, w * d, d);
