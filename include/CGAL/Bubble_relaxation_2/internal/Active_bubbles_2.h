@@ -16,7 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -30,35 +30,42 @@ class Active_bubbles_2
 public:
   const std::vector<Index>& indices() const { return m_indices; }
 
-  /// all bubbles that were active since the last call of `forget_touched()`
-  const std::vector<Index>& touched() const { return m_touched; }
+  /// all bubbles that were active since the last call of `forget_touched()`, by increasing indices
+  std::vector<Index> touched() const
+  {
+    std::vector<Index> result;
+    for (std::size_t i = 0; i < m_is_touched.size(); ++i)
+      if (m_is_touched[i])
+        result.push_back(static_cast<Index>(i));
+    return result;
+  }
 
   void forget_touched()
   {
-    for (Index i : m_touched)
-      m_is_touched[i] = 0;
-    m_touched.clear();
+    std::fill(m_is_touched.begin(), m_is_touched.end(), char(0));
     if (!m_is_roused)
       for (Index i : m_indices)
-        touch(i);
+        m_is_touched[i] = 1;
   }
 
   void wake_all(const Bubbles_2& bubbles)
   {
-    start(bubbles);
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      add(bubbles, static_cast<Index>(i));
+    rouse_all(bubbles);
+    m_is_roused = false;
+    for (Index i : m_indices)
+      m_is_touched[i] = 1;
   }
 
   /// all take part in the next step, but those that fall asleep again after it do not count as touched
   void rouse_all(const Bubbles_2& bubbles)
   {
-    start(bubbles);
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (bubbles.can_move(i)) {
-        m_added_in[i] = m_step;
+    make_room(bubbles);
+    m_indices.clear();
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      m_is_active[i] = bubbles.can_move(i);
+      if (m_is_active[i])
         m_indices.push_back(static_cast<Index>(i));
-      }
+    }
     m_is_roused = true;
   }
 
@@ -73,50 +80,83 @@ public:
   {
     const auto is_gone = [&bubbles](Index i) { return bubbles.is_gone(i); };
     m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(), is_gone), m_indices.end());
+    for (std::size_t i = 0; i < m_is_touched.size(); ++i)
+      if (bubbles.is_gone(i))
+        m_is_touched[i] = 0;
   }
 
   /// goes on to the next step; `is_moving[k]`: whether the `k`-th of `indices()` moves noticeably
   template <class Concurrency_tag>
   void advance(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
   {
+    make_room(bubbles);
     m_is_roused = false;
     m_before.swap(m_indices);
-    start(bubbles);
+    m_indices.clear();
     if (many * m_before.size() > bubbles.size())
       ask_all<Concurrency_tag>(bubbles, neighbors, is_moving);
     else
       tell_neighbors(bubbles, neighbors, is_moving);
-    for (Index i : m_before)
-      if (m_added_in[i] != m_step)
-        bubbles.stop(i);
   }
 
 private:
   /// from one in so many on
   static constexpr std::size_t many = 8;
+  static constexpr std::size_t block_size = 4096;
 
   /// Many are active: each bubble looks whether it or a neighbour moves. Then the active ones come in the order
   /// in which they lie in memory.
   template <class Concurrency_tag>
-  void ask_all(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
+  void ask_all(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
   {
-    m_moves.assign(bubbles.size(), 0);
-    for (std::size_t k = 0; k < m_before.size(); ++k)
-      m_moves[m_before[k]] = is_moving[k];
-    m_is_called.resize(bubbles.size());
-    parallel_for<Concurrency_tag>(bubbles.size(), [&](std::size_t i) {
-      m_is_called[i] = m_moves[i] || std::any_of(neighbors.begin(i), neighbors.end(i),
-                                                 [this](Index j) { return m_moves[j] != 0; });
-    });
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (m_is_called[i])
-        add(bubbles, static_cast<Index>(i));
+    m_moves.resize(bubbles.size());
+    parallel_for<Concurrency_tag>(m_before.size(), [&](std::size_t k) { m_moves[m_before[k]] = is_moving[k]; });
+    std::vector<std::size_t> positions((bubbles.size() + block_size - 1) / block_size + 1, 0);
+    parallel_for<Concurrency_tag>(
+      positions.size() - 1,
+      [&](std::size_t block) {
+        for (std::size_t i = block * block_size; i < end_of(block); ++i)
+          positions[block + 1] += ask(bubbles, neighbors, i);
+      },
+      1);
+    std::partial_sum(positions.begin(), positions.end(), positions.begin());
+    m_indices.resize(positions.back());
+    parallel_for<Concurrency_tag>(
+      positions.size() - 1,
+      [&](std::size_t block) {
+        std::size_t k = positions[block];
+        for (std::size_t i = block * block_size; i < end_of(block); ++i)
+          if (m_is_active[i])
+            m_indices[k++] = static_cast<Index>(i);
+      },
+      1);
+    parallel_for<Concurrency_tag>(m_before.size(), [&](std::size_t k) { m_moves[m_before[k]] = 0; });
+  }
+
+  std::size_t end_of(std::size_t block) const
+  {
+    return (std::min)((block + 1) * block_size, m_is_active.size());
+  }
+
+  /// whether a bubble is active in the next step
+  bool ask(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, std::size_t i)
+  {
+    const bool is_called = m_moves[i] || std::any_of(neighbors.begin(i), neighbors.end(i),
+                                                     [this](Index j) { return m_moves[j] != 0; });
+    const bool was_active = m_is_active[i] != 0;
+    m_is_active[i] = is_called && bubbles.can_move(i);
+    if (m_is_active[i])
+      m_is_touched[i] = 1;
+    else if (was_active)
+      bubbles.stop(i);
+    return m_is_active[i] != 0;
   }
 
   /// few are active: those that move tell their neighbours
-  void tell_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-                      const std::vector<char>& is_moving)
+  void tell_neighbors(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
   {
+    for (Index i : m_before)
+      m_is_active[i] = 0;
     for (std::size_t k = 0; k < m_before.size(); ++k) {
       if (!is_moving[k])
         continue;
@@ -125,45 +165,30 @@ private:
       for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
         add(bubbles, *j);
     }
-  }
-
-  void start(const Bubbles_2& bubbles)
-  {
-    m_indices.clear();
-    ++m_step;
-    make_room(bubbles);
+    for (Index i : m_before)
+      if (!m_is_active[i])
+        bubbles.stop(i);
   }
 
   void make_room(const Bubbles_2& bubbles)
   {
-    internal::make_room_for(bubbles.size() - m_added_in.size(), m_added_in);
-    m_added_in.resize(bubbles.size(), 0);
-    internal::make_room_for(bubbles.size() - m_is_touched.size(), m_is_touched);
-    m_is_touched.resize(bubbles.size(), 0);
+    for (std::vector<char>* flags : {&m_is_active, &m_is_touched}) {
+      internal::make_room_for(bubbles.size() - flags->size(), *flags);
+      flags->resize(bubbles.size(), 0);
+    }
   }
 
   void add(const Bubbles_2& bubbles, Index i)
   {
-    if (m_added_in[i] == m_step || !bubbles.can_move(i))
+    if (m_is_active[i] || !bubbles.can_move(i))
       return;
-    m_added_in[i] = m_step;
+    m_is_active[i] = m_is_touched[i] = 1;
     m_indices.push_back(i);
-    touch(i);
   }
 
-  void touch(Index i)
-  {
-    if (m_is_touched[i])
-      return;
-    m_is_touched[i] = 1;
-    m_touched.push_back(i);
-  }
-
-  std::vector<Index> m_indices, m_before, m_touched;
-  std::vector<char> m_is_touched;
-  std::vector<char> m_moves, m_is_called; // in this step; or has a neighbour that does
-  std::vector<std::uint32_t> m_added_in; // the step in which a bubble was added last
-  std::uint32_t m_step = 1; // there are fewer than 2^32
+  std::vector<Index> m_indices, m_before;
+  std::vector<char> m_is_active, m_is_touched;
+  std::vector<char> m_moves; // in a step with many
   bool m_is_roused = false;
 };
 

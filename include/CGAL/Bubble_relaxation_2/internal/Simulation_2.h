@@ -128,7 +128,7 @@ public:
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
 
   /// the bubbles that may have moved in the last round
-  const std::vector<Index>& touched() const { return m_active.touched(); }
+  std::vector<Index> touched() const { return m_active.touched(); }
 
   /// One round of Fig. 2 of the paper: steps until the bubbles rest, `number_of_iterations` at most.
   template <class Seconds>
@@ -221,12 +221,13 @@ private:
     parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) { move(k, active[k]); });
     ++result.steps;
     result.moves += active.size();
-    result.returns += std::count(m_flags.returned.begin(), m_flags.returned.end(), 1);
-    result.is_at_rest =
-      std::find(m_flags.rests.begin(), m_flags.rests.end(), 0) == m_flags.rests.end();
-    for (std::size_t k = 0; k < active.size(); ++k)
+    result.is_at_rest = true;
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      result.returns += m_flags.returned[k] != 0;
+      result.is_at_rest &= m_flags.rests[k] != 0;
       if (m_flags.is_outrun[k])
         m_outrun.push_back(active[k]);
+    }
     if (Integrator::lets_bubbles_sleep)
       m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
   }

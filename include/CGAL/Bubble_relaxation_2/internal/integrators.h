@@ -29,8 +29,8 @@ struct Displacements
 
   void start_step(std::size_t n)
   {
-    x.assign(n, 0);
-    y.assign(n, 0);
+    x.resize(n);
+    y.resize(n);
   }
 };
 
@@ -87,6 +87,8 @@ public:
   {
     const std::size_t n = b.size();
     displacements.start_step(active.size());
+    std::fill(displacements.x.begin(), displacements.x.end(), 0.);
+    std::fill(displacements.y.begin(), displacements.y.end(), 0.);
     m_sum_vx.assign(n, 0);
     m_sum_vy.assign(n, 0);
     m_x = m_next_x = b.x;
