@@ -32,12 +32,13 @@ namespace internal {
 class Defect_surgery_2
 {
 public:
-  /// triangles with less are operated on
-  double bad_quality = 0.8;
   /// how much the smallest q of a patch must gain
   double least_gain = 0.01;
 
-  Defect_surgery_2(const Domain_2& domain, const Bubble_mesh_2& mesh) : m_domain(domain), m_mesh(mesh) {}
+  /// `bad_quality`: triangles with less are operated on
+  Defect_surgery_2(const Domain_2& domain, const Bubble_mesh_2& mesh, double bad_quality)
+    : m_domain(domain), m_mesh(mesh), m_bad_quality(bad_quality)
+  {}
 
   /// what the last call did
   std::size_t number_of_insertions = 0, number_of_deletions = 0;
@@ -85,7 +86,7 @@ private:
     for (std::size_t t = 0; t < m.inside.size(); ++t) {
       const Index i = static_cast<Index>(t);
       const double q = m.inside[t] ? quality(i) : 1.;
-      if (q < bad_quality && q < 0.9 * best_quality(i))
+      if (q < m_bad_quality && q < 0.9 * best_quality(i))
         found.emplace_back(q, m.tr.point(i, 0), i);
     }
     std::sort(found.begin(), found.end());
@@ -299,6 +300,7 @@ private:
 
   const Domain_2& m_domain;
   const Bubble_mesh_2& m_mesh;
+  const double m_bad_quality;
   bool m_is_better = false;
   double m_smallest = 0;         // q of the best outcome
   Bubbles_2 m_best;              // bubbles of the best outcome

@@ -48,24 +48,29 @@ std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh)
   return 0;
 }
 
-/// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller.
+/// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller. All that
+/// could be better by it is tried once, since each pass costs a triangulation, and what is bad some times more.
 template <class Concurrency_tag>
 void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Treatment_counts& counts)
 {
-  constexpr int passes = 4;
   const std::size_t most = 32 + mesh.bubbles.size() / 1000; // operations are dear
-  for (int pass = 0; pass < passes; ++pass) {
-    Defect_surgery_2 surgery(domain, mesh);
-    Bubbles_2 bubbles = surgery(most);
-    if (bubbles.size() == 0)
-      break;
-    Bubble_mesh_2 changed{std::move(bubbles), {}};
-    if (!try_to_triangulate(domain, changed.bubbles, changed.triangulation))
-      break; // rounding made a mess of a change; what was there is good
-    const std::size_t moved = smooth_defects<Concurrency_tag>(domain, changed);
-    if (smallest_quality<Concurrency_tag>(changed.triangulation) <
-        smallest_quality<Concurrency_tag>(mesh.triangulation))
-      break;
+  double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
+  // angles of 38 degrees and less are in triangles with less than the first
+  for (double bad_quality : {0.88, 0.8, 0.8, 0.8}) {
+    Defect_surgery_2 surgery(domain, mesh, bad_quality);
+    Bubble_mesh_2 changed{surgery(most), {}};
+    if (changed.bubbles.size() == 0)
+      continue;
+    mesh.triangulation = Marked_triangulation_2(); // there is one at a time
+    // rounding can make a mess of a change; then what was there is good
+    const bool is_valid = try_to_triangulate(domain, changed.bubbles, changed.triangulation);
+    const std::size_t moved = is_valid ? smooth_defects<Concurrency_tag>(domain, changed) : 0;
+    const double smallest_now = is_valid ? smallest_quality<Concurrency_tag>(changed.triangulation) : 0.;
+    if (!is_valid || smallest_now < smallest) {
+      mesh.triangulation = triangulate(domain, mesh.bubbles);
+      return;
+    }
+    smallest = smallest_now;
     mesh = std::move(changed);
     counts.treated += moved;
     counts.inserted += surgery.number_of_insertions;
