@@ -31,44 +31,46 @@ struct Treatment_counts
   std::size_t treated = 0, inserted = 0, deleted = 0;
 };
 
-/// Moves vertices for the quality of their triangles. The smallest q never gets smaller.
+/// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
 template <class Concurrency_tag>
-std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh)
+std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& smallest)
 {
   const Bubbles_2 untreated = mesh.bubbles;
-  const double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
   const std::vector<Index> moved =
     Defect_treatment_2<Concurrency_tag>(domain, mesh.triangulation, mesh.bubbles)();
-  // the moves made none worse, but flips can
-  if (smallest_quality<Concurrency_tag>(mesh.triangulation) >= smallest)
-    return moved.size();
-  mesh.bubbles = untreated;
-  mesh.triangulation = triangulate(domain, mesh.bubbles);
-  return 0;
+  const double smallest_now = smallest_quality<Concurrency_tag>(mesh.triangulation);
+  if (smallest_now < smallest) { // the moves made none worse, but flips can
+    mesh.bubbles = untreated;
+    mesh.triangulation = triangulate(domain, mesh.bubbles);
+    return 0;
+  }
+  smallest = smallest_now;
+  return moved.size();
 }
 
 /// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller. All that
 /// could be better by it is tried once, since each pass costs a triangulation, and what is bad some times more.
 template <class Concurrency_tag>
-void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Treatment_counts& counts)
+void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, Treatment_counts& counts)
 {
   const std::size_t most = 32 + mesh.bubbles.size() / 1000; // operations are dear
-  double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
   // angles of 38 degrees and less are in triangles with less than the first
   for (double bad_quality : {0.88, 0.8, 0.8, 0.8}) {
+    if (smallest >= bad_quality)
+      break;
     Defect_surgery_2 surgery(domain, mesh, bad_quality);
     Bubble_mesh_2 changed{surgery(most), {}};
     if (changed.bubbles.size() == 0)
-      continue;
+      break;
     mesh.triangulation = Marked_triangulation_2(); // there is one at a time
     // rounding can make a mess of a change; then what was there is good
     const bool is_valid = try_to_triangulate(domain, changed.bubbles, changed.triangulation);
-    const std::size_t moved = is_valid ? smooth_defects<Concurrency_tag>(domain, changed) : 0;
-    const double smallest_now = is_valid ? smallest_quality<Concurrency_tag>(changed.triangulation) : 0.;
+    double smallest_now = is_valid ? smallest_quality<Concurrency_tag>(changed.triangulation) : 0.;
+    const std::size_t moved = is_valid ? smooth_defects<Concurrency_tag>(domain, changed, smallest_now) : 0;
     if (!is_valid || smallest_now < smallest) {
       mesh.triangulation = triangulate(domain, mesh.bubbles);
-      return;
+      break;
     }
     smallest = smallest_now;
     mesh = std::move(changed);
@@ -84,9 +86,10 @@ template <class Concurrency_tag>
 Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_options& options, Bubble_mesh_2& mesh)
 {
   Treatment_counts counts;
-  counts.treated = smooth_defects<Concurrency_tag>(domain, mesh);
+  double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
+  counts.treated = smooth_defects<Concurrency_tag>(domain, mesh, smallest);
   if (options.population != Bubble_population::NONE)
-    operate_on_defects<Concurrency_tag>(domain, mesh, counts);
+    operate_on_defects<Concurrency_tag>(domain, mesh, smallest, counts);
   return counts;
 }
 
