@@ -18,6 +18,8 @@ figures=$here/doc/Bubble_relaxation_2/fig
 ../release/examples/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/examples/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
+"$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
+cp "$here/output/compare_meshers.svg" .
 # those that the manual shows
 for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
   rsvg-convert --width 1000 "${picture%.png}.svg" -o "$figures/$picture"
