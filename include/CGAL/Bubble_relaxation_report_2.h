@@ -75,7 +75,7 @@ struct Bubble_relaxation_report_2
   /// How much d changes along the edges of the mesh: |d<sub>i</sub> - d<sub>j</sub>| over the length of the
   /// edge. Zero in the report of `npbs_place_nodes()`, which makes no mesh.
   /// @{
-  static constexpr double steep_size_gradient = 0.5; ///< a mesh cannot follow d where it is steeper than this
+  static constexpr double steep_size_gradient = 0.5; ///< triangles get bad where d is steeper than this
   FT largest_size_gradient = FT(0); ///< the largest of all edges
   FT steepest_x = FT(0);            ///< the x coordinate of the midpoint of that edge
   FT steepest_y = FT(0);            ///< the y coordinate of the midpoint of that edge

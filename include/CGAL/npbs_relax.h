@@ -71,10 +71,11 @@ those on edges lie exactly on them.
                       per unit of the distance from there}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
-    \cgalParamDescription{points in the holes of the domain, or in the domain}
+    \cgalParamDescription{points in the holes of the domain, or in the domain; those outside of all outlines mark
+                          no hole}
     \cgalParamType{a range of points}
     \cgalParamDefault{none: the domain are the faces that are marked as such, or else the faces in an odd
-                      number of outlines}
+                      number of outlines; what an open outline was meant to enclose counts as outside of it}
   \cgalParamNEnd
   \cgalParamNBegin{seeds_are_in_domain}
     \cgalParamDescription{whether the seeds lie in the domain}

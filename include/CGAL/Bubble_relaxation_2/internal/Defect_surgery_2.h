@@ -96,21 +96,34 @@ private:
     return result;
   }
 
-  /// what q can be at most where the input fixes an angle
+  /// what q can be at most where the input fixes an angle, which one triangle has or two share
   double best_quality(Index t) const
   {
     const Marked_triangulation_2& m = m_mesh.triangulation;
-    double best = 1;
-    for (int i = 0; i < 3; ++i) {
-      if (m.edges[t][ccw(i)] == no_index || m.edges[t][cw(i)] == no_index)
-        continue;
-      const Kernel::Vector_2 u = m.tr.point(t, ccw(i)) - m.tr.point(t, i),
-                             v = m.tr.point(t, cw(i)) - m.tr.point(t, i);
-      const double half = 0.5 * std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v);
-      const double s = std::sin(half);
-      best = (std::min)(best, 4 * s * (1 - s)); // of the isosceles triangle: 8 sin(a) sin^2(45 - a/2)
-    }
-    return best;
+    const int i = corner_of_domain(t);
+    if (i == -1)
+      return 1;
+    const Kernel::Vector_2 u = m.tr.point(t, ccw(i)) - m.tr.point(t, i),
+                           v = m.tr.point(t, cw(i)) - m.tr.point(t, i);
+    const double half = 0.5 * std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v);
+    return (std::max)(quality_of_isosceles(half), quality_of_isosceles(half / 2));
+  }
+
+  /// the vertex of a triangle whose angle is that between two edges of the domain, -1 if there is none
+  int corner_of_domain(Index t) const
+  {
+    const auto& edges = m_mesh.triangulation.edges[t];
+    for (int i = 0; i < 3; ++i)
+      if (edges[ccw(i)] != no_index && edges[cw(i)] != no_index)
+        return i;
+    return -1;
+  }
+
+  /// q of the isosceles triangle with an angle of twice `half` at its tip: 8 sin(a) sin^2(45 - a/2)
+  static double quality_of_isosceles(double half)
+  {
+    const double s = std::sin(half);
+    return 4 * s * (1 - s);
   }
 
   /// tries what could help; leaves the best in `m_best`
