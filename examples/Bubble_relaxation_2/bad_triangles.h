@@ -27,6 +27,15 @@ inline double angle(const Point& q, const Point& p, const Point& r)
   return std::abs(std::atan2(x * v - y * u, x * u + y * v)) * 180 / CGAL_PI;
 }
 
+/// coordinates with as many digits as it takes to find the place on a map of the world in millimetres
+inline std::string in_words(const Point& p)
+{
+  std::ostringstream text;
+  text.precision(11);
+  text << '(' << p.x() << ", " << p.y() << ')';
+  return text.str();
+}
+
 /// The triangle with the smallest angle of a mesh, and why it may be there.
 class Bad_triangle
 {
@@ -55,7 +64,7 @@ public:
     const Point center = CGAL::centroid(m_domain.cdt.triangle(m_face));
     std::ostringstream text;
     text.precision(4);
-    text << "the triangle at (" << center.x() << ", " << center.y() << ") has an angle of " << m_angle
+    text << "the triangle at " << in_words(center) << " has an angle of " << m_angle
          << " degrees, q = " << quality(m_face) << ": " << cause();
     if (size)
       text << "; d is " << size(center) << " there";

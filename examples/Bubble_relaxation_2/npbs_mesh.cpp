@@ -256,8 +256,8 @@ try {
 
 void print_statistics(const Report& report)
 {
-  std::cout << report.quality << "  worst triangle, at" << std::string(19, ' ') << report.quality.worst_x()
-            << "  " << report.quality.worst_y() << '\n'
+  std::cout << report.quality << "  worst triangle, at" << std::string(19, ' ')
+            << in_words(Point(report.quality.worst_x(), report.quality.worst_y())) << '\n'
             << "  largest change of d per length" << std::string(6, ' ') << report.largest_size_gradient << '\n'
             << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'
             << "  seconds" << std::string(29, ' ') << report.seconds.total() << '\n';
@@ -268,8 +268,8 @@ std::string steep_message(const Report& report)
 {
   std::ostringstream text;
   text.precision(3);
-  text << "d changes by " << report.largest_size_gradient << " per unit of length at (" << report.steepest_x << ", "
-       << report.steepest_y << "), and along " << 100 * report.steep_share << " % of all edges by more than "
+  text << "d changes by " << report.largest_size_gradient << " per unit of length at "
+       << in_words(Point(report.steepest_x, report.steepest_y)) << ", and along " << 100 * report.steep_share << " % of all edges by more than "
        << Report::steep_size_gradient << ", which makes bad triangles; --gradation 0.2 limits it";
   return text.str();
 }
