@@ -52,8 +52,6 @@ public:
   {
     rouse_all(bubbles);
     m_is_roused = false;
-    for (Index i : m_indices)
-      m_is_touched[i] = 1;
   }
 
   /// all take part in the next step, but those that fall asleep again after it do not count as touched
@@ -80,9 +78,6 @@ public:
   {
     const auto is_gone = [&bubbles](Index i) { return bubbles.is_gone(i); };
     m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(), is_gone), m_indices.end());
-    for (std::size_t i = 0; i < m_is_touched.size(); ++i)
-      if (bubbles.is_gone(i))
-        m_is_touched[i] = 0;
   }
 
   /// goes on to the next step; `is_moving[k]`: whether the `k`-th of `indices()` moves noticeably

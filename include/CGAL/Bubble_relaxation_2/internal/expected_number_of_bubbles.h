@@ -149,7 +149,7 @@ private:
 /// \throws std::length_error if they are more than the user wants to have
 template <class Sizing>
 double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum,
-                             const char* asking = "the domain and the sizing function")
+                             const char* asking)
 {
   const double expected =
     Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
@@ -173,20 +173,12 @@ struct Counted_sizing_field_2 : Sizing_field_ref_2
   {}
 };
 
+/// `asking`: what asks for these sizes, in words for the user
 /// \throws std::length_error if more bubbles are expected than the user wants to have
 inline Counted_sizing_field_2 counted(const Domain_2& domain, const Sizing_field_ref_2& sizing,
-                                      std::size_t maximum)
+                                      std::size_t maximum, const char* asking)
 {
-  return Counted_sizing_field_2(sizing, check_expected_number(domain, sizing, maximum));
-}
-
-/// the same for a field that limit_by_outline has made smaller
-inline Counted_sizing_field_2 counted_limited(const Domain_2& domain, const Sizing_field_ref_2& sizing,
-                                              std::size_t maximum)
-{
-  return Counted_sizing_field_2(
-    sizing, check_expected_number(domain, sizing, maximum,
-                                  "the sizing function and the fine parts of the outline (limit_by_outline)"));
+  return Counted_sizing_field_2(sizing, check_expected_number(domain, sizing, maximum, asking));
 }
 
 } // namespace internal

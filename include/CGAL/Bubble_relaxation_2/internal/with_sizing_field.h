@@ -63,7 +63,8 @@ void with_limited_sizing_field(const Cdt& cdt, const NamedParameters& np,
   constexpr bool is_given = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
   with_sizing_field(cdt, np, marks, reading, [&](const Sizing_field_ref_2& wanted) {
     const std::size_t maximum = options.maximum_number_of_bubbles;
-    const Counted_sizing_field_2 counted_wanted = counted(reading.domain, wanted, maximum);
+    const Counted_sizing_field_2 counted_wanted = counted(
+      reading.domain, wanted, maximum, "the domain and the sizing function");
     std::vector<Size_source_2> sources;
     if (is_given && options.limit_by_outline)
       sources = Outline_sizes_2<Cdt>(reading, &wanted)();
@@ -73,7 +74,9 @@ void with_limited_sizing_field(const Cdt& cdt, const NamedParameters& np,
     }
     const Outline_field_2 limit(sources, reading.domain.bbox());
     const Smaller_of_2 smaller(&wanted, &limit);
-    use(counted_limited(reading.domain, Sizing_field_ref_2(smaller), maximum), wanted);
+    use(counted(reading.domain, Sizing_field_ref_2(smaller), maximum,
+                "the sizing function and the fine parts of the outline (limit_by_outline)"),
+        wanted);
   });
 }
 
