@@ -14,6 +14,7 @@
 #include "bad_triangles.h"
 #include "domain_file.h"
 #include "file_names.h"
+#include "loose_ends.h"
 #include "mesh_file.h"
 #include "size_formula.h"
 #include "svg_picture.h"
@@ -32,6 +33,7 @@
 #include <iostream>
 #include <sstream>
 #include <utility>
+#include <vector>
 #include <unistd.h>
 
 namespace po = boost::program_options;
@@ -310,8 +312,11 @@ try {
     print_statistics(report);
   if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
-  if (report.largest_size_gradient > Report::steep_size_gradient)
+  if (report.steep_share > 0)
     warn(steep_message(report));
+  const std::vector<Point> ends = loose_ends(domain.cdt);
+  if (!ends.empty())
+    warn(loose_ends_message(ends));
   const Bad_triangle worst(domain);
   if (worst.is_bad())
     warn(worst.message(size));

@@ -41,7 +41,7 @@ int main()
   const auto d = [](const Point& p) { return std::hypot(p.x(), p.y()) / 8; };
   const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
 
-  std::cout << report.quality;
+  std::cout << report;
   Svg_picture picture;
   picture.add_mesh(cdt, "mesh, coloured by q");
   picture.add_histogram(report.quality, "q = 2 r_in / r_out");

@@ -13,6 +13,7 @@
 #include <CGAL/Mesh_quality_2.h>
 
 #include <cstddef>
+#include <ostream>
 
 namespace CGAL {
 
@@ -82,6 +83,28 @@ struct Bubble_relaxation_report_2
   FT steep_share = FT(0);           ///< the share of the edges with more than `steep_size_gradient`
   /// @}
 };
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief prints what was done, where the time went, and the statistics of the mesh if there is one.
+*/
+template <class FT>
+std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>& report)
+{
+  const char* const reasons[] = {"converged", "iteration limit", "stopped by the callback"};
+  const Bubble_relaxation_seconds& s = report.seconds;
+  out << "  " << report.number_of_initial_bubbles << " bubbles placed, " << report.number_of_insertions
+      << " inserted, " << report.number_of_deletions << " deleted, " << report.number_of_treated_vertices
+      << " treated\n  " << report.number_of_rounds << " rounds, " << report.number_of_steps << " steps, "
+      << report.number_of_renewals << " renewals: " << reasons[static_cast<int>(report.stop_reason)]
+      << "\n  seconds: reading " << s.reading << ", placement " << s.placement << ", renewal " << s.renewal
+      << ", motion " << s.motion << ", population " << s.population << ", treatment " << s.treatment
+      << ", writing " << s.writing << ", evaluation " << s.evaluation << '\n';
+  if (report.quality.number_of_triangles() > 0)
+    out << report.quality;
+  return out;
+}
 
 } // namespace CGAL
 

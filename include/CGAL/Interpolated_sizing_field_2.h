@@ -9,6 +9,7 @@
 #ifndef CGAL_INTERPOLATED_SIZING_FIELD_2_H
 #define CGAL_INTERPOLATED_SIZING_FIELD_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
@@ -169,11 +170,10 @@ private:
   {
     if (d > 0 && std::isfinite(d))
       return d;
-    std::ostringstream message;
-    message.precision(17);
-    message << "Bubble_relaxation_2: parameter sizes: the size " << d << " of the vertex at (" << p.x() << ", "
-            << p.y() << ") must be positive and finite";
-    throw std::invalid_argument(message.str());
+    using Bubble_relaxation_2::internal::in_words;
+    throw std::invalid_argument("Bubble_relaxation_2: parameter sizes: the size " + in_words(d) +
+                                " of the vertex at " + in_words(p.x(), p.y()) +
+                                " must be positive and finite");
   }
 
   /// a walk through a triangle that is turned over may not end
@@ -183,11 +183,9 @@ private:
     const auto& p = tr.point(f, 0);
     if (CGAL::orientation(p, tr.point(f, 1), tr.point(f, 2)) != RIGHT_TURN)
       return;
-    std::ostringstream message;
-    message.precision(17);
-    message << "Bubble_relaxation_2: the triangle at (" << p.x() << ", " << p.y()
-            << ") is turned over when its corners are rounded to double";
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument("Bubble_relaxation_2: the triangle at " +
+                                Bubble_relaxation_2::internal::in_words(p.x(), p.y()) +
+                                " is turned over when its corners are rounded to double");
   }
 
   std::shared_ptr<const Field> m_field;

@@ -153,7 +153,8 @@ those on edges lie exactly on them.
   \cgalParamNEnd
   \cgalParamNBegin{defect_treatment}
     \cgalParamDescription{whether vertices of triangles with q < 0.95 are moved after the simulation for the
-                          quality of the triangles around them; the smallest q does not get smaller by it}
+                          quality of the triangles around them, and single vertices inserted or deleted where
+                          a triangle with q < 0.88 stays; the smallest q does not get smaller by it}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd

@@ -11,6 +11,7 @@
 #include "domains.h"
 #include "validation.h"
 
+#include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Mesh_quality_2.h>
 #include <CGAL/Simple_cartesian.h>
@@ -262,6 +263,20 @@ TEST(Mesh_quality, prints_all_figures)
                            "histogram", "#", "0.123"})
     EXPECT_NE(out.str().find(word), std::string::npos) << word;
   EXPECT_EQ(out.str().find("0.1235"), std::string::npos) << "the format of the stream was changed";
+}
+
+TEST(Report, prints_what_was_done)
+{
+  CGAL::Bubble_relaxation_report_2<double> report;
+  report.number_of_initial_bubbles = 12;
+  report.stop_reason = CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
+  report.seconds.population = 0.25;
+  std::ostringstream text;
+  text << report;
+  EXPECT_NE(text.str().find("12 bubbles placed"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("stopped by the callback"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("population 0.25"), std::string::npos) << text.str();
+  EXPECT_EQ(text.str().find("radius ratio"), std::string::npos) << "there is no mesh";
 }
 
 TEST(Mesh_quality, of_an_exact_kernel_is_in_double)

@@ -38,10 +38,10 @@ public:
   explicit Boundary_2(const Domain_2& domain) : m_domain(domain)
   {
     m_directions.reserve(domain.edges().size());
+    m_lengths.reserve(domain.edges().size());
     for (std::size_t e = 0; e < domain.edges().size(); ++e) {
-      const Point &a = domain.source(e), &b = domain.target(e);
-      const double length = domain.length(e);
-      m_directions.push_back({(b.x() - a.x()) / length, (b.y() - a.y()) / length, length});
+      m_directions.push_back(domain.direction(static_cast<Index>(e)));
+      m_lengths.push_back(domain.length(static_cast<Index>(e)));
     }
   }
 
@@ -80,14 +80,13 @@ public:
   }
 
 private:
-  struct Direction { double x, y, length; };
-
   void slide(Bubbles_2& bubbles, std::size_t i, double dx, double dy) const
   {
     const Direction& u = m_directions[bubbles.place[i]];
-    const double wanted = bubbles.s[i] + (dx * u.x + dy * u.y) / u.length;
+    const double length = m_lengths[bubbles.place[i]];
+    const double wanted = bubbles.s[i] + (dx * u.x + dy * u.y) / length;
     // half a bubble from the ends, but never more than a third of the edge
-    const double margin = (std::min)(0.5 * bubbles.d[i] / u.length, 1. / 3);
+    const double margin = (std::min)(0.5 * bubbles.d[i] / length, 1. / 3);
     const double s = (std::max)(margin, (std::min)(1 - margin, wanted));
     if (s != wanted)
       bubbles.vx[i] = bubbles.vy[i] = 0;
@@ -130,7 +129,8 @@ private:
   }
 
   const Domain_2& m_domain;
-  std::vector<Direction> m_directions;
+  std::vector<Direction> m_directions; // of the edges
+  std::vector<double> m_lengths;
 };
 
 } // namespace internal

@@ -10,12 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CHECKED_SIZING_FIELD_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 
@@ -68,11 +68,8 @@ private:
 
   [[noreturn]] static void throw_invalid(double x, double y, double d)
   {
-    std::ostringstream message;
-    message.precision(17);
-    message << "Bubble_relaxation_2: parameter sizing_function: d(" << x << ", " << y << ") = " << d
-            << " must be positive and finite";
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument("Bubble_relaxation_2: parameter sizing_function: d" + in_words(x, y) + " = " +
+                                in_words(d) + " must be positive and finite");
   }
 
   const Sizing_function& m_f;

@@ -231,6 +231,14 @@ public:
     return std::hypot(target(e).x() - source(e).x(), target(e).y() - source(e).y());
   }
 
+  /// from the source to the target
+  Direction direction(Index e) const
+  {
+    const Point &a = source(e), &b = target(e);
+    const double l = length(e);
+    return {(b.x() - a.x()) / l, (b.y() - a.y()) / l};
+  }
+
   /// the point that divides the edge at `s` in [0,1]; always from the nearer end, so that a reversed
   /// edge gives the same points
   Point point_on_edge(Index e, double s) const

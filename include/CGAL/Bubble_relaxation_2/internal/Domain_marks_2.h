@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_MARKS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_MARKS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -169,22 +170,17 @@ private:
         if (f->is_constrained(i) || m_inside[f->neighbor(i)])
           continue;
         const auto &p = f->vertex(m_cdt.ccw(i))->point(), &q = f->vertex(m_cdt.cw(i))->point();
-        std::ostringstream message;
-        message.precision(17);
-        message << "Bubble_relaxation_2: the edge from (" << CGAL::to_double(p.x()) << ", "
-                << CGAL::to_double(p.y()) << ") to (" << CGAL::to_double(q.x()) << ", "
-                << CGAL::to_double(q.y()) << ") bounds the domain and must be constrained";
-        throw std::invalid_argument(message.str());
+        throw std::invalid_argument(
+          "Bubble_relaxation_2: the edge from " + in_words(CGAL::to_double(p.x()), CGAL::to_double(p.y())) +
+          " to " + in_words(CGAL::to_double(q.x()), CGAL::to_double(q.y())) +
+          " bounds the domain and must be constrained");
       }
     }
   }
 
   [[noreturn]] static void throw_seed(double x, double y, const char* what)
   {
-    std::ostringstream message;
-    message.precision(17);
-    message << "Bubble_relaxation_2: parameter seeds: (" << x << ", " << y << ") " << what;
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument("Bubble_relaxation_2: parameter seeds: " + in_words(x, y) + " " + what);
   }
 
   const Cdt& m_cdt;

@@ -26,6 +26,9 @@ using Index = std::int32_t;
 
 constexpr Index no_index = -1;
 
+/// a direction, of length 1
+struct Direction { double x, y; };
+
 inline int ccw(int i) { return i == 2 ? 0 : i + 1; }
 inline int cw(int i) { return i == 0 ? 2 : i - 1; }
 

@@ -61,12 +61,12 @@ public:
   {
     const Index index = static_cast<Index>(i), place = bubbles.place[i];
     if (bubbles.is_on_edge(i))
-      m_queue.push(Proposer{key, index, direction = direction_of_edge(place)});
+      m_queue.push(Proposer{key, index, direction = m_domain.direction(place)});
     else if (bubbles.is_in_face(i) || place == no_index)
       m_queue.push(Proposer{key, index, direction});
     else
       for (Index e : m_edges_of_corner[place])
-        m_queue.push(Proposer{key, index, direction_of_edge(e)});
+        m_queue.push(Proposer{key, index, m_domain.direction(e)});
   }
 
   /// takes the next generation off the front \pre the front is not empty
@@ -81,13 +81,6 @@ public:
 private:
   /// a generation is all bubbles of the front up to this times the smallest key
   static constexpr double band = 1.05;
-
-  Direction direction_of_edge(Index e) const
-  {
-    const Point &a = m_domain.source(e), &b = m_domain.target(e);
-    const double length = m_domain.length(e);
-    return {(b.x() - a.x()) / length, (b.y() - a.y()) / length};
-  }
 
   const Domain_2& m_domain;
   std::vector<std::vector<Index>> m_edges_of_corner;

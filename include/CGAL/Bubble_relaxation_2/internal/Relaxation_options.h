@@ -9,12 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAXATION_OPTIONS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAXATION_OPTIONS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -52,10 +52,8 @@ struct Relaxation_options
 [[noreturn]] inline void throw_invalid_parameter(const char* name, double value,
                                                  const char* requirement)
 {
-  std::ostringstream message;
-  message.precision(17);
-  message << "Bubble_relaxation_2: parameter " << name << " = " << value << " must be " << requirement;
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " +
+                              in_words(value) + " must be " + requirement);
 }
 
 inline void check_positive(const char* name, double value)

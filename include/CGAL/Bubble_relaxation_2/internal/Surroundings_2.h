@@ -22,9 +22,6 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// a direction, of length 1
-struct Direction { double x, y; };
-
 /// turned to the left by 60 degrees
 inline Direction turned(const Direction& u)
 {

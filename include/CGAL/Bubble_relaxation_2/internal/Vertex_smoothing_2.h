@@ -87,19 +87,13 @@ private:
 
   Vector step_along(const Star_quality_2& star, Index e) const
   {
-    const Vector u = direction(e), g = star.gradient(Vector{0, 0}),
+    const Direction u = m_domain.direction(e);
+    const Vector g = star.gradient(Vector{0, 0}),
                  gu = star.gradient(Vector{h * u.x, h * u.y});
     const double slope = g.x * u.x + g.y * u.y, curvature = (gu.x * u.x + gu.y * u.y - slope) / h;
     if (!(curvature > 0))
       return down(Vector{slope * u.x, slope * u.y});
     return Vector{-slope / curvature * u.x, -slope / curvature * u.y};
-  }
-
-  Vector direction(Index e) const
-  {
-    const Point &a = m_domain.source(e), &b = m_domain.target(e);
-    const double length = m_domain.length(e);
-    return Vector{(b.x() - a.x()) / length, (b.y() - a.y()) / length};
   }
 
   static Vector down(Vector g)
@@ -114,7 +108,7 @@ private:
   {
     double s = b.s[v];
     if (b.is_on_edge(v)) {
-      const Vector u = direction(b.place[v]);
+      const Direction u = m_domain.direction(b.place[v]);
       s += b.d[v] / m_domain.length(b.place[v]) * (step.x * u.x + step.y * u.y);
       p = m_domain.point_on_edge(b.place[v], s);
     }

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +46,7 @@ void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizing& si
   using FT = typename Report::FT;
   const std::vector<double> sizes = sizes_at_vertices<Concurrency_tag>(mesh, sizing);
   const Flat_triangulation_2& tr = mesh.tr;
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(); // of the user's formula
   double largest = 0;
   std::size_t steep = 0, all = 0;
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
@@ -54,9 +56,10 @@ void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizing& si
         continue; // seen from the other side
       const Point &p = tr.points[a], &q = tr.points[b];
       const double dx = q.x() - p.x(), dy = q.y() - p.y();
-      const double gradient = std::abs(sizes[b] - sizes[a]) / std::sqrt(dx * dx + dy * dy);
+      const double change = std::abs(sizes[b] - sizes[a]), length = std::sqrt(dx * dx + dy * dy),
+                   gradient = change / length;
       ++all;
-      if (gradient > Report::steep_size_gradient)
+      if (change > Report::steep_size_gradient * length + rounding * (sizes[a] + sizes[b]))
         ++steep;
       if (gradient > largest) {
         largest = gradient;

@@ -10,13 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READ_OPTIONS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -39,19 +39,21 @@ std::size_t read_count(const char* name, T value, std::size_t least,
                        std::size_t largest = (std::numeric_limits<std::size_t>::max)())
 {
   static_assert(std::is_arithmetic<T>::value, "a count must be given as a number");
-  std::ostringstream text;
-  text.precision(17);
-  text << +value;
-  if constexpr (std::is_floating_point<T>::value)
+  std::string text;
+  if constexpr (std::is_floating_point<T>::value) {
+    text = in_words(static_cast<double>(value));
     if (!(std::abs(value) < T(1e18)) || value != std::floor(value))
-      throw_invalid_count(name, text.str(), "an integer");
+      throw_invalid_count(name, text, "an integer");
+  } else {
+    text = std::to_string(value);
+  }
   bool is_negative = false;
   if constexpr (std::is_signed<T>::value)
     is_negative = value < 0;
   if (is_negative || static_cast<std::size_t>(value) < least)
-    throw_invalid_count(name, text.str(), "at least " + std::to_string(least));
+    throw_invalid_count(name, text, "at least " + std::to_string(least));
   if (static_cast<std::size_t>(value) > largest)
-    throw_invalid_count(name, text.str(), "at most " + std::to_string(largest) +
+    throw_invalid_count(name, text, "at most " + std::to_string(largest) +
                                           ", the largest index");
   return static_cast<std::size_t>(value);
 }
