@@ -103,13 +103,15 @@ private:
   /// sorts along a Hilbert curve, so that a search from one vertex to the next is short
   static void sort_by_place(std::vector<Vertex_handle>& vertices)
   {
-    // the curve leaves some of the order open where coordinates are equal
-    std::sort(vertices.begin(), vertices.end(), Graph::is_before);
+    std::sort(vertices.begin(), vertices.end(), Graph::is_before); // some may be rounded to one place
     std::vector<Point> points;
-    for (Vertex_handle v : vertices)
+    Bbox_2 box;
+    for (Vertex_handle v : vertices) {
       points.push_back(Graph::to_point(v));
+      box += points.back().bbox();
+    }
     std::vector<Vertex_handle> sorted;
-    for (Index i : hilbert_order(points))
+    for (Index i : hilbert_order(Hilbert_curve_2(box), points))
       sorted.push_back(vertices[i]);
     vertices.swap(sorted);
   }

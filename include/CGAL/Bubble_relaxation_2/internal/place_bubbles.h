@@ -109,13 +109,13 @@ void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const 
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
 template <class Concurrency_tag>
-void sort_in_space(Bubbles_2& bubbles)
+void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles)
 {
   std::vector<Point> points;
   points.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     points.push_back(bubbles.point(i));
-  bubbles.select(hilbert_order<Concurrency_tag>(points));
+  bubbles.select(hilbert_order<Concurrency_tag>(Hilbert_curve_2(domain.bbox()), points));
 }
 
 /// whether the user gives all bubbles, as vertices of an existing mesh
@@ -134,7 +134,7 @@ Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
     place_on_splits(reading, static_cast<Index>(e), sizing, bubbles);
   keep_in_faces(reading, sizing, bubbles);
   remove_coincident<Concurrency_tag>(reading.domain, bubbles);
-  sort_in_space<Concurrency_tag>(bubbles);
+  sort_in_space<Concurrency_tag>(reading.domain, bubbles);
   return bubbles;
 }
 
@@ -164,7 +164,7 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
   else
     place_frontal<Concurrency_tag>(domain, sizing, bubbles);
   remove_coincident<Concurrency_tag>(domain, bubbles);
-  sort_in_space<Concurrency_tag>(bubbles);
+  sort_in_space<Concurrency_tag>(domain, bubbles);
   return bubbles;
 }
 

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_HILBERT_PARTITION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_HILBERT_PARTITION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Hilbert_curve_2.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Which rank owns which part of the plane: consecutive pieces of a Hilbert curve. One key for each rank but
+/// the first says all, to all ranks.
+class Hilbert_partition_2
+{
+public:
+  using Key = Hilbert_curve_2::Key;
+  using Ranks = boost::container::small_vector<int, 4>;
+
+  /// `first_keys`: where the pieces of ranks 1, 2, … begin, in this order
+  Hilbert_partition_2(const Hilbert_curve_2& curve, std::vector<Key> first_keys)
+    : m_curve(curve), m_first_keys(std::move(first_keys))
+  {}
+
+  const Hilbert_curve_2& curve() const { return m_curve; }
+  int number_of_ranks() const { return static_cast<int>(m_first_keys.size()) + 1; }
+
+  int owner(Key key) const
+  {
+    return static_cast<int>(std::upper_bound(m_first_keys.begin(), m_first_keys.end(), key) -
+                            m_first_keys.begin());
+  }
+
+  int owner(double x, double y) const { return owner(m_curve.key(x, y)); }
+
+  /// All ranks that own a part of the disc, and perhaps one that owns something beside it; sorted.
+  Ranks owners_in_disc(double x, double y, double radius) const
+  {
+    Ranks result;
+    if (m_first_keys.empty()) {
+      result.push_back(0);
+      return result;
+    }
+    const Box disc{m_curve.column(x - radius), m_curve.column(x + radius), m_curve.row(y - radius),
+                   m_curve.row(y + radius)};
+    // at most four cells of this level cover the disc
+    const std::uint32_t widest = (std::max)(disc.last_column - disc.first_column, disc.last_row - disc.first_row);
+    int level = 0;
+    while (level < Hilbert_curve_2::levels && (widest >> level) > 0)
+      ++level;
+    for (std::uint32_t row = at(disc.first_row, level); row <= at(disc.last_row, level); ++row)
+      for (std::uint32_t column = at(disc.first_column, level); column <= at(disc.last_column, level); ++column)
+        add_owners(disc, column, row, level, result);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+private:
+  /// cells around a disc
+  struct Box
+  {
+    std::uint32_t first_column, last_column, first_row, last_row;
+  };
+
+  static std::uint32_t at(std::uint32_t cell, int level)
+  {
+    return level < Hilbert_curve_2::levels ? cell >> level : 0;
+  }
+
+  /// the owners of what lies in a square of 2^level cells in a row, as far as it is in the box
+  void add_owners(const Box& box, std::uint32_t column, std::uint32_t row, int level, Ranks& result) const
+  {
+    if (column > at(box.last_column, level) || column < at(box.first_column, level) ||
+        row > at(box.last_row, level) || row < at(box.first_row, level))
+      return;
+    const bool is_all = level == Hilbert_curve_2::levels;
+    const Key cells = is_all ? ~Key(0) : (Key(1) << 2 * level) - 1;
+    const Key first = is_all ? 0
+                             : Hilbert_curve_2::key_of_cell(column, row, Hilbert_curve_2::levels - level)
+                                 << 2 * level;
+    const int low = owner(first), high = owner(first | cells);
+    if (low == high) {
+      if (result.empty() || result.back() != low)
+        result.push_back(low);
+      return;
+    }
+    for (int quarter = 0; quarter < 4; ++quarter)
+      add_owners(box, 2 * column + static_cast<std::uint32_t>(quarter & 1),
+                 2 * row + static_cast<std::uint32_t>(quarter >> 1), level - 1, result);
+  }
+
+  Hilbert_curve_2 m_curve;
+  std::vector<Key> m_first_keys;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_HILBERT_PARTITION_2_H

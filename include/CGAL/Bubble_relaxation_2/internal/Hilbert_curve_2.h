@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_HILBERT_CURVE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_HILBERT_CURVE_2_H
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Hilbert's curve through a square that contains a box, in cells of 2^-32 of its side. The key of a point
+/// tells how far along the curve its cell lies. Unlike the order of `hilbert_sort()` it depends on no other
+/// point, so parts of a set can be ordered apart from each other.
+class Hilbert_curve_2
+{
+public:
+  using Key = std::uint64_t;
+
+  static constexpr int levels = 32;
+
+  explicit Hilbert_curve_2(const Bbox_2& box) : m_x0(box.xmin()), m_y0(box.ymin())
+  {
+    const double side = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    m_side = side > 0 ? side : 1.;
+    m_scale = cells / m_side;
+  }
+
+  double side() const { return m_side; } ///< of the square
+
+  Key key(double x, double y) const { return key_of_cell(column(x), row(y), levels); }
+
+  std::uint32_t column(double x) const { return coordinate(x - m_x0); } ///< of a point; beside, the nearest
+  std::uint32_t row(double y) const { return coordinate(y - m_y0); }
+
+  /// the key of the cell in a column and a row of 2^`depth` of them, among cells of its size
+  static Key key_of_cell(std::uint32_t x, std::uint32_t y, int depth)
+  {
+    Key key = 0;
+    for (int level = depth - 1; level >= 0; --level) {
+      const std::uint32_t right = x >> level & 1, up = y >> level & 1;
+      key = key << 2 | ((3 * right) ^ up);
+      if (up == 0) { // the curve in this quarter is mirrored at a diagonal
+        const std::uint32_t flip = 0u - right;
+        const std::uint32_t mirrored = x ^ flip;
+        x = y ^ flip;
+        y = mirrored;
+      }
+    }
+    return key;
+  }
+
+private:
+  static constexpr double cells = 4294967296.; // in a row
+
+  std::uint32_t coordinate(double offset) const
+  {
+    const double c = offset * m_scale;
+    return c >= cells ? ~std::uint32_t(0) : c > 0 ? static_cast<std::uint32_t>(c) : 0u;
+  }
+
+  double m_x0, m_y0, m_side, m_scale;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_HILBERT_CURVE_2_H
