@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -69,12 +70,17 @@ public:
         m_queue.push(Proposer{key, index, m_domain.direction(e)});
   }
 
-  /// takes the next generation off the front \pre the front is not empty
-  void take_generation(std::vector<Proposer>& generation)
+  /// infinity if the front is empty
+  double smallest_key() const
   {
-    const double limit = m_queue.top().key * band;
+    return m_queue.empty() ? std::numeric_limits<double>::infinity() : m_queue.top().key;
+  }
+
+  /// takes the next generation off the front: all that are about as small as the smallest of all
+  void take_generation(double smallest, std::vector<Proposer>& generation)
+  {
     generation.clear();
-    for (; !m_queue.empty() && m_queue.top().key <= limit; m_queue.pop())
+    for (; !m_queue.empty() && m_queue.top().key <= band * smallest; m_queue.pop())
       generation.push_back(m_queue.top());
   }
 
