@@ -75,13 +75,10 @@ inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubble
   return pieces;
 }
 
-/// Removes bubbles that cannot be told apart in the triangulation: those in one place with another,
-/// and those on an edge whose order along it is lost in rounding. Corners stay.
-template <class Concurrency_tag = Sequential_tag>
-void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+/// Removes bubbles on edges whose order along the edge is lost in rounding, or would be.
+inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
 {
   constexpr double least_gap = 1e-3; // of the size, along an edge; simulated bubbles are far above
-  std::vector<char> dead(b.size(), 0);
   const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(domain, b);
   for (std::size_t e = 0; e < on_edge.size(); ++e) {
     const double length = domain.length(static_cast<Index>(e));
@@ -89,11 +86,19 @@ void remove_coincident(const Domain_2& domain, Bubbles_2& b)
     for (Index i : on_edge[e]) {
       const double gap = least_gap * b.d[i] / length;
       if (b.s[i] - last < gap || 1 - b.s[i] < gap)
-        dead[i] = 1;
+        b.remove(i);
       else
         last = b.s[i];
     }
   }
+}
+
+/// Removes bubbles that cannot be told apart in the triangulation: those above, and of those in one place all
+/// but one of the lowest dimension.
+template <class Concurrency_tag = Sequential_tag>
+void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+{
+  remove_crowded_on_edges(domain, b);
   struct Place
   {
     double x, y;
@@ -102,20 +107,18 @@ void remove_coincident(const Domain_2& domain, Bubbles_2& b)
   std::vector<Place> places;
   places.reserve(b.size());
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (!dead[i])
+    if (!b.is_gone(i))
       places.push_back(Place{b.x[i], b.y[i], static_cast<Index>(i)});
   parallel_sort<Concurrency_tag>(places, [&](const Place& p, const Place& q) {
     return std::tie(p.x, p.y, b.dimension[p.i], p.i) < std::tie(q.x, q.y, b.dimension[q.i], q.i);
   });
+  std::size_t last = 0;
   for (std::size_t k = 1; k < places.size(); ++k)
-    if (places[k].x == places[k - 1].x && places[k].y == places[k - 1].y)
-      dead[places[k].i] = 1;
-  std::vector<Index> order;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (!dead[i])
-      order.push_back(static_cast<Index>(i));
-  if (order.size() < b.size())
-    b.select(order);
+    if (places[k].x == places[last].x && places[k].y == places[last].y)
+      b.remove(places[k].i);
+    else
+      last = k;
+  b.forget_gone();
 }
 
 /// Makes the constrained Delaunay triangulation of the bubbles with the domain marked, in arrays; returns

@@ -19,11 +19,25 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// When a bubble of a crystal came in: with its generation, and in this in the order of its misfit and place.
+struct Growth_birth_2
+{
+  std::int64_t generation;
+  double misfit, x, y;
+
+  bool operator<(const Growth_birth_2& b) const
+  {
+    return std::tie(generation, misfit, x, y) < std::tie(b.generation, b.misfit, b.x, b.y);
+  }
+};
 
 /// Bubbles that form a lattice as they come: the direction of the lattice at each, and its links to those
 /// around. Links are in the order in which bubbles came, so that sums over them do not depend on how they
@@ -71,7 +85,18 @@ public:
     insert_in_buckets(i);
   }
 
-  /// links the bubbles from `first` on, which came last, to all around
+  /// Tells when the next bubbles of which this was not told yet came in; if of one, then of all. Without it they
+  /// come in the order in which they are added.
+  void add_births(const std::vector<Growth_birth_2>& more)
+  {
+    m_births.insert(m_births.end(), more.begin(), more.end());
+  }
+
+  const Growth_birth_2& birth(std::size_t i) const { return m_births[i]; }
+
+  bool came_before(Index i, Index j) const { return m_births.empty() ? i < j : m_births[i] < m_births[j]; }
+
+  /// links the bubbles from `first` on, which were added last, to all around
   void link_from(std::size_t first)
   {
     m_links.resize(m_bubbles.size());
@@ -80,7 +105,7 @@ public:
     for (std::size_t i = first; i < m_bubbles.size(); ++i)
       for (Index j : m_links[i])
         if (static_cast<std::size_t>(j) < first)
-          m_links[j].push_back(static_cast<Index>(i));
+          insert_link(m_links[j], static_cast<Index>(i));
   }
 
   /// where a bubble settles among those that it is linked to
@@ -134,12 +159,20 @@ private:
         links.push_back(j);
       return true;
     });
-    std::sort(links.begin(), links.end());
+    std::sort(links.begin(), links.end(), [this](Index j, Index k) { return came_before(j, k); });
+  }
+
+  void insert_link(Links& links, Index i)
+  {
+    links.insert(std::upper_bound(links.begin(), links.end(), i,
+                                  [this](Index j, Index k) { return came_before(j, k); }),
+                 i);
   }
 
   Bubbles_2& m_bubbles;
   std::vector<Direction> m_direction;
   std::vector<Links> m_links;
+  std::vector<Growth_birth_2> m_births; // empty if bubbles lie in memory in the order in which they came
   Bubble_buckets_2 m_buckets;
 };
 

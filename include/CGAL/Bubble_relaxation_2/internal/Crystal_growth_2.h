@@ -19,11 +19,55 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// No other ranks: what a team does at each place of the growth.
+struct Growth_alone
+{
+  /// Divides the domain by bubbles that are some times as large, which all ranks have.
+  void divide(const Domain_2&, const Bubbles_2&) {}
+  /// the crystal has its first bubbles, which all ranks have
+  template <class Crystal>
+  void start(const Crystal&)
+  {}
+  /// bubbles that this rank has to know of, though they are not new
+  template <class Crystal>
+  std::vector<Growth_proposal_2> catch_up(Crystal&)
+  {
+    return {};
+  }
+  /// the smallest of all ranks
+  double smallest(double key) const { return key; }
+  /// a generation leaves the front
+  void take(const std::vector<Proposer>&) {}
+  /// whether this rank says what becomes of a bubble
+  bool owns(Index) const { return true; }
+  /// adds what others propose and might be in the way of ours
+  void share(std::vector<Growth_proposal_2>&) {}
+  /// decides which candidates become bubbles
+  template <class Candidates>
+  void decide(Candidates& candidates)
+  {
+    candidates.decide([](Index) { return true; });
+  }
+  /// keeps of the new bubbles those that this rank has to know, and adds such of others
+  void exchange_new(std::vector<Growth_proposal_2>&) {}
+  /// adds bubbles of others, older ones too, that the new ones need around them
+  template <class Crystal>
+  void complete(Crystal&, std::vector<Growth_proposal_2>&)
+  {}
+  /// puts in the places of new bubbles that others own
+  void share_settled(std::vector<Point>&) {}
+  /// a bubble becomes one of the front
+  template <class Crystal>
+  void enter_front(const Crystal&, Index, double)
+  {}
+};
 
 /// Fills the faces of a domain with a crystal: each bubble of a front proposes the six places around it for
 /// neighbours at the wanted distance, aligned with the lattice around it.
@@ -36,15 +80,19 @@ namespace internal {
 /// The crystal grows by generations: all of about the smallest size propose at once, by what was there
 /// before; of proposals for one place the one that fits best is accepted; then the new bubbles settle
 /// among each other. Nothing depends on an order within a generation, so threads change no bit.
-template <class Concurrency_tag, class Sizing>
+///
+/// `Team`: what other ranks have to do with it, see `Growth_alone`.
+template <class Concurrency_tag, class Sizing, class Team = Growth_alone>
 class Crystal_growth_2
 {
 public:
   Crystal_growth_2(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles,
-                   Lattice_direction lattice)
-    : m_domain(domain), m_sizing(sizing), m_crystal(domain, bubbles), m_front(domain),
+                   Lattice_direction lattice, Team& team)
+    : m_domain(domain), m_sizing(sizing), m_team(team), m_crystal(domain, bubbles), m_front(domain),
       m_propose(domain, sizing, m_crystal, m_front, lattice), m_candidates(domain)
-  {}
+  {
+    team.start(m_crystal);
+  }
 
   void set_direction(std::size_t i, const Direction& u) { m_crystal.direction(i) = u; }
 
@@ -54,55 +102,89 @@ public:
   /// grows until there is no front left
   void operator()()
   {
-    const auto all = [](Index) { return true; };
-    while (!m_front.empty()) {
-      m_front.take_generation(m_front.smallest_key(), m_generation);
+    for (;;) {
+      add_late();
+      const double smallest = m_team.smallest(m_front.smallest_key());
+      if (smallest == std::numeric_limits<double>::infinity())
+        return;
+      m_front.take_generation(smallest, m_generation);
+      m_team.take(m_generation);
       m_proposals.clear();
-      m_propose(m_generation, all, m_proposals);
+      m_propose(m_generation, [this](Index i) { return m_team.owns(i); }, m_proposals);
+      m_team.share(m_proposals);
       m_candidates.assign(m_proposals, m_crystal);
-      m_candidates.decide(all);
+      m_team.decide(m_candidates);
       const std::size_t first = m_crystal.size();
       accept();
       m_crystal.link_from(first);
       settle_from(first);
-      for (std::size_t i = first; i < m_crystal.size(); ++i)
-        add_to_front(i, (std::max)(m_keys[i - first], m_crystal.bubbles().d[i]));
+      add_to_front_from(first);
     }
   }
 
 private:
   static constexpr int settling_rounds = 3;
 
-  void add_to_front(std::size_t i, double key) { m_front.add(m_crystal.bubbles(), i, key, m_crystal.direction(i)); }
+  void add_to_front(std::size_t i, double key)
+  {
+    m_front.add(m_crystal.bubbles(), i, key, m_crystal.direction(i));
+    m_team.enter_front(m_crystal, static_cast<Index>(i), key);
+  }
+
+  /// the bubbles from `first` on, which are `m_new`
+  void add_to_front_from(std::size_t first)
+  {
+    for (std::size_t k = 0; k < m_new.size(); ++k)
+      if (m_new[k].key > 0) // else it has left the front
+        add_to_front(first + k, (std::max)(m_new[k].key, m_crystal.bubbles().d[first + k]));
+  }
+
+  void add_late()
+  {
+    const std::size_t first = m_crystal.size();
+    m_new = m_team.catch_up(m_crystal);
+    m_crystal.link_from(first);
+    add_to_front_from(first);
+  }
 
   void accept()
   {
-    m_keys.clear();
-    m_candidates.for_each_accepted([this](Index k) {
-      const Growth_proposal_2& p = m_proposals[k];
+    m_new.clear();
+    m_candidates.for_each_accepted([this](Index k) { m_new.push_back(m_proposals[k]); });
+    m_team.exchange_new(m_new);
+    for (const Growth_proposal_2& p : m_new)
       m_crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
-      m_keys.push_back(p.key);
-    });
+    m_team.complete(m_crystal, m_new);
   }
 
   /// the bubbles from `first` on settle among each other
   void settle_from(std::size_t first)
   {
-    const std::size_t n = m_crystal.size() - first;
-    m_settled.resize((std::max)(m_settled.size(), n));
+    const auto for_all_new = [this](const auto& f) { // not for those that were there before
+      parallel_for<Concurrency_tag>(
+        m_new.size(),
+        [this, &f](std::size_t k) {
+          if (m_new[k].from != no_index)
+            f(k);
+        },
+        m_crystal.grain);
+    };
+    m_settled.resize((std::max)(m_settled.size(), m_new.size()));
     for (int round = 0; round < settling_rounds; ++round) {
-      parallel_for<Concurrency_tag>(
-        n, [this, first](std::size_t k) { m_settled[k] = m_crystal.settled(first + k); }, m_crystal.grain);
-      parallel_for<Concurrency_tag>(
-        n, [this, first](std::size_t k) { m_crystal.set_point(first + k, m_settled[k]); }, m_crystal.grain);
+      for_all_new([this, first](std::size_t k) {
+        if (m_team.owns(static_cast<Index>(first + k)))
+          m_settled[k] = m_crystal.settled(first + k);
+      });
+      m_team.share_settled(m_settled);
+      for_all_new([this, first](std::size_t k) { m_crystal.set_point(first + k, m_settled[k]); });
     }
-    parallel_for<Concurrency_tag>(
-      n, [this, first](std::size_t k) { m_crystal.finish(m_domain, m_sizing, first + k); }, m_crystal.grain);
+    for_all_new([this, first](std::size_t k) { m_crystal.finish(m_domain, m_sizing, first + k); });
     m_crystal.find_again_from(first);
   }
 
   const Domain_2& m_domain;
   const Sizing& m_sizing;
+  Team& m_team;
   Crystal_2<Concurrency_tag> m_crystal;
   Growth_front_2 m_front;
   Growth_proposals_2<Concurrency_tag, Sizing> m_propose;
@@ -110,8 +192,8 @@ private:
   // of the present generation
   std::vector<Proposer> m_generation;
   std::vector<Growth_proposal_2> m_proposals;
-  std::vector<double> m_keys;   // of those that proposed the new bubbles
-  std::vector<Point> m_settled; // the new bubbles' places
+  std::vector<Growth_proposal_2> m_new; // bubbles
+  std::vector<Point> m_settled;         // their places
 };
 
 } // namespace internal

@@ -38,7 +38,7 @@ struct Growth_proposal_2
   double x, y, d;
   Direction direction; ///< of the lattice there
   Index triangle;      ///< of the domain
-  Index from;          ///< the bubble that proposes
+  Index from;          ///< the bubble that proposes, `no_index` for a bubble that is there already
 };
 
 /// What the bubbles of a generation propose: each of the six places around a bubble where there is room, moved
@@ -167,7 +167,7 @@ private:
   {
     constexpr double tolerance = 0.15, least_cosine = 0.62; // of the distance; of six times the angle
     return around.any_of([&](Index j, double x, double y, double d_j) {
-      if (j == no_index || j >= i || !m_proposes[j])
+      if (j == no_index || !m_proposes[j] || !m_crystal.came_before(j, i))
         return false;
       const double dx = p.x() - x, dy = p.y() - y, distance = std::sqrt(dx * dx + dy * dy);
       if (std::abs(distance - d_j) > tolerance * d_j)

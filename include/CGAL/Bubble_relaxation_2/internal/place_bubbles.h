@@ -104,7 +104,8 @@ void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const 
     bubbles.add(p, d, Bubbles_2::FACE, triangle);
     directions.push_back(around.direction);
   }
-  grow_from_all<Concurrency_tag>(reading.domain, sizing, directions, bubbles);
+  Growth_alone alone;
+  grow_from_all<Concurrency_tag>(reading.domain, sizing, directions, bubbles, alone);
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
@@ -138,11 +139,11 @@ Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
   return bubbles;
 }
 
-/// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces. If the user
-/// leaves the choice, an existing mesh is kept where it fits.
-template <class Concurrency_tag, class Cdt, class Sizing>
-Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                        const Relaxation_options& options)
+/// The initial bubbles (section 2.1.2 of the paper): on vertices, then edges, then faces, in this order. If the
+/// user leaves the choice, an existing mesh is kept where it fits. `team`: who grows a crystal together.
+template <class Concurrency_tag, class Cdt, class Sizing, class Team>
+Bubbles_2 place_on_all(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                       const Relaxation_options& options, Team& team)
 {
   const Domain_2& domain = reading.domain;
   const bool adapts = !options.placement_is_given && !reading.free.empty();
@@ -162,9 +163,19 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
   else if (options.placement == Bubble_placement::RHOMBIC)
     Rhombic_placement<Sizing>(domain, sizing, bubbles)();
   else
-    place_frontal<Concurrency_tag>(domain, sizing, bubbles);
-  remove_coincident<Concurrency_tag>(domain, bubbles);
-  sort_in_space<Concurrency_tag>(domain, bubbles);
+    place_frontal<Concurrency_tag>(domain, sizing, bubbles, team);
+  return bubbles;
+}
+
+/// the initial bubbles, sorted in space
+template <class Concurrency_tag, class Cdt, class Sizing>
+Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                        const Relaxation_options& options)
+{
+  Growth_alone alone;
+  Bubbles_2 bubbles = place_on_all<Concurrency_tag>(cdt, reading, sizing, options, alone);
+  remove_coincident<Concurrency_tag>(reading.domain, bubbles);
+  sort_in_space<Concurrency_tag>(reading.domain, bubbles);
   return bubbles;
 }
 

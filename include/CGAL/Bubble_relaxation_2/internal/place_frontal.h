@@ -31,11 +31,11 @@ enum class Growth { FROM_ALL, SINGLE_STRAIGHT, SINGLE_BENT };
 /// Initial bubbles of the faces by fronts that grow from all bubbles that are there: those of the edges
 /// aligned with their edge, those of the faces, if there are any, in given directions.
 /// `directions`: angles for the bubbles that are there; read for those in faces only
-template <class Concurrency_tag, class Sizing>
+template <class Concurrency_tag, class Sizing, class Team>
 void grow_from_all(const Domain_2& domain, const Sizing& sizing,
-                   const std::vector<double>& directions, Bubbles_2& bubbles)
+                   const std::vector<double>& directions, Bubbles_2& bubbles, Team& team)
 {
-  Crystal_growth_2<Concurrency_tag, Sizing> grow(domain, sizing, bubbles, Lattice_direction::BENDS);
+  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, Lattice_direction::BENDS, team);
   for (std::size_t i = 0; i < directions.size(); ++i)
     grow.set_direction(i, Direction{std::cos(directions[i]), std::sin(directions[i])});
   for (std::size_t i = 0, n = bubbles.size(); i < n; ++i)
@@ -66,14 +66,14 @@ inline Index longest_edge(const Domain_2& domain)
 
 /// Initial bubbles of the faces as a single crystal as far as possible: it grows from the longest edge
 /// and meets the others where they are; what it does not reach is filled from the others then.
-template <class Concurrency_tag, class Sizing>
-void grow_single_crystal(const Domain_2& domain, const Sizing& sizing, Growth way, Bubbles_2& bubbles)
+template <class Concurrency_tag, class Sizing, class Team>
+void grow_single_crystal(const Domain_2& domain, const Sizing& sizing, Growth way, Bubbles_2& bubbles, Team& team)
 {
   const Lattice_direction lattice =
     way == Growth::SINGLE_STRAIGHT ? Lattice_direction::KEEPS : Lattice_direction::BENDS;
   const std::size_t n = bubbles.size();
   const Index longest = longest_edge(domain);
-  Crystal_growth_2<Concurrency_tag, Sizing> grow(domain, sizing, bubbles, lattice);
+  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, lattice, team);
   for (const bool is_first : {true, false}) {
     for (std::size_t i = 0; i < n; ++i)
       if (touches_edge(domain, bubbles, i, longest) == is_first)
@@ -143,14 +143,15 @@ Growth fill_in_better_way(const Domain_2& domain, const Sizing& sizing, Bubbles_
 {
   constexpr double nearly_constant = 1.25, clearly_less = 0.75, better = 0.8;
   Bubbles_2 single = bubbles;
-  grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles);
+  Growth_alone alone;
+  grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles, alone);
   const double least_at_start = *std::min_element(single.d.begin(), single.d.end());
   const auto sizes = std::minmax_element(bubbles.d.begin(), bubbles.d.end());
   const bool is_constant = *sizes.second < nearly_constant * *sizes.first;
   if (!is_constant && !(*sizes.first < clearly_less * least_at_start))
     return Growth::FROM_ALL;
   const Growth way = is_constant ? Growth::SINGLE_STRAIGHT : Growth::SINGLE_BENT;
-  grow_single_crystal<Concurrency_tag>(domain, sizing, way, single);
+  grow_single_crystal<Concurrency_tag>(domain, sizing, way, single, alone);
   if (!(disorder(domain, single) < better * disorder(domain, bubbles)))
     return Growth::FROM_ALL;
   bubbles = std::move(single);
@@ -159,8 +160,8 @@ Growth fill_in_better_way(const Domain_2& domain, const Sizing& sizing, Bubbles_
 
 /// Initial bubbles of the faces. What suits a domain is found with large bubbles if there will be many.
 /// `sizing`: has `expected_number`
-template <class Concurrency_tag, class Sizing>
-void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
+template <class Concurrency_tag, class Sizing, class Team>
+void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles, Team& team)
 {
   constexpr double enough = 400;
   double factor = 1;
@@ -173,10 +174,11 @@ void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubb
   Bubbles_2 large = enlarge(domain, bubbles, factor);
   const Growth way = fill_in_better_way<Concurrency_tag>(
     domain, Scaled_field_2<Sizing>{sizing, factor}, large);
+  team.divide(domain, large);
   if (way == Growth::FROM_ALL)
-    grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles);
+    grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles, team);
   else
-    grow_single_crystal<Concurrency_tag>(domain, sizing, way, bubbles);
+    grow_single_crystal<Concurrency_tag>(domain, sizing, way, bubbles, team);
 }
 
 } // namespace internal

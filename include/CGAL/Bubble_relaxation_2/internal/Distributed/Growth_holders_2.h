@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Which ranks have which bubble of a crystal that grows: the one in whose part it came in owns it, and those
+/// whose parts are near have it too.
+class Growth_holders_2
+{
+public:
+  using Ranks = Hilbert_partition_2::Ranks;
+
+  /// `rank`: this one
+  Growth_holders_2(const Hilbert_partition_2& partition, int rank) : m_partition(partition), m_rank(rank) {}
+
+  const Hilbert_partition_2& partition() const { return m_partition; }
+
+  std::size_t size() const { return m_owner.size(); }
+  int owner(std::size_t i) const { return m_owner[i]; }
+  bool is_ours(std::size_t i) const { return m_owner[i] == m_rank; }
+
+  /// A bubble came in at (x, y): it is known within `radius`. `parent`: one nearby that came before, or none.
+  void add(double x, double y, double radius, Index parent)
+  {
+    const Index i = static_cast<Index>(m_owner.size());
+    double clearance = clearance_at(x, y, parent);
+    if (clearance < radius) // look ahead, for all that come after it
+      clearance = m_partition.owners_in_disc(x, y, look_ahead * radius) == Ranks(1, m_rank) ? look_ahead * radius : 0;
+    m_places.push_back(Place{x, y, clearance});
+    m_owner.push_back(clearance > 0 ? m_rank : m_partition.owner(x, y));
+    if (clearance == 0 && is_ours(static_cast<std::size_t>(i)))
+      for (int r : m_partition.owners_in_disc(x, y, radius))
+        add_holder(i, r);
+  }
+
+  /// whether only this rank has, or will have, a bubble that comes in at (x, y) and is known within `radius`
+  bool is_ours_alone(double x, double y, double radius, Index parent) const
+  {
+    return clearance_at(x, y, parent) >= radius;
+  }
+
+  /// whether it is known that all around a bubble is of this rank
+  bool is_ours_alone(Index i) const { return m_places[i].clearance > 0; }
+
+  /// whether all ranks within `radius` of (x, y) have a bubble of ours
+  bool is_known_within(Index i, double x, double y, double radius) const
+  {
+    if (clearance_at(x, y, i) >= radius)
+      return true;
+    for (int r : m_partition.owners_in_disc(x, y, radius))
+      if (!has(i, r))
+        return false;
+    return true;
+  }
+
+  /// the other ranks that have a bubble of ours
+  const Ranks& others(Index i) const
+  {
+    static const Ranks none;
+    const auto found = m_others.find(i);
+    return found == m_others.end() ? none : found->second;
+  }
+
+  bool has(Index i, int rank) const
+  {
+    const Ranks& ranks = others(i);
+    return rank == m_rank || std::find(ranks.begin(), ranks.end(), rank) != ranks.end();
+  }
+
+  void add_holder(Index i, int rank)
+  {
+    if (!has(i, rank))
+      m_others[i].push_back(rank);
+  }
+
+private:
+  /// where a bubble came in, and how far from there nothing belongs to other ranks; 0 if that is not known
+  struct Place
+  {
+    double x, y, clearance;
+  };
+
+  static constexpr double look_ahead = 4;
+
+  double clearance_at(double x, double y, Index parent) const
+  {
+    if (parent == no_index || m_places[parent].clearance == 0)
+      return 0;
+    const Place& p = m_places[parent];
+    constexpr double rounding = 1e-9;
+    return (std::max)(0., (1 - rounding) * p.clearance - std::hypot(x - p.x, y - p.y));
+  }
+
+  const Hilbert_partition_2& m_partition;
+  const int m_rank;
+  std::vector<int> m_owner;
+  std::vector<Place> m_places;
+  std::unordered_map<Index, Ranks> m_others; // of ours that others have
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H

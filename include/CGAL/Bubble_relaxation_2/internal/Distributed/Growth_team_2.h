@@ -1,0 +1,369 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_TEAM_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_TEAM_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Crystal_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Growth_holders_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Growth_proposals_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The ranks that grow one crystal together, each in its part of the domain. What comes out is what one rank
+/// would have grown, to the last bit.
+///
+/// A bubble belongs to the rank in whose part it came in. The owner proposes places around it, decides about
+/// these proposals, and settles it. Two bubbles nearer to each other than `needed_reach` times the size of the
+/// larger one are known to the owners of both: each is sent to the ranks whose parts a disc around it meets,
+/// and a rank that gets to know one that is larger than its own sends those to its owner. All that a proposal or
+/// a bubble depends on lies within.
+///
+/// Of proposals in each other's way those that fit best are accepted, which is a long sum of small decisions.
+/// Each rank guesses those of others, is told, and decides again as long as any guess was wrong: when none is,
+/// all are as one rank alone would have decided, by induction from the best to the worst.
+class Growth_team_2
+{
+public:
+  Growth_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement)
+  {}
+
+  /// whether bubbles have grown in parts
+  bool is_divided() const { return m_partition != nullptr; }
+
+  void divide(const Domain_2& domain, const Bubbles_2& large)
+  {
+    const Hilbert_curve_2 curve(domain.bbox());
+    std::vector<Hilbert_curve_2::Key> keys, first_keys;
+    for (std::size_t i = 0; i < large.size(); ++i)
+      keys.push_back(curve.key(large.x[i], large.y[i]));
+    std::sort(keys.begin(), keys.end());
+    const std::size_t ranks = static_cast<std::size_t>(m_comm.size());
+    for (std::size_t rank = 1; rank < ranks; ++rank)
+      first_keys.push_back(keys[keys.size() * rank / ranks]);
+    m_partition = std::make_unique<Hilbert_partition_2>(curve, first_keys);
+    m_holders = std::make_unique<Growth_holders_2>(*m_partition, m_comm.rank());
+  }
+
+  template <class Crystal>
+  void start(Crystal& crystal)
+  {
+    const Bubbles_2& b = crystal.bubbles();
+    m_number_of_common = b.size();
+    std::vector<Growth_birth_2> births;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      births.push_back(Growth_birth_2{0, static_cast<double>(i), 0, 0});
+      m_holders->add(b.x[i], b.y[i], reach * b.d[i], no_index);
+    }
+    crystal.add_births(births);
+    m_is_in_front.assign(b.size(), 0);
+    m_keys.assign(b.size(), 0);
+    for (std::size_t i = 0; i < b.size(); ++i)
+      tell_those_who_need(crystal, static_cast<Index>(i));
+  }
+
+  double smallest(double key)
+  {
+    const double result = m_comm.smallest(m_agreement.has_failed() ? -1. : key);
+    if (result < 0)
+      m_agreement.reach();
+    ++m_generation;
+    return result;
+  }
+
+  void take(const std::vector<Proposer>& generation)
+  {
+    for (const Proposer& p : generation)
+      m_is_in_front[p.index] = 0;
+  }
+
+  bool owns(Index i) const { return m_holders->is_ours(i); }
+
+  void share(std::vector<Growth_proposal_2>& proposals)
+  {
+    m_number_of_ours = static_cast<Index>(proposals.size());
+    Messages<Growth_proposal_2> out;
+    m_sent.clear();
+    m_received.clear();
+    for (std::size_t k = 0; k < proposals.size(); ++k)
+      for (int rank : m_holders->others(proposals[k].from)) {
+        out[rank].push_back(proposals[k]);
+        m_sent[rank].push_back(static_cast<Index>(k));
+      }
+    for (const auto& message : m_exchange(out))
+      for (Growth_proposal_2 p : message.second) {
+        p.from = foreign;
+        m_received[message.first].push_back(static_cast<Index>(proposals.size()));
+        proposals.push_back(p);
+      }
+  }
+
+  template <class Candidates>
+  void decide(Candidates& candidates)
+  {
+    candidates.decide([](Index) { return true; });
+    Messages<char> out, in;
+    for (const auto& received : m_received)
+      in[received.first].resize(received.second.size());
+    for (bool was_wrong = true; was_wrong; was_wrong = m_comm.any(was_wrong)) {
+      for (const auto& sent : m_sent) {
+        out[sent.first].clear();
+        for (Index k : sent.second)
+          out[sent.first].push_back(candidates.is_accepted(k));
+      }
+      exchange_known(m_comm, out, in);
+      was_wrong = take_decisions(in, candidates);
+      if (was_wrong)
+        candidates.decide([this](Index k) { return k < m_number_of_ours; });
+    }
+  }
+
+  void exchange_new(std::vector<Growth_proposal_2>& bubbles)
+  {
+    Messages<Growth_proposal_2> out;
+    std::vector<Growth_proposal_2> ours;
+    for (const Growth_proposal_2& p : bubbles) {
+      const Index parent = p.from == foreign ? no_index : p.from;
+      if (m_holders->is_ours_alone(p.x, p.y, reach * p.d, parent)) {
+        ours.push_back(p);
+        continue;
+      }
+      for (int rank : m_partition->owners_in_disc(p.x, p.y, reach * p.d))
+        if (rank == m_comm.rank())
+          ours.push_back(p);
+        else if (p.from != foreign && !m_holders->has(p.from, rank)) // else it has decided on it too
+          out[rank].push_back(p);
+    }
+    for (const auto& message : m_exchange(out))
+      for (Growth_proposal_2 p : message.second) {
+        p.from = foreign;
+        ours.push_back(p);
+      }
+    std::sort(ours.begin(), ours.end(), [](const Growth_proposal_2& p, const Growth_proposal_2& q) {
+      return std::tie(p.misfit, p.x, p.y) < std::tie(q.misfit, q.x, q.y);
+    });
+    bubbles.swap(ours);
+  }
+
+  template <class Crystal>
+  void complete(Crystal& crystal, std::vector<Growth_proposal_2>& bubbles)
+  {
+    m_first = static_cast<Index>(crystal.size() - bubbles.size());
+    for (const Growth_proposal_2& p : bubbles)
+      enter(crystal, p, Growth_birth_2{m_generation, p.misfit, p.x, p.y});
+    for (Index i = m_first, n = static_cast<Index>(crystal.size()); i < n; ++i)
+      tell_those_who_need(crystal, i);
+    exchange_late(crystal, bubbles);
+    list_new(crystal);
+  }
+
+  void share_settled(std::vector<Point>& settled)
+  {
+    Messages<Place> out, in;
+    for (const auto& list : m_new_sent)
+      for (Index i : list.second)
+        out[list.first].push_back(Place{settled[i - m_first].x(), settled[i - m_first].y()});
+    for (const auto& list : m_new_received)
+      in[list.first].resize(list.second.size());
+    exchange_known(m_comm, out, in);
+    for (const auto& list : m_new_received)
+      for (std::size_t n = 0; n < list.second.size(); ++n)
+        settled[list.second[n] - m_first] = Point(in[list.first][n].x, in[list.first][n].y);
+  }
+
+  /// A bubble has its place and its size. Where d jumps, it may be larger than it was thought to be.
+  template <class Crystal>
+  void enter_front(const Crystal& crystal, Index i, double key)
+  {
+    m_keys[i] = key;
+    m_is_in_front[i] = 1;
+    const Bubbles_2& b = crystal.bubbles();
+    if (owns(i) && !m_holders->is_known_within(i, b.x[i], b.y[i], needed_reach * b.d[i]))
+      m_grown.push_back(i);
+  }
+
+  /// Makes bubbles that have grown known to those who need them, and others to them; returns those that this
+  /// rank gets to know.
+  template <class Crystal>
+  std::vector<Growth_proposal_2> catch_up(Crystal& crystal)
+  {
+    std::vector<Growth_proposal_2> late;
+    if (!m_comm.any(!m_grown.empty()))
+      return late;
+    const Bubbles_2& b = crystal.bubbles();
+    for (Index i : m_grown)
+      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
+        send_late(crystal, i, rank);
+    m_grown.clear();
+    exchange_late(crystal, late);
+    // whoever has one that has grown knows what it needs
+    for (std::size_t i = m_number_of_common, n = crystal.size(); i < n; ++i)
+      if (m_is_in_front[i])
+        tell_those_who_need(crystal, static_cast<Index>(i));
+    exchange_late(crystal, late);
+    return late;
+  }
+
+  std::size_t number_of_common() const { return m_number_of_common; }
+  const Hilbert_partition_2& partition() const { return *m_partition; }
+
+private:
+  struct Place
+  {
+    double x, y;
+  };
+
+  /// a bubble that another rank needs only now
+  struct Late
+  {
+    Growth_birth_2 birth;
+    Growth_proposal_2 bubble; ///< as it is now; the key is negative if it has left the front
+  };
+
+  /// In sizes of the larger of two bubbles: links and proposals depend on what is nearer than the first, and
+  /// until they have settled bubbles may come nearer to each other.
+  static constexpr double needed_reach = 2.8, reach = 3.6;
+
+  /// instead of the bubble that proposes, if another rank owns it
+  static constexpr Index foreign = (std::numeric_limits<Index>::max)();
+
+  template <class Candidates>
+  bool take_decisions(const Messages<char>& in, Candidates& candidates)
+  {
+    bool was_wrong = false;
+    for (const auto& received : m_received)
+      for (std::size_t n = 0; n < received.second.size(); ++n) {
+        const Index k = received.second[n];
+        const bool value = in.at(received.first)[n] != 0;
+        was_wrong = was_wrong || candidates.is_accepted(k) != value;
+        candidates.set_accepted(k, value);
+      }
+    return was_wrong;
+  }
+
+  template <class Crystal>
+  void enter(Crystal& crystal, const Growth_proposal_2& p, const Growth_birth_2& birth)
+  {
+    m_holders->add(birth.x, birth.y, reach * p.d, p.from == foreign ? no_index : p.from);
+    m_is_in_front.push_back(0);
+    m_keys.push_back(p.key);
+    crystal.add_births({birth});
+  }
+
+  /// Tells of a bubble of ours the owners of larger ones near it, and the owner of another's of those of ours
+  /// that are smaller and near it.
+  template <class Crystal>
+  void tell_those_who_need(const Crystal& crystal, Index i)
+  {
+    if (m_holders->is_ours_alone(i))
+      return;
+    const Bubbles_2& b = crystal.bubbles();
+    const bool is_ours = owns(i);
+    crystal.buckets().for_each_near(b.x[i], b.y[i], b.d[i], 2 * reach, [&](const auto& e, double squared) {
+      if (owns(e.id) != is_ours) {
+        const double far = reach * (is_ours ? e.d : b.d[i]);
+        if (squared < far * far)
+          send_late(crystal, is_ours ? i : e.id, m_holders->owner(is_ours ? e.id : i));
+      }
+      return true;
+    });
+  }
+
+  template <class Crystal>
+  void send_late(const Crystal& crystal, Index i, int rank)
+  {
+    if (m_holders->has(i, rank))
+      return;
+    m_holders->add_holder(i, rank);
+    if (static_cast<std::size_t>(i) < m_number_of_common)
+      return; // all have it, but this one is now told of its proposals
+    const Bubbles_2& b = crystal.bubbles();
+    const bool is_new = crystal.birth(i).generation == m_generation && m_is_in_front[i] == 0;
+    m_late[rank].push_back(Late{crystal.birth(i),
+                                Growth_proposal_2{0, is_new || m_is_in_front[i] ? m_keys[i] : -1., b.x[i], b.y[i],
+                                                  b.d[i], crystal.direction(i), b.place[i],
+                                                  is_new ? foreign : no_index}});
+  }
+
+  /// adds the bubbles that this rank gets to know to the crystal and to `bubbles`
+  template <class Crystal>
+  void exchange_late(Crystal& crystal, std::vector<Growth_proposal_2>& bubbles)
+  {
+    for (const auto& message : m_exchange(m_late))
+      for (const Late& late : message.second) {
+        const Growth_proposal_2& p = late.bubble;
+        crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
+        enter(crystal, p, late.birth);
+        bubbles.push_back(p);
+      }
+    m_late.clear();
+  }
+
+  /// who tells whom where new bubbles settle
+  template <class Crystal>
+  void list_new(const Crystal& crystal)
+  {
+    m_new_sent.clear();
+    m_new_received.clear();
+    for (std::size_t i = static_cast<std::size_t>(m_first); i < crystal.size(); ++i) {
+      const Index index = static_cast<Index>(i);
+      if (crystal.birth(i).generation != m_generation)
+        continue;
+      if (!owns(index))
+        m_new_received[m_holders->owner(i)].push_back(index);
+      else
+        for (int rank : m_holders->others(index))
+          m_new_sent[rank].push_back(index);
+    }
+    for (auto* lists : {&m_new_sent, &m_new_received})
+      for (auto& list : *lists)
+        std::sort(list.second.begin(), list.second.end(),
+                  [&crystal](Index i, Index j) { return crystal.came_before(i, j); });
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Agreement& m_agreement;
+  std::unique_ptr<Hilbert_partition_2> m_partition;
+  std::unique_ptr<Growth_holders_2> m_holders;
+  std::size_t m_number_of_common = 0;
+  std::int64_t m_generation = 0;
+  std::vector<double> m_keys;      // of each bubble in the front
+  std::vector<char> m_is_in_front;
+  std::vector<Index> m_grown;      // of ours, not known to all that need them
+  Messages<Late> m_late;
+  // of the present generation
+  Index m_number_of_ours = 0;                    // among the proposals
+  Messages<Index> m_sent, m_received;            // proposals
+  Index m_first = 0;                             // of the new bubbles
+  Messages<Index> m_new_sent, m_new_received;    // new bubbles
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_TEAM_2_H

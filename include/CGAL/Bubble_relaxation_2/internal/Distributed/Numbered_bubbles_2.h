@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_NUMBERED_BUBBLES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_NUMBERED_BUBBLES_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// a bubble on its way from one rank to another
+struct Bubble_record_2
+{
+  double x, y, d, vx, vy, s;
+  std::int64_t number;
+  Index place, tag;
+  std::int32_t dimension;
+};
+
+/// Bubbles of one rank, and their places in the sequence of the bubbles of all ranks, which one rank alone would
+/// hold.
+struct Numbered_bubbles_2
+{
+  Bubbles_2 bubbles;
+  std::vector<std::int64_t> numbers;
+
+  std::size_t size() const { return bubbles.size(); }
+
+  void add(const Bubble_record_2& r)
+  {
+    bubbles.add(Point(r.x, r.y), r.d, static_cast<Bubbles_2::Dimension>(r.dimension), r.place, r.s, r.tag);
+    bubbles.vx.back() = r.vx;
+    bubbles.vy.back() = r.vy;
+    numbers.push_back(r.number);
+  }
+};
+
+inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i, std::int64_t number)
+{
+  return Bubble_record_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i],
+                         number, b.place[i], b.tag[i], b.dimension[i]};
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_NUMBERED_BUBBLES_2_H

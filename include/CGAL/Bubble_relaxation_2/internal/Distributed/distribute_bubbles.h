@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTE_BUBBLES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTE_BUBBLES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// a bubble with its place on the curve
+struct Keyed_record_2
+{
+  Hilbert_curve_2::Key key;
+  Bubble_record_2 bubble;
+
+  bool operator<(const Keyed_record_2& r) const
+  {
+    return std::tie(key, bubble.x, bubble.y, bubble.dimension) <
+           std::tie(r.key, r.bubble.x, r.bubble.y, r.bubble.dimension);
+  }
+};
+
+/// brings each bubble to the rank that owns its place, sorted along the curve
+inline std::vector<Keyed_record_2> bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange,
+                                              int rank, const std::vector<Keyed_record_2>& records)
+{
+  std::vector<Keyed_record_2> home;
+  Messages<Keyed_record_2> out;
+  for (const Keyed_record_2& r : records) {
+    const int owner = partition.owner(r.key);
+    if (owner == rank)
+      home.push_back(r);
+    else
+      out[owner].push_back(r);
+  }
+  for (const auto& message : exchange(out))
+    home.insert(home.end(), message.second.begin(), message.second.end());
+  std::sort(home.begin(), home.end());
+  return home;
+}
+
+/// Cuts the curve so that all ranks own equally many of the bubbles.
+/// \pre the records of each rank are sorted, and come before those of the next
+inline Hilbert_partition_2 balanced_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+                                              const std::vector<Keyed_record_2>& records)
+{
+  const std::int64_t n = static_cast<std::int64_t>(records.size()), all = comm.sum(n), before = comm.sum_before(n);
+  std::vector<Hilbert_curve_2::Key> first_keys(static_cast<std::size_t>(comm.size() - 1), 0);
+  for (std::size_t k = 0; k < first_keys.size(); ++k) {
+    const std::int64_t first = all * static_cast<std::int64_t>(k + 1) / comm.size() - before;
+    if (first >= 0 && first < n)
+      first_keys[k] = records[static_cast<std::size_t>(first)].key;
+  }
+  if (comm.size() > 1)
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, first_keys.data(), comm.size() - 1, MPI_UINT64_T, MPI_MAX, comm.handle()));
+  return Hilbert_partition_2(curve, first_keys);
+}
+
+/// Of bubbles in one place the one of the lowest dimension stays.
+inline void forget_coincident(std::vector<Keyed_record_2>& sorted)
+{
+  sorted.erase(std::unique(sorted.begin(), sorted.end(),
+                           [](const Keyed_record_2& r, const Keyed_record_2& s) {
+                             return r.bubble.x == s.bubble.x && r.bubble.y == s.bubble.y;
+                           }),
+               sorted.end());
+}
+
+/// Numbers bubbles along the curve, the first of all ranks by 0. \pre as above
+inline Numbered_bubbles_2 number_along_curve(const Communicator& comm, const std::vector<Keyed_record_2>& records)
+{
+  std::int64_t number = comm.sum_before(static_cast<std::int64_t>(records.size()));
+  Numbered_bubbles_2 result;
+  result.bubbles.make_room_for(records.size());
+  for (Keyed_record_2 r : records) {
+    r.bubble.number = number++;
+    result.add(r.bubble);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTE_BUBBLES_H
