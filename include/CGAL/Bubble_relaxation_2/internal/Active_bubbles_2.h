@@ -60,7 +60,7 @@ public:
     make_room(bubbles);
     m_indices.clear();
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
-      m_is_active[i] = bubbles.can_move(i);
+      m_is_active[i] = is_movable(bubbles, i);
       if (m_is_active[i])
         m_indices.push_back(static_cast<Index>(i));
     }
@@ -78,6 +78,14 @@ public:
   {
     const auto is_gone = [&bubbles](Index i) { return bubbles.is_gone(i); };
     m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(), is_gone), m_indices.end());
+  }
+
+  /// bubbles that other ranks own took part in this step too, after the last of `indices()`
+  void add_others(const std::vector<Index>& others)
+  {
+    m_indices.insert(m_indices.end(), others.begin(), others.end());
+    for (Index i : others)
+      m_is_touched[i] = 1;
   }
 
   /// goes on to the next step; `is_moving[k]`: whether the `k`-th of `indices()` moves noticeably
@@ -139,7 +147,7 @@ private:
     const bool is_called = m_moves[i] || std::any_of(neighbors.begin(i), neighbors.end(i),
                                                      [this](Index j) { return m_moves[j] != 0; });
     const bool was_active = m_is_active[i] != 0;
-    m_is_active[i] = is_called && bubbles.can_move(i);
+    m_is_active[i] = is_called && is_movable(bubbles, i);
     if (m_is_active[i])
       m_is_touched[i] = 1;
     else if (was_active)
@@ -165,6 +173,11 @@ private:
         bubbles.stop(i);
   }
 
+  static bool is_movable(const Bubbles_2& bubbles, std::size_t i)
+  {
+    return bubbles.can_move(i) && bubbles.is_ours(i);
+  }
+
   void make_room(const Bubbles_2& bubbles)
   {
     for (std::vector<char>* flags : {&m_is_active, &m_is_touched}) {
@@ -175,7 +188,7 @@ private:
 
   void add(const Bubbles_2& bubbles, Index i)
   {
-    if (m_is_active[i] || !bubbles.can_move(i))
+    if (m_is_active[i] || !is_movable(bubbles, i))
       return;
     m_is_active[i] = m_is_touched[i] = 1;
     m_indices.push_back(i);

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +35,19 @@ struct Bubbles_2
   std::vector<Index> place;
   std::vector<double> s;      ///< position on its edge in (0,1); edge bubbles only
   std::vector<Index> tag;     ///< index of the user's pinned vertex; `no_index` for all others
+
+  /// \name Part of All
+  /// What a rank holds of bubbles that are distributed over several; empty where all are here.
+  /// @{
+  std::vector<std::int64_t> number; ///< its index among all
+  std::vector<char> is_foreign;     ///< whether another rank owns it
+  /// @}
+
+  /// whether bubble `i` comes before bubble `j` among all
+  bool is_before(std::size_t i, std::size_t j) const { return number.empty() ? i < j : number[i] < number[j]; }
+
+  /// whether this rank says what becomes of a bubble
+  bool is_ours(std::size_t i) const { return is_foreign.empty() || !is_foreign[i]; }
 
   std::size_t size() const { return x.size(); }
   Point point(std::size_t i) const { return Point(x[i], y[i]); }
@@ -93,6 +107,10 @@ struct Bubbles_2
     select(dimension, order);
     select(place, order);
     select(tag, order);
+    if (!number.empty())
+      select(number, order);
+    if (!is_foreign.empty())
+      select(is_foreign, order);
   }
 
   void stop(std::size_t i) { vx[i] = vy[i] = 0; }

@@ -144,12 +144,13 @@ private:
   std::size_t choice_on_circle(std::size_t j, int side) const
   {
     const std::size_t smallest = *std::min_element(m_equal.begin(), m_equal.end(), [this](auto k, auto l) {
-      return m_others[k].index < m_others[l].index;
+      return m_bubbles.is_before(m_others[k].index, m_others[l].index);
     });
-    if (m_others[smallest].index < m_center && m_others[smallest].index < m_others[j].index)
+    if (m_bubbles.is_before(m_others[smallest].index, m_center) &&
+        m_bubbles.is_before(m_others[smallest].index, m_others[j].index))
       return smallest;
     // the next on the circle after j, or the last before the center
-    const bool wants_next = m_center < m_others[j].index;
+    const bool wants_next = m_bubbles.is_before(m_center, m_others[j].index);
     std::size_t best = m_equal.front();
     for (std::size_t k : m_equal) {
       const double turn = side * (m_others[best].x * m_others[k].y - m_others[best].y * m_others[k].x);

@@ -68,16 +68,17 @@ private:
   template <class Concurrency_tag>
   void wrap(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors)
   {
-    std::vector<Index> order(bubbles.size(), no_index); // among the touched
-    for (std::size_t k = 0; k < m_touched.size(); ++k)
-      order[m_touched[k]] = static_cast<Index>(k);
+    std::vector<char> is_touched(bubbles.size(), 0);
+    for (Index i : m_touched)
+      is_touched[i] = 1;
     std::vector<std::vector<Triangle>> blocks((m_touched.size() + block_size - 1) / block_size);
     parallel_for<Concurrency_tag>(
       blocks.size(),
       [&](std::size_t b) {
         const std::size_t last = (std::min)((b + 1) * block_size, m_touched.size());
         for (std::size_t k = b * block_size; k < last; ++k)
-          add_star(bubbles, neighbors, order, m_touched[k], blocks[b]);
+          if (bubbles.is_ours(m_touched[k]))
+            add_star(bubbles, neighbors, is_touched, m_touched[k], blocks[b]);
       },
       1);
     for (const std::vector<Triangle>& block : blocks)
@@ -85,7 +86,7 @@ private:
   }
 
   static void add_star(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-                       const std::vector<Index>& order, Index i, std::vector<Triangle>& triangles)
+                       const std::vector<char>& is_touched, Index i, std::vector<Triangle>& triangles)
   {
     Delaunay_star_2::Indices candidates(neighbors.begin(i), neighbors.end(i));
     Delaunay_star_2 star(bubbles, i);
@@ -95,32 +96,37 @@ private:
              (star.is_closed() && star.largest_circle() <= 0.25 * diameter * diameter);
     };
     if (!is_within(certain_diameter)) {
-      add_neighbors_of_neighbors(neighbors, i, candidates);
+      add_neighbors_of_neighbors(bubbles, neighbors, i, candidates);
       star.wrap(candidates);
     }
     if (!is_within(widest_hole)) {
       candidates.clear();
       neighbors.find_around(i, far, [&](Index j) { candidates.push_back(j); });
-      std::sort(candidates.begin(), candidates.end());
+      sort(bubbles, candidates);
       star.wrap(candidates);
     }
     const auto& ring = star.ring();
     for (std::size_t k = star.is_closed() ? 0 : 1; k < ring.size(); ++k) {
       const Index u = ring[k == 0 ? ring.size() - 1 : k - 1], v = ring[k];
-      if ((order[u] == no_index || order[u] > order[i]) && (order[v] == no_index || order[v] > order[i]))
+      if ((!is_touched[u] || bubbles.is_before(i, u)) && (!is_touched[v] || bubbles.is_before(i, v)))
         triangles.push_back({i, u, v});
     }
   }
 
-  static void add_neighbors_of_neighbors(const Neighbor_sets_2& neighbors, Index i,
+  static void add_neighbors_of_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i,
                                          Delaunay_star_2::Indices& candidates)
   {
     const std::size_t n = candidates.size();
     for (std::size_t k = 0; k < n; ++k)
       candidates.insert(candidates.end(), neighbors.begin(candidates[k]), neighbors.end(candidates[k]));
-    std::sort(candidates.begin(), candidates.end());
+    sort(bubbles, candidates);
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     candidates.erase(std::remove(candidates.begin(), candidates.end(), i), candidates.end());
+  }
+
+  static void sort(const Bubbles_2& bubbles, Delaunay_star_2::Indices& indices)
+  {
+    std::sort(indices.begin(), indices.end(), [&bubbles](Index i, Index j) { return bubbles.is_before(i, j); });
   }
 
   void triangulate(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors)

@@ -209,6 +209,7 @@ private:
     m_sets.reserve(bubbles.size());
     m_pool.clear();
     m_pool.reserve(usual_number * bubbles.size());
+    m_numbers = &bubbles.number;
     m_x = bubbles.x;
     m_y = bubbles.y;
     m_d = bubbles.d;
@@ -247,7 +248,17 @@ private:
         found.push_back(j);
       return true;
     });
-    std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+    const auto first = found.begin() + static_cast<std::ptrdiff_t>(before);
+    if (m_numbers->empty())
+      std::sort(first, found.end());
+    else
+      std::sort(first, found.end(), [this](Index j, Index k) { return is_before(j, k); });
+  }
+
+  /// the order of sets: that of all bubbles, of which these may be a part
+  bool is_before(Index i, Index j) const
+  {
+    return m_numbers->empty() ? i < j : (*m_numbers)[i] < (*m_numbers)[j];
   }
 
   void append(const Block& block)
@@ -276,9 +287,10 @@ private:
     m_joined.clear();
     if (std::equal(begin(i), end(i), found.begin(), found.end()))
       return;
-    std::set_difference(begin(i), end(i), found.begin(), found.end(), std::back_inserter(m_left));
+    const auto before = [this](Index j, Index k) { return is_before(j, k); };
+    std::set_difference(begin(i), end(i), found.begin(), found.end(), std::back_inserter(m_left), before);
     std::set_difference(found.begin(), found.end(), begin(i), end(i),
-                        std::back_inserter(m_joined));
+                        std::back_inserter(m_joined), before);
     for (Index j : m_left)
       erase(j, i);
     for (Index j : m_joined)
@@ -288,12 +300,18 @@ private:
     m_sets[i].size = static_cast<std::uint32_t>(found.size());
   }
 
+  template <class Iterator>
+  Iterator position_of(Index neighbor, Iterator first, Iterator last) const
+  {
+    return std::lower_bound(first, last, neighbor, [this](Index j, Index k) { return is_before(j, k); });
+  }
+
   void erase(Index i, Index neighbor)
   {
     Set& s = m_sets[i];
     const auto first = m_pool.begin() + s.first, last = first + s.size;
-    std::copy(std::lower_bound(first, last, neighbor) + 1, last,
-              std::lower_bound(first, last, neighbor));
+    const auto position = position_of(neighbor, first, last);
+    std::copy(position + 1, last, position);
     --s.size;
   }
 
@@ -302,7 +320,7 @@ private:
     make_room(i, m_sets[i].size + 1);
     Set& s = m_sets[i];
     const auto first = m_pool.begin() + s.first, last = first + s.size;
-    const auto position = std::lower_bound(first, last, neighbor);
+    const auto position = position_of(neighbor, first, last);
     std::copy_backward(position, last, last + 1);
     *position = neighbor;
     ++s.size;
@@ -323,6 +341,7 @@ private:
   }
 
   double m_radius;
+  const std::vector<std::int64_t>* m_numbers = nullptr; // of the bubbles
   std::vector<Set> m_sets;
   std::vector<Index> m_pool;
   std::vector<double> m_x, m_y, m_d; // the references
