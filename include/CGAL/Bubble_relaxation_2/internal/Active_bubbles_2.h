@@ -84,9 +84,25 @@ public:
   void add_others(const std::vector<Index>& others)
   {
     m_indices.insert(m_indices.end(), others.begin(), others.end());
-    for (Index i : others)
-      m_is_touched[i] = 1;
   }
+
+  bool is_active(Index i) const { return m_is_active[i] != 0; }
+  bool is_touched(Index i) const { return m_is_touched[i] != 0; }
+
+  /// starts anew with bubbles that come from elsewhere
+  void restart(const std::vector<char>& is_active, const std::vector<char>& is_touched, bool is_roused)
+  {
+    m_is_active = is_active;
+    m_is_touched = is_touched;
+    m_is_roused = is_roused;
+    m_moves.assign(is_active.size(), 0);
+    m_indices.clear();
+    for (std::size_t i = 0; i < is_active.size(); ++i)
+      if (is_active[i])
+        m_indices.push_back(static_cast<Index>(i));
+  }
+
+  bool is_roused() const { return m_is_roused; }
 
   /// goes on to the next step; `is_moving[k]`: whether the `k`-th of `indices()` moves noticeably
   template <class Concurrency_tag>

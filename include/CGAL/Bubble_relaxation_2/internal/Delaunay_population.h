@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
+#include <CGAL/Bubble_relaxation_2/internal/sort_in_space.h>
 
 #include <algorithm>
 #include <array>
@@ -59,6 +60,7 @@ public:
     insert_in_holes(bubbles, mesh);
     insert_on_edges(bubbles, neighbors);
     std::sort(m_change.deleted.begin(), m_change.deleted.end());
+    sort_in_space<Concurrency_tag>(m_domain, m_change.inserted);
     return std::move(m_change);
   }
 

@@ -26,6 +26,12 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// where bubbles were, and how large, when their neighbours were last looked for
+struct Bubble_references_2
+{
+  const std::vector<double>&x, &y, &d;
+};
+
 /// The neighbour sets of section 2.1.3 of the paper (Verlet lists): for each bubble all others nearer
 /// than `radius` times the mean of the two sizes, sorted by index.
 ///
@@ -50,14 +56,20 @@ public:
   template <class Concurrency_tag = Sequential_tag>
   void build(const Bubbles_2& bubbles)
   {
-    start(bubbles);
+    build<Concurrency_tag>(bubbles, Bubble_references_2{bubbles.x, bubbles.y, bubbles.d});
+  }
+
+  /// the same, by references that the bubbles have already
+  template <class Concurrency_tag>
+  void build(const Bubbles_2& bubbles, const Bubble_references_2& references)
+  {
+    start(bubbles, references);
     const std::size_t n = bubbles.size();
     if (n == 0)
       return;
-    m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, bubbles.d[0], bubbles.x[0],
-                                                   bubbles.y[0], n);
+    m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, m_d[0], m_x[0], m_y[0], n);
     for (std::size_t i = 0; i < n; ++i)
-      m_buckets->insert(static_cast<Index>(i), bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+      m_buckets->insert(static_cast<Index>(i), m_x[i], m_y[i], m_d[i]);
     for (std::size_t i = 0; i < n; ++i)
       if (bubbles.is_gone(i))
         m_buckets->erase(i);
@@ -93,29 +105,32 @@ public:
 
   /// makes the set of a bubble that was added to `bubbles` after the last, and puts it into those of its
   /// neighbours; after `renew_from_neighbors()` it stays empty until the next `build()`
-  void add(const Bubbles_2& bubbles, Index i)
+  void add(const Bubbles_2& bubbles, Index i) { add(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]); }
+
+  /// the same, by its reference
+  void add(Index i, double x, double y, double d)
   {
-    m_x.push_back(bubbles.x[i]);
-    m_y.push_back(bubbles.y[i]);
-    m_d.push_back(bubbles.d[i]);
+    m_x.push_back(x);
+    m_y.push_back(y);
+    m_d.push_back(d);
     append(nullptr, 0);
     if (!m_buckets)
       return;
-    m_buckets->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+    m_buckets->insert(i, x, y, d);
     m_found.clear();
     find_neighbors(i, m_found);
     replace(i, m_found);
   }
+
+  double reference_x(std::size_t i) const { return m_x[i]; }
+  double reference_y(std::size_t i) const { return m_y[i]; }
+  double reference_d(std::size_t i) const { return m_d[i]; }
 
   /// renews the bubbles that have used up their skin, in the sets of their neighbours too
   /// \pre the sets were made by `build()` from as many bubbles
   template <class Concurrency_tag = Sequential_tag>
   void renew(const Bubbles_2& bubbles, const std::vector<Index>& outrun)
   {
-    if (3 * outrun.size() > bubbles.size()) {
-      build<Concurrency_tag>(bubbles);
-      return;
-    }
     for (Index i : outrun) {
       m_x[i] = bubbles.x[i];
       m_y[i] = bubbles.y[i];
@@ -145,7 +160,7 @@ public:
     std::vector<Index> old_pool;
     old_sets.swap(m_sets);
     old_pool.swap(m_pool);
-    start(bubbles);
+    start(bubbles, Bubble_references_2{bubbles.x, bubbles.y, bubbles.d});
     const std::size_t n = bubbles.size();
     std::vector<std::size_t> seen_by(n, n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -203,16 +218,16 @@ private:
     std::uint32_t size, capacity;
   };
 
-  void start(const Bubbles_2& bubbles)
+  void start(const Bubbles_2& bubbles, const Bubble_references_2& references)
   {
     m_sets.clear();
     m_sets.reserve(bubbles.size());
     m_pool.clear();
     m_pool.reserve(usual_number * bubbles.size());
     m_numbers = &bubbles.number;
-    m_x = bubbles.x;
-    m_y = bubbles.y;
-    m_d = bubbles.d;
+    m_x = references.x;
+    m_y = references.y;
+    m_d = references.d;
   }
 
   /// the sets of consecutive bubbles, one after the other

@@ -66,10 +66,22 @@ public:
   }
 
   /// a bubble added after the last; its size is known
-  void add(const Bubbles_2& b, std::size_t i)
+  void add(const Bubbles_2& b, std::size_t i) { add(b.x[i], b.y[i]); }
+
+  /// the same, of which it is known where d was asked
+  void add(double x, double y)
   {
-    m_x.push_back(b.x[i]);
-    m_y.push_back(b.y[i]);
+    m_x.push_back(x);
+    m_y.push_back(y);
+  }
+
+  double x(std::size_t i) const { return m_x[i]; }
+  double y(std::size_t i) const { return m_y[i]; }
+
+  void clear()
+  {
+    m_x.clear();
+    m_y.clear();
   }
 
 private:
@@ -94,15 +106,43 @@ struct Step_flags
   }
 };
 
+/// what all ranks together have to know after a step
+struct Step_sums
+{
+  std::size_t restless; ///< bubbles that moved more than the tolerance
+  std::size_t outrun;   ///< bubbles that have used up their skin
+};
+
+/// No other ranks: what a team does at each place of the simulation.
+struct Simulation_alone
+{
+  static constexpr bool is_alone = true;
+
+  /// of all ranks
+  std::size_t number_of_all(const Bubbles_2& bubbles) const { return bubbles.size(); }
+  /// whether another rank has to know where a bubble is
+  bool is_at_border(Index) const { return false; }
+  /// begins to tell other ranks of the bubbles at the border that were active
+  void send_moves(const Bubbles_2&, const std::vector<Index>&, const std::vector<char>&) {}
+  /// takes over what others told: returns their bubbles that were active, and adds whether they move
+  const std::vector<Index>& receive_moves(Bubbles_2&, std::vector<char>&) const { return none; }
+  /// over all ranks
+  Step_sums sum(const Step_sums& sums) const { return sums; }
+  /// whether no rank wants to stop
+  bool goes_on(bool here) const { return here; }
+
+  const std::vector<Index> none{};
+};
+
 /// The bubbles in motion, with all that outlasts a round: neighbour sets, sizes, and who sleeps.
-template <class Concurrency_tag, class Integrator, class Sizing>
+template <class Concurrency_tag, class Integrator, class Sizing, class Team = Simulation_alone>
 class Simulation_2
 {
 public:
   Simulation_2(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
-               Bubbles_2& bubbles)
+               Bubbles_2& bubbles, Team& team)
     : m_options(options), m_tolerance(options.displacement_tolerance), m_boundary(domain),
-      m_integrator(options), m_bubbles(bubbles), m_neighbors(options.neighbor_radius),
+      m_integrator(options), m_bubbles(bubbles), m_team(team), m_neighbors(options.neighbor_radius),
       m_update_size(bubbles, sizing)
   {
     m_active.wake_all(bubbles);
@@ -140,8 +180,9 @@ public:
       const Phase_timer timer(seconds.renewal);
       result.renewals += build_neighbors_if_due();
     }
+    m_number_of_outrun = m_team.sum(Step_sums{0, count_outrun()}).outrun;
     while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
-      if (!progress.report_step(result.steps, m_options.number_of_iterations)) {
+      if (!m_team.goes_on(progress.report_step(result.steps, m_options.number_of_iterations))) {
         result.is_cancelled = true;
         break;
       }
@@ -203,9 +244,12 @@ private:
   bool renew_neighbors(std::size_t step)
   {
     const std::size_t interval = m_options.renewal_interval;
-    if (interval == 0 && !m_outrun.empty())
-      m_neighbors.template renew<Concurrency_tag>(m_bubbles, m_outrun);
-    else if (interval != 0 && step != 0 && step % interval == 0)
+    if (interval == 0 && m_number_of_outrun != 0) {
+      if (3 * m_number_of_outrun > m_team.number_of_all(m_bubbles))
+        m_neighbors.template build<Concurrency_tag>(m_bubbles);
+      else
+        m_neighbors.template renew<Concurrency_tag>(m_bubbles, m_outrun);
+    } else if (interval != 0 && step != 0 && step % interval == 0)
       m_neighbors.renew_from_neighbors(m_bubbles);
     else
       return false;
@@ -218,18 +262,46 @@ private:
     const std::vector<Index>& active = m_active.indices();
     m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements);
     m_flags.start_step(active.size());
-    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) { move(k, active[k]); });
+    move_all_of(active, true);
+    m_team.send_moves(m_bubbles, active, m_flags.is_moving);
+    move_all_of(active, false);
     ++result.steps;
     result.moves += active.size();
-    result.is_at_rest = true;
+    Step_sums sums{0, 0};
     for (std::size_t k = 0; k < active.size(); ++k) {
       result.returns += m_flags.returned[k] != 0;
-      result.is_at_rest &= m_flags.rests[k] != 0;
+      sums.restless += m_flags.rests[k] == 0;
       if (m_flags.is_outrun[k])
         m_outrun.push_back(active[k]);
     }
+    sums.outrun = m_outrun.size();
+    const std::vector<Index>& others = m_team.receive_moves(m_bubbles, m_flags.is_moving);
+    for (Index i : others)
+      if (m_neighbors.is_outrun_by(m_bubbles, i))
+        m_outrun.push_back(i);
+    m_active.add_others(others);
     if (Integrator::lets_bubbles_sleep)
       m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
+    sums = m_team.sum(sums);
+    result.is_at_rest = sums.restless == 0;
+    m_number_of_outrun = sums.outrun;
+  }
+
+  /// moves the active bubbles at the border to other ranks, or all others
+  void move_all_of(const std::vector<Index>& active, bool is_at_border)
+  {
+    if (Team::is_alone && is_at_border)
+      return;
+    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
+      if (Team::is_alone || m_team.is_at_border(active[k]) == is_at_border)
+        move(k, active[k]);
+    });
+  }
+
+  std::size_t count_outrun() const
+  {
+    return static_cast<std::size_t>(
+      std::count_if(m_outrun.begin(), m_outrun.end(), [this](Index i) { return m_bubbles.is_ours(i); }));
   }
 
   void move(std::size_t k, Index i)
@@ -251,12 +323,14 @@ private:
   const Boundary_2 m_boundary;
   Integrator m_integrator;
   Bubbles_2& m_bubbles;
+  Team& m_team;
   Neighbor_sets_2 m_neighbors;
   Active_bubbles_2 m_active;
   Size_update<Sizing> m_update_size;
   Displacements m_displacements;
   Step_flags m_flags;
   std::vector<Index> m_outrun; // waiting for their renewal
+  std::size_t m_number_of_outrun = 0; // of all ranks
 };
 
 } // namespace internal

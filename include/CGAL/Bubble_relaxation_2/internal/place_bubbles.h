@@ -13,10 +13,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_frontal.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_rhombic.h>
+#include <CGAL/Bubble_relaxation_2/internal/sort_in_space.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 
 #include <algorithm>
@@ -106,17 +106,6 @@ void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const 
   }
   Growth_alone alone;
   grow_from_all<Concurrency_tag>(reading.domain, sizing, directions, bubbles, alone);
-}
-
-/// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
-template <class Concurrency_tag>
-void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles)
-{
-  std::vector<Point> points;
-  points.reserve(bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    points.push_back(bubbles.point(i));
-  bubbles.select(hilbert_order<Concurrency_tag>(Hilbert_curve_2(domain.bbox()), points));
 }
 
 /// whether the user gives all bubbles, as vertices of an existing mesh

@@ -54,7 +54,8 @@ template <class Concurrency_tag, class Integrator, class Sizing, class Report>
 void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
            Bubbles_2& bubbles, Progress& progress, Report& report)
 {
-  Simulation_2<Concurrency_tag, Integrator, Sizing> simulation(domain, sizing, options, bubbles);
+  Simulation_alone alone;
+  Simulation_2<Concurrency_tag, Integrator, Sizing> simulation(domain, sizing, options, bubbles, alone);
   simulation.rest_coarsely();
   for (std::size_t round = 0; round < options.number_of_rounds; ++round) {
     if (2 * round >= options.number_of_rounds)
