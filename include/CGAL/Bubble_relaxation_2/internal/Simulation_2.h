@@ -106,6 +106,14 @@ struct Step_flags
   }
 };
 
+/// What a simulation remembers of a bubble, beside the bubble itself.
+struct Bubble_memory_2
+{
+  double reference_x, reference_y, reference_d; ///< where its neighbours were last looked for
+  double asked_x, asked_y;                      ///< where d was last asked
+  char is_active, is_touched;
+};
+
 /// what all ranks together have to know after a step
 struct Step_sums
 {
@@ -125,11 +133,20 @@ struct Simulation_alone
   /// begins to tell other ranks of the bubbles at the border that were active
   void send_moves(const Bubbles_2&, const std::vector<Index>&, const std::vector<char>&) {}
   /// takes over what others told: returns their bubbles that were active, and adds whether they move
-  const std::vector<Index>& receive_moves(Bubbles_2&, std::vector<char>&) const { return none; }
+  const std::vector<Index>& receive_moves(Bubbles_2&, const std::vector<Index>&, std::vector<char>&) const
+  {
+    return none;
+  }
   /// over all ranks
   Step_sums sum(const Step_sums& sums) const { return sums; }
   /// whether no rank wants to stop
   bool goes_on(bool here) const { return here; }
+  /// whether bubbles have gone so far that those of other ranks around them are to be looked for anew
+  bool is_outgrown() const { return false; }
+  /// looks for them
+  template <class Simulation>
+  void surround_anew(Simulation&, Bubbles_2&)
+  {}
 
   const std::vector<Index> none{};
 };
@@ -167,6 +184,39 @@ public:
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
 
+  /// whether neighbours were looked for, so that there is something to remember
+  bool has_begun() const { return m_neighbors.number_of_bubbles() != 0; }
+
+  Bubble_memory_2 memory(Index i) const
+  {
+    return Bubble_memory_2{m_neighbors.reference_x(i), m_neighbors.reference_y(i), m_neighbors.reference_d(i),
+                           m_update_size.x(i),         m_update_size.y(i),         m_active.is_active(i),
+                           m_active.is_touched(i)};
+  }
+
+  /// goes on with other bubbles, of each of which a simulation remembers something
+  void restart(const std::vector<Bubble_memory_2>& memories)
+  {
+    std::vector<double> x, y, d;
+    std::vector<char> is_active, is_touched;
+    m_update_size.clear();
+    for (std::size_t i = 0; i < memories.size(); ++i) {
+      const Bubble_memory_2& m = memories[i];
+      x.push_back(m.reference_x);
+      y.push_back(m.reference_y);
+      d.push_back(m.reference_d);
+      m_update_size.add(m.asked_x, m.asked_y);
+      is_active.push_back(m_bubbles.is_ours(i) ? m.is_active : char(0));
+      is_touched.push_back(m.is_touched);
+    }
+    m_neighbors.template build<Concurrency_tag>(m_bubbles, Bubble_references_2{x, y, d});
+    m_active.restart(is_active, is_touched, m_active.is_roused());
+    m_outrun.clear();
+    for (std::size_t i = 0; i < memories.size(); ++i)
+      if (m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i))
+        m_outrun.push_back(static_cast<Index>(i));
+  }
+
   /// the bubbles that may have moved in the last round
   std::vector<Index> touched() const { return m_active.touched(); }
 
@@ -188,6 +238,8 @@ public:
       }
       {
         const Phase_timer timer(seconds.renewal);
+        if (m_team.is_outgrown())
+          m_team.surround_anew(*this, m_bubbles);
         result.renewals += renew_neighbors(result.steps);
       }
       const Phase_timer timer(seconds.motion);
@@ -275,7 +327,7 @@ private:
         m_outrun.push_back(active[k]);
     }
     sums.outrun = m_outrun.size();
-    const std::vector<Index>& others = m_team.receive_moves(m_bubbles, m_flags.is_moving);
+    const std::vector<Index>& others = m_team.receive_moves(m_bubbles, active, m_flags.is_moving);
     for (Index i : others)
       if (m_neighbors.is_outrun_by(m_bubbles, i))
         m_outrun.push_back(i);
