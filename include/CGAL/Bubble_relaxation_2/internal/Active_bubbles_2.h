@@ -118,6 +118,15 @@ public:
       tell_neighbors(bubbles, neighbors, is_moving);
   }
 
+  /// \pre bubbles were only added
+  void make_room(const Bubbles_2& bubbles)
+  {
+    for (std::vector<char>* flags : {&m_is_active, &m_is_touched}) {
+      internal::make_room_for(bubbles.size() - flags->size(), *flags);
+      flags->resize(bubbles.size(), 0);
+    }
+  }
+
 private:
   /// from one in so many on
   static constexpr std::size_t many = 8;
@@ -192,14 +201,6 @@ private:
   static bool is_movable(const Bubbles_2& bubbles, std::size_t i)
   {
     return bubbles.can_move(i) && bubbles.is_ours(i);
-  }
-
-  void make_room(const Bubbles_2& bubbles)
-  {
-    for (std::vector<char>* flags : {&m_is_active, &m_is_touched}) {
-      internal::make_room_for(bubbles.size() - flags->size(), *flags);
-      flags->resize(bubbles.size(), 0);
-    }
   }
 
   void add(const Bubbles_2& bubbles, Index i)

@@ -202,6 +202,17 @@ public:
     });
   }
 
+  /// calls `visit(j)` for all bubbles j whose distance from (x, y) is less than `near` times the mean of `d` and
+  /// its size, by references and as far as the skin
+  template <class Visitor>
+  void find_near(double x, double y, double d, double near, const Visitor& visit) const
+  {
+    m_buckets->for_each_near(x, y, d, near + m_radius - 1.5, [&](const Bubble_buckets_2::Entry& e, double) {
+      visit(e.id);
+      return true;
+    });
+  }
+
   /// whether bubble `i` has used up its share of the skin, see above
   bool is_outrun_by(const Bubbles_2& bubbles, std::size_t i) const
   {

@@ -141,6 +141,10 @@ struct Simulation_alone
   Step_sums sum(const Step_sums& sums) const { return sums; }
   /// whether no rank wants to stop
   bool goes_on(bool here) const { return here; }
+  /// looks for the bubbles of other ranks around ours before the first step
+  template <class Simulation>
+  void surround(Simulation&, Bubbles_2&)
+  {}
   /// whether bubbles have gone so far that those of other ranks around them are to be looked for anew
   bool is_outgrown() const { return false; }
   /// looks for them
@@ -192,6 +196,17 @@ public:
     return Bubble_memory_2{m_neighbors.reference_x(i), m_neighbors.reference_y(i), m_neighbors.reference_d(i),
                            m_update_size.x(i),         m_update_size.y(i),         m_active.is_active(i),
                            m_active.is_touched(i)};
+  }
+
+  /// adds a bubble that is not new, but was not known here; it is in `bubbles` already
+  void add_known(const Bubble_memory_2& m)
+  {
+    const Index i = static_cast<Index>(m_bubbles.size()) - 1;
+    m_neighbors.add(i, m.reference_x, m.reference_y, m.reference_d);
+    m_update_size.add(m.asked_x, m.asked_y);
+    m_active.make_room(m_bubbles);
+    if (m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i))
+      m_outrun.push_back(i);
   }
 
   /// goes on with other bubbles, of each of which a simulation remembers something
@@ -286,8 +301,11 @@ private:
   {
     if (m_neighbors.number_of_bubbles() != 0 && m_options.renewal_interval == 0)
       return false;
+    const bool is_first = m_neighbors.number_of_bubbles() == 0;
     m_neighbors.template build<Concurrency_tag>(m_bubbles);
     m_outrun.clear();
+    if (is_first)
+      m_team.surround(*this, m_bubbles);
     return true;
   }
 

@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_HALO_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Boundary_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubble_state_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
@@ -19,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -29,47 +28,58 @@ namespace internal {
 
 /// The bubbles of other ranks that lie around those of one, and who knows which of its own. Two bubbles nearer to
 /// each other than `reach` times the size of the larger one are known to the owners of both: each is sent to the
-/// ranks whose parts a disc around it meets, and a rank that gets to know one that is larger than its own sends
-/// those to its owner.
+/// ranks whose parts a disc around it meets, and owners of larger ones are told of smaller ones around them.
 ///
-/// This holds for where the bubbles were when the halo was made. It stays good enough, for `needed_reach`,
-/// while none has gone far; `is_outgrown_by()` tells.
+/// This holds for where bubbles were when it was last looked after. It stays good enough, for `needed_reach`,
+/// while none has gone far or grown much, of which `is_outgrown_by()` tells; those are looked after again by
+/// `look_after()`. Ownership does not change: `is_far_from_home()` tells of a bubble that has left the part of its
+/// owner so far that all have to be distributed anew.
 class Halo_2
 {
 public:
   using Ranks = Hilbert_partition_2::Ranks;
 
-  /// In sizes: a star is looked for up to 5.1 sizes away. Bubbles may go as far as the second until the halo is
-  /// to be renewed, and then with the step in which they do.
-  static constexpr double needed_reach = 5.1, most_moved = 0.3,
-                          reach = needed_reach + 2 * (most_moved + Boundary_2::longest_step);
+  /// In sizes: neighbours of neighbours count. Bubbles may go as far as the second until they are looked after,
+  /// and then with the step in which they do; and as far as the third from where they were distributed.
+  static constexpr double needed_reach = 3.5, most_moved = 0.3, farthest_from_home = 1,
+                          reach = needed_reach + 2 * (most_moved + Boundary_2::longest_step) + farthest_from_home;
 
   Halo_2(const Communicator& comm, Sparse_exchange& exchange) : m_comm(comm), m_exchange(exchange) {}
 
-  /// the bubbles of this rank, sorted by their numbers, and those of others around them
-  void surround(const Hilbert_partition_2& partition, const std::vector<Bubble_state_2>& ours,
-                Bubbles_2& bubbles, std::vector<Bubble_memory_2>& memories)
+  /// starts with bubbles of this rank only
+  void start(const Hilbert_partition_2& partition)
   {
     m_partition = &partition;
     m_places.clear();
-    std::vector<Ranks> holders(ours.size());
-    Messages<Bubble_state_2> out;
-    for (std::size_t k = 0; k < ours.size(); ++k)
-      find_holders(ours, k, holders[k], out);
-    std::vector<Owned> others;
-    receive(out, others);
-    send_smaller_ones(ours, others, holders, out);
-    receive(out, others);
-    merge(ours, others, holders, bubbles, memories);
+    m_holders.clear();
+    m_sent.clear();
+    m_received.clear();
+    m_owner.clear();
   }
 
-  /// for each neighbouring rank, the bubbles that it has of ours, and those that we have of it, by their numbers
+  /// a bubble was added after the last that `owner` owns
+  void add(const Bubbles_2& b, Index i, int owner)
+  {
+    m_owner.push_back(owner);
+    m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
+    if (owner == m_comm.rank())
+      find_clearance(b, i, i > 0 && m_owner[i - 1] == owner ? i - 1 : no_index);
+    else
+      m_received[owner].push_back(i);
+    set_limits(b, i);
+  }
+
+  /// for each neighbouring rank, the bubbles that it has of ours, and those that we have of it, in one order
   const Messages<Index>& sent() const { return m_sent; }
   const Messages<Index>& received() const { return m_received; }
 
-  bool is_at_border(Index i) const { return m_is_at_border[i] != 0; }
+  int owner(Index i) const { return m_owner[i]; }
+  bool is_at_border(Index i) const { return m_holders.find(i) != m_holders.end(); }
 
-  /// whether a bubble of ours has gone so far, or grown so much, that the halo may lack something
+  /// whether no other rank has to know of a bubble of ours
+  bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
+
+  /// whether a bubble has gone so far, or grown so much, that it is to be looked after
   bool is_outgrown_by(const Bubbles_2& b, Index i) const
   {
     const Place& p = m_places[i];
@@ -77,116 +87,115 @@ public:
     return moved > p.most_moved || needed_reach * b.d[i] + moved > p.largest_disc;
   }
 
-private:
-  /// a bubble of another rank
-  struct Owned
+  bool is_far_from_home(const Bubbles_2& b, Index i) const
   {
-    int owner;
-    Bubble_state_2 state;
-  };
+    const Place& p = m_places[i];
+    return std::hypot(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
+  }
 
-  /// Where a bubble of ours was when the halo was made, and how far it may go and its disc may reach.
+  /// Makes bubbles known to those who need them, and others to those who need them for these. `find_near(x, y, d,
+  /// near, visit)` calls `visit(j)` for all bubbles whose distance from (x, y) is less than `near` times the mean
+  /// size, and perhaps for more; `state(i)` and `add(state, owner)` give away and take in a bubble. Collective.
+  template <class Find_near, class State, class Add>
+  void look_after(const Bubbles_2& b, std::vector<Index> those, const Find_near& find_near, const State& state,
+                  const Add& add)
+  {
+    for (int turn = 0; turn < 2; ++turn) { // who gets to know a bubble knows what it needs
+      Messages<Bubble_state_2> out;
+      for (Index i : those)
+        tell(b, i, find_near, state, out);
+      those.clear();
+      for (const auto& message : m_exchange(out))
+        for (const Bubble_state_2& s : message.second) {
+          those.push_back(static_cast<Index>(b.size()));
+          add(s, message.first);
+        }
+    }
+  }
+
+private:
+  /// Where a bubble was when it was last looked after, and when all were distributed; how far it is from other
+  /// ranks' parts, if it is known to be as far as this; and how far it may go, and its disc reach.
   struct Place
   {
-    double x, y, clearance, most_moved, largest_disc;
+    double x, y, home_x, home_y, clearance, most_moved, largest_disc;
   };
 
   static constexpr double look_ahead = 4;
 
-  /// the ranks near a bubble of ours
-  void find_holders(const std::vector<Bubble_state_2>& ours, std::size_t k, Ranks& holders,
-                    Messages<Bubble_state_2>& out)
+  /// how far a bubble of ours is from other ranks' parts: by one beside it, or by asking
+  void find_clearance(const Bubbles_2& b, Index i, Index beside)
   {
-    const Bubble_record_2& b = ours[k].bubble;
-    double clearance = 0; // nothing of others is nearer
-    if (k > 0) {
-      const Place& last = m_places.back();
-      clearance = (1 - 1e-9) * last.clearance - std::hypot(b.x - last.x, b.y - last.y);
+    Place& p = m_places[i];
+    const double far = reach * b.d[i];
+    p.clearance = 0;
+    if (beside != no_index) {
+      const Place& q = m_places[beside];
+      p.clearance = (std::max)(0., (1 - 1e-9) * q.clearance - std::hypot(b.x[i] - q.x, b.y[i] - q.y));
     }
-    const double far = reach * b.d;
-    if (clearance < far) {
-      const Ranks all = m_partition->owners_in_disc(b.x, b.y, look_ahead * far);
-      clearance = all == Ranks(1, m_comm.rank()) ? look_ahead * far : 0;
-    }
-    // a larger bubble of others, this far away, has as much of a margin in its own size
-    const double margin = most_moved * (std::max)(b.d, clearance / (reach + most_moved)),
-                 own_margin = (most_moved + Boundary_2::longest_step) * b.d;
-    m_places.push_back(Place{b.x, b.y, clearance, margin, (std::max)(clearance, far) - own_margin});
-    if (clearance == 0)
-      for (int rank : m_partition->owners_in_disc(b.x, b.y, far))
-        if (rank != m_comm.rank()) {
-          holders.push_back(rank);
-          out[rank].push_back(ours[k]);
-        }
+    if (m_comm.size() == 1)
+      p.clearance = std::numeric_limits<double>::infinity();
+    else if (p.clearance < far)
+      p.clearance = m_partition->owners_in_disc(b.x[i], b.y[i], look_ahead * far) == Ranks(1, m_comm.rank())
+                      ? look_ahead * far : 0;
   }
 
-  void receive(Messages<Bubble_state_2>& out, std::vector<Owned>& others)
+  void set_limits(const Bubbles_2& b, Index i)
   {
-    for (const auto& message : m_exchange(out))
-      for (const Bubble_state_2& s : message.second)
-        others.push_back(Owned{message.first, s});
-    out.clear();
+    Place& p = m_places[i];
+    // one of others that far away is so large that it has as much of a margin in its own size
+    p.most_moved = most_moved * (std::max)(b.d[i], p.clearance / (reach + most_moved));
+    p.largest_disc = (std::max)(p.clearance, (reach - farthest_from_home) * b.d[i]) -
+                     (most_moved + Boundary_2::longest_step) * b.d[i];
   }
 
-  void send_smaller_ones(const std::vector<Bubble_state_2>& ours, const std::vector<Owned>& others,
-                         std::vector<Ranks>& holders, Messages<Bubble_state_2>& out) const
+  template <class Find_near, class State>
+  void tell(const Bubbles_2& b, Index i, const Find_near& find_near, const State& state,
+            Messages<Bubble_state_2>& out)
   {
-    if (others.empty() || ours.empty())
+    Place& p = m_places[i];
+    p.x = b.x[i];
+    p.y = b.y[i];
+    const bool is_ours = m_owner[i] == m_comm.rank();
+    if (is_ours)
+      find_clearance(b, i, no_index);
+    set_limits(b, i);
+    if (p.clearance > 0)
       return;
-    const Bubble_record_2& first = ours.front().bubble;
-    Bubble_buckets_2 buckets(2 * reach, first.d, first.x, first.y, ours.size());
-    for (std::size_t k = 0; k < ours.size(); ++k)
-      buckets.insert(static_cast<Index>(k), ours[k].bubble.x, ours[k].bubble.y, ours[k].bubble.d);
-    for (const Owned& other : others) {
-      const Bubble_record_2& b = other.state.bubble;
-      const double far = reach * b.d;
-      buckets.for_each_near(b.x, b.y, b.d, [&](Index k, double squared, double) {
-        Ranks& ranks = holders[k];
-        if (squared < far * far && std::find(ranks.begin(), ranks.end(), other.owner) == ranks.end()) {
-          ranks.push_back(other.owner);
-          out[other.owner].push_back(ours[k]);
-        }
-        return true;
-      });
-    }
+    if (is_ours)
+      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
+        give(i, rank, state, out);
+    find_near(b.x[i], b.y[i], b.d[i], 2 * reach, [&](Index j) {
+      if ((m_owner[j] == m_comm.rank()) == is_ours)
+        return;
+      const Index large = is_ours ? j : i, small = is_ours ? i : j;
+      const double far = reach * b.d[large];
+      if (CGAL::squared_distance(b.point(large), b.point(small)) < far * far)
+        give(small, m_owner[large], state, out);
+    });
   }
 
-  /// all in the order of their numbers, with lists of who tells whom of which
-  void merge(const std::vector<Bubble_state_2>& ours, std::vector<Owned>& others,
-             const std::vector<Ranks>& holders, Bubbles_2& bubbles, std::vector<Bubble_memory_2>& memories)
+  /// gives a bubble of ours to a rank that has not got it
+  template <class State>
+  void give(Index i, int rank, const State& state, Messages<Bubble_state_2>& out)
   {
-    std::sort(others.begin(), others.end(), [](const Owned& a, const Owned& b) { return a.state < b.state; });
-    bubbles = Bubbles_2();
-    bubbles.make_room_for(ours.size() + others.size());
-    memories.clear();
-    m_sent.clear();
-    m_received.clear();
-    m_is_at_border.clear();
-    std::vector<Place> places;
-    std::size_t k = 0, l = 0;
-    while (k < ours.size() || l < others.size()) {
-      const Index i = static_cast<Index>(bubbles.size());
-      const bool is_foreign = k == ours.size() || (l < others.size() && others[l].state < ours[k]);
-      const Bubble_state_2& s = is_foreign ? others[l].state : ours[k];
-      add(bubbles, s.bubble, is_foreign);
-      memories.push_back(s.memory);
-      m_is_at_border.push_back(!is_foreign && !holders[k].empty());
-      places.push_back(is_foreign ? Place{} : m_places[k]);
-      if (is_foreign)
-        m_received[others[l++].owner].push_back(i);
-      else
-        for (int rank : holders[k++])
-          m_sent[rank].push_back(i);
-    }
-    m_places.swap(places);
+    if (rank == m_comm.rank())
+      return;
+    Ranks& ranks = m_holders[i];
+    if (std::find(ranks.begin(), ranks.end(), rank) != ranks.end())
+      return;
+    ranks.push_back(rank);
+    m_sent[rank].push_back(i);
+    out[rank].push_back(state(i));
   }
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   const Hilbert_partition_2* m_partition = nullptr;
+  std::vector<int> m_owner; // of each bubble
+  std::vector<Place> m_places;
+  std::unordered_map<Index, Ranks> m_holders; // the other ranks that have a bubble of ours
   Messages<Index> m_sent, m_received;
-  std::vector<char> m_is_at_border;
-  std::vector<Place> m_places; // of each bubble; meaningless for those of others
 };
 
 } // namespace internal

@@ -39,39 +39,39 @@ public:
   {}
 
   /// Begins with bubbles that are numbered from 0 on, each on the rank that owns its place, sorted.
-  void start(const Placed_part_2& part, Bubbles_2& bubbles)
+  void start(const Placed_part_2& part)
   {
     m_partition = std::make_unique<Hilbert_partition_2>(part.partition);
     m_number_of_all = static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(part.bubbles.size())));
-    std::vector<Bubble_state_2> ours;
-    for (std::size_t i = 0; i < part.bubbles.size(); ++i)
-      ours.push_back(initial_state(part.bubbles.bubbles, i, part.bubbles.numbers[i]));
-    std::vector<Bubble_memory_2> memories;
-    surround(ours, bubbles, memories);
   }
 
-  /// Brings each bubble to the rank that owns its place now, and surrounds all anew.
+  /// Gives the bubbles of each rank their surroundings before the first step.
+  template <class Simulation>
+  void surround(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    m_halo.start(*m_partition);
+    std::vector<Index> near_others;
+    for (std::size_t k = 0; k < bubbles.size(); ++k) {
+      const Index i = static_cast<Index>(k);
+      m_halo.add(bubbles, i, m_comm.rank());
+      if (!m_halo.is_far_from_others(i))
+        near_others.push_back(i);
+    }
+    look_after(simulation, bubbles, near_others);
+  }
+
+  /// Looks after the bubbles that have gone far or grown. If one has gone too far, all are brought to the ranks
+  /// that own their places now.
   template <class Simulation>
   void surround_anew(Simulation& simulation, Bubbles_2& bubbles)
   {
-    std::vector<Bubble_state_2> ours;
-    Messages<Bubble_state_2> out;
-    for (std::size_t i = 0; i < bubbles.size(); ++i) {
-      if (!bubbles.is_ours(i) || bubbles.is_gone(i))
-        continue;
-      const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
-      const Index index = static_cast<Index>(i);
-      (owner == m_comm.rank() ? ours : out[owner])
-        .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(index)});
-    }
-    const Census before = census(ours, out);
-    for (const auto& message : m_exchange(out))
-      ours.insert(ours.end(), message.second.begin(), message.second.end());
-    check_census(before, census(ours, {}));
-    std::sort(ours.begin(), ours.end());
-    std::vector<Bubble_memory_2> memories;
-    surround(ours, bubbles, memories);
-    simulation.restart(memories);
+    if (m_is_far_from_home) {
+      migrate(simulation, bubbles);
+      surround(simulation, bubbles);
+    } else
+      look_after(simulation, bubbles, m_outgrown);
+    m_outgrown.clear();
+    m_is_outgrown = m_is_far_from_home = false;
   }
 
   std::size_t number_of_all(const Bubbles_2&) const { return m_number_of_all; }
@@ -86,23 +86,24 @@ public:
   const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
                                           std::vector<char>& is_moving)
   {
-    for (Index i : active)
-      m_is_outgrown_here = m_is_outgrown_here || m_halo.is_outgrown_by(b, i);
     m_others.clear();
     m_moves.receive(b, m_others, is_moving);
+    note_outgrown(b, active);
+    note_outgrown(b, m_others);
     return m_others;
   }
 
   Step_sums sum(const Step_sums& sums)
   {
-    std::array<std::int64_t, 4> values{static_cast<std::int64_t>(sums.restless),
+    std::array<std::int64_t, 5> values{static_cast<std::int64_t>(sums.restless),
                                        static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
-                                       m_is_outgrown_here};
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 4, MPI_INT64_T, MPI_SUM, m_comm.handle()));
+                                       !m_outgrown.empty(), m_is_far_here};
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 5, MPI_INT64_T, MPI_SUM, m_comm.handle()));
     if (values[2] != 0)
       m_agreement.reach();
     m_is_outgrown = values[3] != 0;
-    m_is_outgrown_here = false;
+    m_is_far_from_home = values[4] != 0;
+    m_is_far_here = false;
     return Step_sums{static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1])};
   }
 
@@ -112,6 +113,8 @@ public:
   bool is_outgrown() const { return m_is_outgrown; }
 
   const Halo_2& halo() const { return m_halo; }
+
+  std::size_t number_of_migrations() const { return m_number_of_migrations; }
 
 private:
   /// how many bubbles all ranks have, and the sum of their numbers
@@ -144,11 +147,59 @@ private:
                            std::to_string(after.count) + " have arrived on other ranks, or not the same");
   }
 
-  void surround(const std::vector<Bubble_state_2>& ours, Bubbles_2& bubbles, std::vector<Bubble_memory_2>& memories)
+  void note_outgrown(const Bubbles_2& b, const std::vector<Index>& moved)
   {
-    m_halo.surround(*m_partition, ours, bubbles, memories);
+    for (Index i : moved)
+      if (m_halo.is_outgrown_by(b, i)) {
+        m_outgrown.push_back(i);
+        m_is_far_here = m_is_far_here || m_halo.is_far_from_home(b, i);
+      }
+  }
+
+  template <class Simulation>
+  void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
+  {
+    m_halo.look_after(
+      bubbles, those,
+      [&](double x, double y, double d, double near, const auto& visit) {
+        simulation.neighbors().find_near(x, y, d, near, visit);
+      },
+      [&](Index i) { return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)}; },
+      [&](const Bubble_state_2& s, int owner) {
+        add(bubbles, s.bubble, true);
+        simulation.add_known(s.memory);
+        m_halo.add(bubbles, static_cast<Index>(bubbles.size()) - 1, owner);
+      });
     m_moves.connect(m_halo, bubbles.size());
-    m_is_outgrown = false;
+  }
+
+  /// brings each bubble to the rank that owns its place now
+  template <class Simulation>
+  void migrate(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    std::vector<Bubble_state_2> ours;
+    Messages<Bubble_state_2> out;
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      if (!bubbles.is_ours(i) || bubbles.is_gone(i))
+        continue;
+      const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
+      (owner == m_comm.rank() ? ours : out[owner])
+        .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(static_cast<Index>(i))});
+    }
+    const Census before = census(ours, out);
+    for (const auto& message : m_exchange(out))
+      ours.insert(ours.end(), message.second.begin(), message.second.end());
+    check_census(before, census(ours, {}));
+    std::sort(ours.begin(), ours.end());
+    bubbles = Bubbles_2();
+    bubbles.make_room_for(ours.size());
+    std::vector<Bubble_memory_2> memories;
+    for (const Bubble_state_2& s : ours) {
+      add(bubbles, s.bubble, false);
+      memories.push_back(s.memory);
+    }
+    simulation.restart(memories);
+    ++m_number_of_migrations;
   }
 
   const Communicator& m_comm;
@@ -157,9 +208,9 @@ private:
   std::unique_ptr<Hilbert_partition_2> m_partition;
   Halo_2 m_halo;
   Moves_exchange_2 m_moves;
-  std::size_t m_number_of_all = 0;
-  bool m_may_be_stopped, m_is_outgrown_here = false, m_is_outgrown = false;
-  std::vector<Index> m_others;
+  std::size_t m_number_of_all = 0, m_number_of_migrations = 0;
+  bool m_may_be_stopped, m_is_outgrown = false, m_is_far_here = false, m_is_far_from_home = false;
+  std::vector<Index> m_others, m_outgrown;
 };
 
 } // namespace internal
