@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Growth_candidates_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Greedy_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Growth_front_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Growth_proposals_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
@@ -49,11 +49,11 @@ struct Growth_alone
   bool owns(Index) const { return true; }
   /// adds what others propose and might be in the way of ours
   void share(std::vector<Growth_proposal_2>&) {}
-  /// decides which candidates become bubbles
-  template <class Candidates>
-  void decide(Candidates& candidates)
+  /// decides which proposals become bubbles
+  template <class Choice>
+  void decide(Choice& choice)
   {
-    candidates.decide([](Index) { return true; });
+    choice.decide([](Index) { return true; });
   }
   /// keeps of the new bubbles those that this rank has to know, and adds such of others
   void exchange_new(std::vector<Growth_proposal_2>&) {}
@@ -89,7 +89,7 @@ public:
   Crystal_growth_2(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles,
                    Lattice_direction lattice, Team& team)
     : m_domain(domain), m_sizing(sizing), m_team(team), m_crystal(domain, bubbles), m_front(domain),
-      m_propose(domain, sizing, m_crystal, m_front, lattice), m_candidates(domain)
+      m_propose(domain, sizing, m_crystal, m_front, lattice)
   {
     team.start(m_crystal);
   }
@@ -112,8 +112,8 @@ public:
       m_proposals.clear();
       m_propose(m_generation, [this](Index i) { return m_team.owns(i); }, m_proposals);
       m_team.share(m_proposals);
-      m_candidates.assign(m_proposals, m_crystal);
-      m_team.decide(m_candidates);
+      find_candidates();
+      m_team.decide(m_choice);
       const std::size_t first = m_crystal.size();
       accept();
       m_crystal.link_from(first);
@@ -147,10 +147,22 @@ private:
     add_to_front_from(first);
   }
 
+  /// of proposals too near to each other the one that fits best is to be accepted
+  void find_candidates()
+  {
+    m_candidates.clear();
+    for (const Growth_proposal_2& p : m_proposals)
+      m_candidates.push_back(Greedy_candidate_2{p.misfit, p.x, p.y, p.d});
+    m_choice.assign(m_candidates, Surroundings_2::least_distance, m_crystal.bubbles().d[0],
+                    Point(m_domain.bbox().xmin(), m_domain.bbox().ymin()), [this](Index k) {
+                      return m_crystal.is_free(m_candidates[k].x, m_candidates[k].y, m_candidates[k].d);
+                    });
+  }
+
   void accept()
   {
     m_new.clear();
-    m_candidates.for_each_accepted([this](Index k) { m_new.push_back(m_proposals[k]); });
+    m_choice.for_each_chosen([this](Index k) { m_new.push_back(m_proposals[k]); });
     m_team.exchange_new(m_new);
     for (const Growth_proposal_2& p : m_new)
       m_crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
@@ -188,10 +200,11 @@ private:
   Crystal_2<Concurrency_tag> m_crystal;
   Growth_front_2 m_front;
   Growth_proposals_2<Concurrency_tag, Sizing> m_propose;
-  Growth_candidates_2<Concurrency_tag> m_candidates;
+  Greedy_choice_2<Concurrency_tag> m_choice;
   // of the present generation
   std::vector<Proposer> m_generation;
   std::vector<Growth_proposal_2> m_proposals;
+  std::vector<Greedy_candidate_2> m_candidates; // the same
   std::vector<Growth_proposal_2> m_new; // bubbles
   std::vector<Point> m_settled;         // their places
 };

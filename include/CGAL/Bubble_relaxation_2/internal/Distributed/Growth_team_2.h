@@ -121,10 +121,10 @@ public:
       }
   }
 
-  template <class Candidates>
-  void decide(Candidates& candidates)
+  template <class Choice>
+  void decide(Choice& choice)
   {
-    candidates.decide([](Index) { return true; });
+    choice.decide([](Index) { return true; });
     Messages<char> out, in;
     for (const auto& received : m_received)
       in[received.first].resize(received.second.size());
@@ -132,12 +132,12 @@ public:
       for (const auto& sent : m_sent) {
         out[sent.first].clear();
         for (Index k : sent.second)
-          out[sent.first].push_back(candidates.is_accepted(k));
+          out[sent.first].push_back(choice.is_chosen(k));
       }
       exchange_known(m_comm, out, in);
-      was_wrong = take_decisions(in, candidates);
+      was_wrong = take_decisions(in, choice);
       if (was_wrong)
-        candidates.decide([this](Index k) { return k < m_number_of_ours; });
+        choice.decide([this](Index k) { return k < m_number_of_ours; });
     }
   }
 
@@ -250,16 +250,16 @@ private:
   /// instead of the bubble that proposes, if another rank owns it
   static constexpr Index foreign = (std::numeric_limits<Index>::max)();
 
-  template <class Candidates>
-  bool take_decisions(const Messages<char>& in, Candidates& candidates)
+  template <class Choice>
+  bool take_decisions(const Messages<char>& in, Choice& choice)
   {
     bool was_wrong = false;
     for (const auto& received : m_received)
       for (std::size_t n = 0; n < received.second.size(); ++n) {
         const Index k = received.second[n];
         const bool value = in.at(received.first)[n] != 0;
-        was_wrong = was_wrong || candidates.is_accepted(k) != value;
-        candidates.set_accepted(k, value);
+        was_wrong = was_wrong || choice.is_chosen(k) != value;
+        choice.set_chosen(k, value);
       }
     return was_wrong;
   }
