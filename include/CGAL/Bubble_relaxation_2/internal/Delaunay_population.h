@@ -9,16 +9,19 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DELAUNAY_POPULATION_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DELAUNAY_POPULATION_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Greedy_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Population_alone.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
 #include <CGAL/Bubble_relaxation_2/internal/sort_in_space.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,7 +31,7 @@ namespace internal {
 /// The population control by the triangulation of the bubbles: a hole shows as a large empty circle
 /// and gets a bubble in its centre; a crowd shows as a short edge, or as a bubble with four neighbours
 /// or less, and loses one. It looks only where bubbles may have moved since it looked last.
-template <class Concurrency_tag, class Sizing>
+template <class Concurrency_tag, class Sizing, class Team = Population_alone>
 class Delaunay_population
 {
 public:
@@ -45,8 +48,8 @@ public:
   /// pressed into the gap
   double cleared_radius = 0.7;
 
-  Delaunay_population(const Domain_2& domain, const Sizing& sizing)
-    : m_domain(domain), m_sizing(sizing)
+  Delaunay_population(const Domain_2& domain, const Sizing& sizing, Team& team)
+    : m_domain(domain), m_sizing(sizing), m_team(team)
   {}
 
   /// `touched`: the bubbles that may have moved
@@ -59,20 +62,17 @@ public:
     delete_crowded(bubbles, mesh);
     insert_in_holes(bubbles, mesh);
     insert_on_edges(bubbles, neighbors);
-    std::sort(m_change.deleted.begin(), m_change.deleted.end());
+    m_team.share(m_is_deleted);
+    for (std::size_t i = 0; i < m_is_deleted.size(); ++i)
+      if (m_is_deleted[i])
+        m_change.deleted.push_back(static_cast<Index>(i));
     sort_in_space<Concurrency_tag>(m_domain, m_change.inserted);
+    m_team.number(m_change.inserted);
     return std::move(m_change);
   }
 
 private:
   using Triangle = std::array<Index, 3>;
-
-  void remove(Index i)
-  {
-    if (!m_is_deleted[i])
-      m_change.deleted.push_back(i);
-    m_is_deleted[i] = 1;
-  }
 
   /// whether a triangle belongs to the domain; one with a corner in a face may reach over an edge, but
   /// then bubbles are missing on this edge
@@ -85,11 +85,33 @@ private:
     return m_domain.locate_inside(centroid, m_hint) != no_index;
   }
 
+  /// bubbles that have to go unless a worse neighbour does
+  struct Crowded
+  {
+    std::vector<double> nearest; ///< of each bubble, infinity for those that stay
+    std::vector<Index> ours;     ///< the worst first
+  };
+
   void delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
+    std::vector<Triangle> triangles = mesh.triangles();
+    m_team.share_triangles(b, triangles);
+    const Crowded crowded = find_crowded(b, mesh.touched(), triangles);
+    const std::vector<std::vector<Index>> worse = worse_neighbors(b, crowded, triangles);
+    do // the worst first; the neighbours of a deleted bubble get room and stay
+      for (std::size_t k = 0; k < crowded.ours.size(); ++k)
+        m_is_deleted[crowded.ours[k]] =
+          std::none_of(worse[k].begin(), worse[k].end(), [this](Index j) { return m_is_deleted[j] != 0; });
+    while (m_team.share(m_is_deleted));
+  }
+
+  Crowded find_crowded(const Bubbles_2& b, const std::vector<Index>& touched,
+                       const std::vector<Triangle>& triangles)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<int> degree(b.size(), 0);
-    std::vector<double> nearest(b.size(), 1e300); // distance over mean size, least over neighbours
-    for (const Triangle& v : mesh.triangles()) {
+    std::vector<double> nearest(b.size(), infinity); // distance over mean size, least over neighbours
+    for (const Triangle& v : triangles) {
       if (!is_inside(b, v))
         continue;
       for (int i = 0; i < 3; ++i) {
@@ -99,72 +121,68 @@ private:
         nearest[v[cw(i)]] = (std::min)(nearest[v[cw(i)]], w);
       }
     }
-    // the worst first; the neighbours of a deleted bubble get room and stay
-    std::vector<Index> candidates;
-    for (Index i : mesh.touched())
-      if ((b.is_in_face(i) && degree[i] <= ill_connected) ||
-          (b.can_move(i) && nearest[i] < least_distance))
-        candidates.push_back(i);
-    if (candidates.empty())
-      return;
-    std::sort(candidates.begin(), candidates.end(), [&](Index i, Index j) {
-      return nearest[i] < nearest[j] || (nearest[i] == nearest[j] && i < j);
+    Crowded result;
+    result.nearest.assign(b.size(), infinity);
+    for (Index i : touched)
+      if (b.is_ours(i) && ((b.is_in_face(i) && degree[i] <= ill_connected) ||
+                           (b.can_move(i) && nearest[i] < least_distance))) {
+        result.nearest[i] = (std::min)(nearest[i], std::numeric_limits<double>::max());
+        result.ours.push_back(i);
+      }
+    m_team.share(result.nearest);
+    std::sort(result.ours.begin(), result.ours.end(), [&](Index i, Index j) {
+      return is_worse(b, result, i, j);
     });
-    const std::vector<std::vector<Index>> around = neighbors_of(candidates, b.size(), mesh);
-    std::vector<char> is_kept(b.size(), 0);
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (is_kept[candidates[c]])
-        continue;
-      remove(candidates[c]);
-      for (Index j : around[c])
-        is_kept[j] = 1;
-    }
-  }
-
-  /// the neighbours of some bubbles, some twice
-  static std::vector<std::vector<Index>> neighbors_of(const std::vector<Index>& some, std::size_t n,
-                                                      const Local_triangulation_2& mesh)
-  {
-    std::vector<Index> position(n, no_index);
-    for (std::size_t c = 0; c < some.size(); ++c)
-      position[some[c]] = static_cast<Index>(c);
-    std::vector<std::vector<Index>> result(some.size());
-    for (const Triangle& v : mesh.triangles())
-      for (int i = 0; i < 3; ++i)
-        if (position[v[i]] != no_index) {
-          result[position[v[i]]].push_back(v[ccw(i)]);
-          result[position[v[i]]].push_back(v[cw(i)]);
-        }
     return result;
   }
 
-  struct Hole
+  static bool is_worse(const Bubbles_2& b, const Crowded& crowded, Index i, Index j)
   {
-    double radius; // over the size at the centre
-    Point center;
-    double d;
-    Index triangle; // of the domain
-  };
+    const double w_i = crowded.nearest[i], w_j = crowded.nearest[j];
+    return w_i < w_j || (w_i == w_j && b.is_before(i, j));
+  }
+
+  /// of each of our crowded bubbles, the neighbours that are to go first, some twice
+  static std::vector<std::vector<Index>> worse_neighbors(const Bubbles_2& b, const Crowded& crowded,
+                                                         const std::vector<Triangle>& triangles)
+  {
+    std::vector<std::vector<Index>> result(crowded.ours.size());
+    if (result.empty())
+      return result;
+    std::vector<Index> position(b.size(), no_index);
+    for (std::size_t k = 0; k < crowded.ours.size(); ++k)
+      position[crowded.ours[k]] = static_cast<Index>(k);
+    for (const Triangle& v : triangles)
+      for (int i = 0; i < 3; ++i)
+        if (position[v[i]] != no_index)
+          for (Index j : {v[ccw(i)], v[cw(i)]})
+            if (crowded.nearest[j] < std::numeric_limits<double>::infinity() && is_worse(b, crowded, j, v[i]))
+              result[position[v[i]]].push_back(j);
+    return result;
+  }
 
   void insert_in_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
-    std::vector<Hole> holes;
+    constexpr double least_distance = 0.9; // of new bubbles, in units of their mean size
+    std::vector<Hole_2> holes;
     for (const Triangle& t : mesh.triangles())
       add_hole(b, t, holes);
-    if (holes.empty())
-      return;
-    std::sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& c) {
-      return a.radius > c.radius || (a.radius == c.radius && a.center < c.center);
+    const std::size_t number_of_ours = m_team.share_holes(holes, least_distance);
+    std::vector<Greedy_candidate_2> candidates; // the widest first
+    for (const Hole_2& h : holes)
+      candidates.push_back(Greedy_candidate_2{-h.radius, h.x, h.y, h.d});
+    Greedy_choice_2<Concurrency_tag> choice;
+    const Bbox_2& box = m_domain.bbox();
+    choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, Point(box.xmin(), box.ymin()),
+                  [](Index) { return true; });
+    m_team.decide(choice);
+    choice.for_each_chosen([&](Index k) {
+      if (static_cast<std::size_t>(k) < number_of_ours)
+        m_change.inserted.add(Point(holes[k].x, holes[k].y), holes[k].d, Bubbles_2::FACE, holes[k].triangle);
     });
-    Bubble_buckets_2 inserted(0.9, b.d[0], b.x[0], b.y[0], holes.size());
-    for (const Hole& h : holes)
-      if (inserted.is_free(h.center.x(), h.center.y(), h.d)) {
-        inserted.insert(0, h.center.x(), h.center.y(), h.d);
-        m_change.inserted.add(h.center, h.d, Bubbles_2::FACE, h.triangle);
-      }
   }
 
-  void add_hole(const Bubbles_2& b, const Triangle& v, std::vector<Hole>& holes)
+  void add_hole(const Bubbles_2& b, const Triangle& v, std::vector<Hole_2>& holes)
   {
     if (m_is_deleted[v[0]] || m_is_deleted[v[1]] || m_is_deleted[v[2]])
       return;
@@ -186,7 +204,7 @@ private:
       return;
     const double d = m_sizing(center);
     if (radius > largest_radius * d)
-      holes.push_back(Hole{radius / d, center, d, end.triangle});
+      holes.push_back(Hole_2{radius / d, center.x(), center.y(), d, end.triangle});
   }
 
   /// whether the circumcentre would be made of roundings: three bubbles on a slanted edge
@@ -199,34 +217,38 @@ private:
 
   void insert_on_edges(const Bubbles_2& b, const Neighbor_sets_2& neighbors)
   {
-    const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(m_domain, b);
-    const std::vector<Index> on_corner = bubbles_on_corners(m_domain, b);
-    for (std::size_t e = 0; e < on_edge.size(); ++e) {
-      Index u = on_corner[m_domain.edges()[e].source];
+    const Outline_bubbles_2 outline = m_team.outline(m_domain, b);
+    for (std::size_t e = 0; e < outline.on_edge.size(); ++e) {
+      const Domain_edge_2& edge = m_domain.edges()[e];
+      const Outline_bubble_2* u = &outline.on_corner[edge.source];
       double s = 0;
-      for (Index v : on_edge[e]) {
-        close_gap(b, neighbors, static_cast<Index>(e), u, v, 0.5 * (s + b.s[v]));
-        u = v;
-        s = b.s[v];
+      for (const Outline_bubble_2& v : outline.on_edge[e]) {
+        close_gap(b, neighbors, static_cast<Index>(e), *u, v, 0.5 * (s + v.s));
+        u = &v;
+        s = v.s;
       }
-      close_gap(b, neighbors, static_cast<Index>(e), u, on_corner[m_domain.edges()[e].target],
-                0.5 * (s + 1));
+      close_gap(b, neighbors, static_cast<Index>(e), *u, outline.on_corner[edge.target], 0.5 * (s + 1));
     }
   }
 
-  void close_gap(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index e, Index u, Index v,
-                 double s)
+  void close_gap(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index e, const Outline_bubble_2& u,
+                 const Outline_bubble_2& v, double s)
   {
-    if (relative_distance(b, u, v) <= longest_gap)
+    const double dx = u.x - v.x, dy = u.y - v.y;
+    if (2 * std::sqrt(dx * dx + dy * dy) / (u.d + v.d) <= longest_gap)
       return;
     const Point middle = m_domain.point_on_edge(e, s);
     const double d = m_sizing(middle);
-    m_change.inserted.add(middle, d, Bubbles_2::EDGE, e, s);
-    for (Index end : {u, v})
+    if (m_team.owns_place(middle))
+      m_change.inserted.add(middle, d, Bubbles_2::EDGE, e, s);
+    for (Index end : {u.index, v.index}) {
+      if (end == no_index)
+        continue; // and so are its neighbours with other ranks
       for (const Index *j = neighbors.begin(end), *last = neighbors.end(end); j != last; ++j)
-        if (b.is_in_face(*j) &&
+        if (b.is_in_face(*j) && b.is_ours(*j) &&
             CGAL::squared_distance(b.point(*j), middle) < cleared_radius * cleared_radius * d * d)
-          remove(*j);
+          m_is_deleted[*j] = 1;
+    }
   }
 
   static double relative_distance(const Bubbles_2& b, Index i, Index j)
@@ -237,6 +259,7 @@ private:
 
   const Domain_2& m_domain;
   const Sizing& m_sizing;
+  Team& m_team;
   Population_change m_change;
   std::vector<char> m_is_deleted;
   Index m_hint = 0; // a triangle of the domain near the last point

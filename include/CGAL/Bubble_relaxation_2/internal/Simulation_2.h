@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Boundary_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
+#include <CGAL/Bubble_relaxation_2/internal/Population_alone.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_change.h>
 #include <CGAL/Bubble_relaxation_2/internal/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
@@ -151,8 +152,19 @@ struct Simulation_alone
   template <class Simulation>
   void surround_anew(Simulation&, Bubbles_2&)
   {}
+  /// tells other ranks of the bubbles from `first` on, which are new, and adds those of others
+  template <class Simulation>
+  void share_new(Simulation&, Bubbles_2&, Index)
+  {}
+  /// whether it holds on any rank
+  bool any(bool here) const { return here; }
+
+  Population_alone& population() { return m_population; }
 
   const std::vector<Index> none{};
+
+private:
+  Population_alone m_population;
 };
 
 /// The bubbles in motion, with all that outlasts a round: neighbour sets, sizes, and who sleeps.
@@ -281,16 +293,28 @@ public:
     m_bubbles.make_room_for(in.size());
     m_neighbors.make_room_for(in.size());
     m_update_size.make_room_for(in.size());
+    const Index first = static_cast<Index>(m_bubbles.size());
     for (std::size_t k = 0; k < in.size(); ++k) {
       const Index i = static_cast<Index>(m_bubbles.size());
       m_bubbles.add(in.point(k), in.d[k], static_cast<Bubbles_2::Dimension>(in.dimension[k]),
                     in.place[k], in.s[k]);
+      if (!in.number.empty()) {
+        m_bubbles.number.push_back(in.number[k]);
+        m_bubbles.is_foreign.push_back(0);
+      }
       m_neighbors.add(m_bubbles, i);
       m_update_size.add(m_bubbles, i);
-      m_active.wake(m_bubbles, i);
-      for (const Index *j = m_neighbors.begin(i), *end = m_neighbors.end(i); j != end; ++j)
-        m_active.wake(m_bubbles, *j);
+      wake_around(i);
     }
+    m_team.share_new(*this, m_bubbles, first);
+  }
+
+  /// a bubble is new, and takes part in the next step with its neighbours
+  void wake_around(Index i)
+  {
+    m_active.wake(m_bubbles, i);
+    for (const Index *j = m_neighbors.begin(i), *end = m_neighbors.end(i); j != end; ++j)
+      m_active.wake(m_bubbles, *j);
   }
 
 private:

@@ -20,17 +20,17 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// How the bubbles' number should change, by the rule the user chose.
-template <class Concurrency_tag, class Simulation, class Sizing>
+template <class Concurrency_tag, class Simulation, class Sizing, class Team>
 Population_change adjust_population(const Domain_2& domain, const Sizing& sizing,
                                     const Relaxation_options& options, const Bubbles_2& bubbles,
-                                    const Simulation& simulation)
+                                    const Simulation& simulation, Team& team)
 {
   switch (options.population) {
   case Bubble_population::OVERLAP_RATIO:
     return Overlap_population<Sizing>(domain, sizing)(bubbles);
   case Bubble_population::DELAUNAY:
-    return Delaunay_population<Concurrency_tag, Sizing>(domain, sizing)(bubbles, simulation.neighbors(),
-                                                       simulation.touched());
+    return Delaunay_population<Concurrency_tag, Sizing, Team>(domain, sizing, team)(
+      bubbles, simulation.neighbors(), simulation.touched());
   default:
     return Population_change();
   }
@@ -50,12 +50,11 @@ void add_to_report(const Round_result& result, unsigned evaluations_per_step, Re
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
 /// the population, and again, until the bubbles rest and their population stays. In the first half of the
 /// rounds, while it changes, a coarse rest will do.
-template <class Concurrency_tag, class Integrator, class Sizing, class Report>
+template <class Concurrency_tag, class Integrator, class Sizing, class Team, class Report>
 void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
-           Bubbles_2& bubbles, Progress& progress, Report& report)
+           Bubbles_2& bubbles, Team& team, Progress& progress, Report& report)
 {
-  Simulation_alone alone;
-  Simulation_2<Concurrency_tag, Integrator, Sizing> simulation(domain, sizing, options, bubbles, alone);
+  Simulation_2<Concurrency_tag, Integrator, Sizing, Team> simulation(domain, sizing, options, bubbles, team);
   simulation.rest_coarsely();
   for (std::size_t round = 0; round < options.number_of_rounds; ++round) {
     if (2 * round >= options.number_of_rounds)
@@ -72,8 +71,8 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
       break;
     const Phase_timer timer(report.seconds.population);
     const Population_change change =
-      adjust_population<Concurrency_tag>(domain, sizing, options, bubbles, simulation);
-    if (change.is_empty() && result.is_at_rest && !simulation.rest_finely()) {
+      adjust_population<Concurrency_tag>(domain, sizing, options, bubbles, simulation, team.population());
+    if (!team.any(!change.is_empty()) && result.is_at_rest && !simulation.rest_finely()) {
       report.stop_reason = Bubble_stop_reason::CONVERGED;
       break;
     }
@@ -84,8 +83,6 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
     report.number_of_deletions += change.deleted.size();
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
-  bubbles.forget_gone();
-  remove_coincident<Concurrency_tag>(domain, bubbles);
 }
 
 } // namespace internal

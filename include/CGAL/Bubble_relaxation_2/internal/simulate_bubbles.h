@@ -35,12 +35,15 @@ Bubbles_2 simulate_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading,
     bubbles = place_bubbles<Concurrency_tag>(cdt, reading, sizing, options);
     report.number_of_initial_bubbles = bubbles.size();
   }
+  Simulation_alone alone;
   if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)
-    relax<Concurrency_tag, Runge_kutta_4<Concurrency_tag>>(reading.domain, sizing, options, bubbles,
+    relax<Concurrency_tag, Runge_kutta_4<Concurrency_tag>>(reading.domain, sizing, options, bubbles, alone,
                                                            progress, report);
   else
     relax<Concurrency_tag, Semi_implicit_euler<Concurrency_tag>>(reading.domain, sizing, options,
-                                                                 bubbles, progress, report);
+                                                                 bubbles, alone, progress, report);
+  bubbles.forget_gone();
+  remove_coincident<Concurrency_tag>(reading.domain, bubbles);
   return bubbles;
 }
 
