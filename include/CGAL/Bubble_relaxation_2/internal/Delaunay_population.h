@@ -56,7 +56,8 @@ public:
   Population_change operator()(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
                                const std::vector<Index>& touched)
   {
-    const auto mesh = Local_triangulation_2::make<Concurrency_tag>(bubbles, neighbors, touched);
+    const auto mesh = Local_triangulation_2::make<Concurrency_tag>(
+      bubbles, neighbors, m_team.share_touched(bubbles, touched));
     m_change = Population_change();
     m_is_deleted.assign(bubbles.size(), 0);
     delete_crowded(bubbles, mesh);

@@ -48,6 +48,9 @@ struct Population_alone
 {
   using Triangle = std::array<Index, 3>;
 
+  /// adds bubbles of others that may have moved
+  const std::vector<Index>& share_touched(const Bubbles_2&, const std::vector<Index>& touched) { return touched; }
+
   /// adds triangles that others found around bubbles of ours
   void share_triangles(const Bubbles_2&, std::vector<Triangle>&) {}
 

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Choice_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Growth_holders_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
@@ -40,15 +41,11 @@ namespace internal {
 /// larger one are known to the owners of both: each is sent to the ranks whose parts a disc around it meets,
 /// and a rank that gets to know one that is larger than its own sends those to its owner. All that a proposal or
 /// a bubble depends on lies within.
-///
-/// Of proposals in each other's way those that fit best are accepted, which is a long sum of small decisions.
-/// Each rank guesses those of others, is told, and decides again as long as any guess was wrong: when none is,
-/// all are as one rank alone would have decided, by induction from the best to the worst.
 class Growth_team_2
 {
 public:
   Growth_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_choice(comm)
   {}
 
   /// whether bubbles have grown in parts
@@ -104,19 +101,17 @@ public:
 
   void share(std::vector<Growth_proposal_2>& proposals)
   {
-    m_number_of_ours = static_cast<Index>(proposals.size());
+    m_choice.start(proposals.size());
     Messages<Growth_proposal_2> out;
-    m_sent.clear();
-    m_received.clear();
     for (std::size_t k = 0; k < proposals.size(); ++k)
       for (int rank : m_holders->others(proposals[k].from)) {
         out[rank].push_back(proposals[k]);
-        m_sent[rank].push_back(static_cast<Index>(k));
+        m_choice.sent(rank, static_cast<Index>(k));
       }
     for (const auto& message : m_exchange(out))
       for (Growth_proposal_2 p : message.second) {
         p.from = foreign;
-        m_received[message.first].push_back(static_cast<Index>(proposals.size()));
+        m_choice.received(message.first, static_cast<Index>(proposals.size()));
         proposals.push_back(p);
       }
   }
@@ -124,21 +119,7 @@ public:
   template <class Choice>
   void decide(Choice& choice)
   {
-    choice.decide([](Index) { return true; });
-    Messages<char> out, in;
-    for (const auto& received : m_received)
-      in[received.first].resize(received.second.size());
-    for (bool was_wrong = true; was_wrong; was_wrong = m_comm.any(was_wrong)) {
-      for (const auto& sent : m_sent) {
-        out[sent.first].clear();
-        for (Index k : sent.second)
-          out[sent.first].push_back(choice.is_chosen(k));
-      }
-      exchange_known(m_comm, out, in);
-      was_wrong = take_decisions(in, choice);
-      if (was_wrong)
-        choice.decide([this](Index k) { return k < m_number_of_ours; });
-    }
+    m_choice.decide(choice);
   }
 
   void exchange_new(std::vector<Growth_proposal_2>& bubbles)
@@ -250,20 +231,6 @@ private:
   /// instead of the bubble that proposes, if another rank owns it
   static constexpr Index foreign = (std::numeric_limits<Index>::max)();
 
-  template <class Choice>
-  bool take_decisions(const Messages<char>& in, Choice& choice)
-  {
-    bool was_wrong = false;
-    for (const auto& received : m_received)
-      for (std::size_t n = 0; n < received.second.size(); ++n) {
-        const Index k = received.second[n];
-        const bool value = in.at(received.first)[n] != 0;
-        was_wrong = was_wrong || choice.is_chosen(k) != value;
-        choice.set_chosen(k, value);
-      }
-    return was_wrong;
-  }
-
   template <class Crystal>
   void enter(Crystal& crystal, const Growth_proposal_2& p, const Growth_birth_2& birth)
   {
@@ -347,6 +314,7 @@ private:
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   Agreement& m_agreement;
+  Choice_exchange_2 m_choice;
   std::unique_ptr<Hilbert_partition_2> m_partition;
   std::unique_ptr<Growth_holders_2> m_holders;
   std::size_t m_number_of_common = 0;
@@ -356,8 +324,6 @@ private:
   std::vector<Index> m_grown;      // of ours, not known to all that need them
   Messages<Late> m_late;
   // of the present generation
-  Index m_number_of_ours = 0;                    // among the proposals
-  Messages<Index> m_sent, m_received;            // proposals
   Index m_first = 0;                             // of the new bubbles
   Messages<Index> m_new_sent, m_new_received;    // new bubbles
 };

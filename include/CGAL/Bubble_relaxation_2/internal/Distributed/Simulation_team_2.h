@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
 
 #include <algorithm>
@@ -35,6 +36,7 @@ public:
 
   Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, bool may_be_stopped)
     : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_halo(comm, exchange), m_moves(comm),
+      m_population(comm, exchange, m_halo),
       m_may_be_stopped(comm.any(may_be_stopped))
   {}
 
@@ -42,7 +44,8 @@ public:
   void start(const Placed_part_2& part)
   {
     m_partition = std::make_unique<Hilbert_partition_2>(part.partition);
-    m_number_of_all = static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(part.bubbles.size())));
+    m_number_of_all = m_comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
+    m_population.start(*m_partition, m_number_of_all);
   }
 
   /// Gives the bubbles of each rank their surroundings before the first step.
@@ -74,7 +77,30 @@ public:
     m_is_outgrown = m_is_far_from_home = false;
   }
 
-  std::size_t number_of_all(const Bubbles_2&) const { return m_number_of_all; }
+  /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
+  template <class Simulation>
+  void share_new(Simulation& simulation, Bubbles_2& bubbles, Index first)
+  {
+    const std::int64_t first_new = m_number_of_all;
+    m_number_of_all = m_population.next_number();
+    if (m_number_of_all == first_new)
+      return;
+    std::vector<Index> those;
+    for (Index i = first, last = static_cast<Index>(bubbles.size()); i < last; ++i) {
+      m_halo.add(bubbles, i, m_comm.rank());
+      those.push_back(i);
+    }
+    look_after(simulation, bubbles, those);
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.number[i] >= first_new && !bubbles.is_ours(i))
+        simulation.wake_around(static_cast<Index>(i));
+  }
+
+  std::size_t number_of_all(const Bubbles_2&) const { return static_cast<std::size_t>(m_number_of_all); }
+
+  bool any(bool here) const { return m_comm.any(here); }
+
+  Population_team_2& population() { return m_population; }
 
   bool is_at_border(Index i) const { return m_halo.is_at_border(i); }
 
@@ -208,7 +234,9 @@ private:
   std::unique_ptr<Hilbert_partition_2> m_partition;
   Halo_2 m_halo;
   Moves_exchange_2 m_moves;
-  std::size_t m_number_of_all = 0, m_number_of_migrations = 0;
+  Population_team_2 m_population;
+  std::int64_t m_number_of_all = 0; // that ever were
+  std::size_t m_number_of_migrations = 0;
   bool m_may_be_stopped, m_is_outgrown = false, m_is_far_here = false, m_is_far_from_home = false;
   std::vector<Index> m_others, m_outgrown;
 };
