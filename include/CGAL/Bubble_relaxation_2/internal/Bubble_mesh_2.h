@@ -75,21 +75,36 @@ inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubble
   return pieces;
 }
 
-/// Removes bubbles on edges whose order along the edge is lost in rounding, or would be.
+/// Finds bubbles on an edge whose order along it is lost in rounding, or would be: told of all from source to
+/// target, one after the other.
+class Crowd_on_edge
+{
+public:
+  explicit Crowd_on_edge(double length) : m_length(length) {}
+
+  /// whether the next bubble, of size `d` at `s`, is too near to the last that is not, or to an end
+  bool has(double s, double d)
+  {
+    constexpr double least_gap = 1e-3; // of the size; simulated bubbles are far above
+    const double gap = least_gap * d / m_length;
+    if (s - m_last < gap || 1 - s < gap)
+      return true;
+    m_last = s;
+    return false;
+  }
+
+private:
+  double m_length, m_last = 0;
+};
+
 inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
 {
-  constexpr double least_gap = 1e-3; // of the size, along an edge; simulated bubbles are far above
   const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(domain, b);
   for (std::size_t e = 0; e < on_edge.size(); ++e) {
-    const double length = domain.length(static_cast<Index>(e));
-    double last = 0;
-    for (Index i : on_edge[e]) {
-      const double gap = least_gap * b.d[i] / length;
-      if (b.s[i] - last < gap || 1 - b.s[i] < gap)
+    Crowd_on_edge crowd(domain.length(static_cast<Index>(e)));
+    for (Index i : on_edge[e])
+      if (crowd.has(b.s[i], b.d[i]))
         b.remove(i);
-      else
-        last = b.s[i];
-    }
   }
 }
 

@@ -140,6 +140,8 @@ public:
 
   const Halo_2& halo() const { return m_halo; }
 
+  const Hilbert_partition_2& partition() const { return *m_partition; }
+
   std::size_t number_of_migrations() const { return m_number_of_migrations; }
 
 private:

@@ -32,8 +32,8 @@ struct Keyed_record_2
 
   bool operator<(const Keyed_record_2& r) const
   {
-    return std::tie(key, bubble.x, bubble.y, bubble.dimension) <
-           std::tie(r.key, r.bubble.x, r.bubble.y, r.bubble.dimension);
+    return std::tie(key, bubble.x, bubble.y, bubble.dimension, bubble.number) <
+           std::tie(r.key, r.bubble.x, r.bubble.y, r.bubble.dimension, r.bubble.number);
   }
 };
 

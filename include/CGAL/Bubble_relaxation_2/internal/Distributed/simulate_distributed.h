@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATE_DISTRIBUTED_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATE_DISTRIBUTED_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Simulation_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/compact_numbers.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/relax.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Removes bubbles of ours that cannot be told apart on edges, as `remove_crowded_on_edges()` does of all.
+inline void remove_crowded_of_ours(const Domain_2& domain, const Population_team_2& team, Bubbles_2& b)
+{
+  const Outline_bubbles_2 outline = team.outline(domain, b);
+  for (std::size_t e = 0; e < outline.on_edge.size(); ++e) {
+    Crowd_on_edge crowd(domain.length(static_cast<Index>(e)));
+    for (const Outline_bubble_2& bubble : outline.on_edge[e])
+      if (crowd.has(bubble.s, bubble.d) && bubble.index != no_index)
+        b.remove(bubble.index);
+  }
+}
+
+/// The bubbles that are left, each on the rank that owns its place and numbered from 0 on.
+inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exchange& exchange,
+                                           const Hilbert_partition_2& partition, std::int64_t end,
+                                           const Bubbles_2& bubbles)
+{
+  std::vector<Keyed_record_2> records;
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+      records.push_back(Keyed_record_2{partition.curve().key(bubbles.x[i], bubbles.y[i]),
+                                       record(bubbles, i, bubbles.number[i])});
+  records = bring_home(partition, exchange, comm.rank(), records);
+  forget_coincident(records);
+  std::vector<std::int64_t> numbers;
+  for (const Keyed_record_2& r : records)
+    numbers.push_back(r.bubble.number);
+  compact_numbers(comm, exchange, end, numbers);
+  for (std::size_t k = 0; k < records.size(); ++k)
+    records[k].bubble.number = numbers[k];
+  std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
+    return r.bubble.number < s.bubble.number;
+  });
+  Placed_part_2 result{{}, partition};
+  for (const Keyed_record_2& r : records)
+    result.bubbles.add(r.bubble);
+  return result;
+}
+
+/// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their
+/// numbers are their indices there.
+template <class Cdt, class Sizing, class Report>
+Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                                   const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                                   const Relaxation_options& options, Progress& progress, Report& report)
+{
+  Simulation_team_2 team(comm, exchange, agreement, static_cast<bool>(options.callback));
+  Bubbles_2 bubbles;
+  {
+    const Phase_timer timer(report.seconds.placement);
+    const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options);
+    for (std::size_t i = 0; i < part.bubbles.size(); ++i)
+      add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
+    team.start(part);
+    report.number_of_initial_bubbles = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
+  }
+  relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
+                                                             progress, report);
+  remove_crowded_of_ours(reading.domain, team.population(), bubbles);
+  return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(), bubbles);
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATE_DISTRIBUTED_H
