@@ -134,6 +134,7 @@ TEST(Defects, restored_delaunay_property_is_that_of_the_points)
   internal::Marked_triangulation_2 mesh, expected;
   const std::vector<internal::Domain_edge_2> no_edges;
   ASSERT_EQ(internal::mark_triangulation(points, no_edges, mesh), internal::Marking_error::NONE);
+  mesh.inside.assign(mesh.inside.size(), 1);
   internal::Editable_triangulation_2 editable(mesh);
   std::mt19937 random(validation::seed());
   std::uniform_real_distribution<double> shift(-0.25, 0.25); // of d; triangles stay counterclockwise

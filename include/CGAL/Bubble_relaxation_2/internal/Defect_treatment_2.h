@@ -100,19 +100,13 @@ private:
     return result;
   }
 
-  /// tries to move the candidates: in faces neighbours one after the other, others at the same time; on edges
-  /// all one after the other, since what they do to the hull reaches beyond their neighbours
+  /// tries to move the candidates: neighbours one after the other, others at the same time
   std::vector<Index> move(Editable_triangulation_2& mesh, const std::vector<Index>& candidates)
   {
     const Vertex_smoothing_2 smooth(m_domain, treated_quality);
-    std::vector<Index> result, in_faces, on_edges;
-    for (Index v : candidates)
-      (m_bubbles.is_on_edge(v) ? on_edges : in_faces).push_back(v);
-    for (Index v : on_edges)
-      if (smooth(mesh, m_bubbles, v))
-        result.push_back(v);
+    std::vector<Index> result;
     std::vector<char> moved;
-    for (const std::vector<Index>& independent : independent_sets(mesh, in_faces)) {
+    for (const std::vector<Index>& independent : independent_sets(mesh, candidates)) {
       moved.assign(independent.size(), 0);
       parallel_for<Concurrency_tag>(
         independent.size(),

@@ -28,7 +28,7 @@ struct Corner_2
 
 using Star_2 = boost::container::small_vector<Corner_2, 10>;
 
-/// A marked triangulation whose vertices move and whose edges are flipped.
+/// A marked triangulation whose vertices move and whose edges are flipped, as far as it is inside of the domain.
 class Editable_triangulation_2
 {
 public:
@@ -66,29 +66,22 @@ public:
     return corners;
   }
 
-  /// whether all triangles around a vertex stay counterclockwise, and the hull convex, when it moves to `p`
+  /// whether all triangles of the domain around a vertex stay counterclockwise when it moves to `p`
   bool stays_valid(Index v, const Point& p) const
   {
     const Flat_triangulation_2& tr = m_mesh.tr;
-    const Star_2 corners = star(v);
-    for (const Corner_2& c : corners) {
+    for (const Corner_2& c : star(v)) {
       const Point &a = tr.point(c.triangle, ccw(c.index)), &b = tr.point(c.triangle, cw(c.index));
-      if (CGAL::orientation(p, a, b) != LEFT_TURN)
+      if (is_inside(c.triangle) && CGAL::orientation(p, a, b) != LEFT_TURN)
         return false;
     }
-    if (!is_on_hull(corners))
-      return true;
-    const Index after = next_on_hull(corners), before = last_on_hull(corners);
-    const Point &q = tr.points[after], &r = tr.points[next_on_hull(star(after))];
-    const Point &o = tr.points[before], &n = tr.points[last_on_hull(star(before))];
-    return CGAL::orientation(o, p, q) != RIGHT_TURN && CGAL::orientation(p, q, r) != RIGHT_TURN &&
-           CGAL::orientation(n, o, p) != RIGHT_TURN;
+    return true;
   }
 
   void move(Index v, const Point& p) { m_mesh.tr.points[v] = p; }
 
-  /// flips edges until the triangulation is a constrained Delaunay triangulation again, after some vertices
-  /// were moved so little that all triangles are still counterclockwise; returns the number of flips
+  /// flips edges until the domain has a constrained Delaunay triangulation again, after some vertices were moved
+  /// so little that all its triangles are still counterclockwise; returns the number of flips
   std::size_t restore_delaunay(const std::vector<Index>& moved)
   {
     std::size_t number_of_flips = 0;
@@ -107,24 +100,6 @@ public:
   }
 
 private:
-  bool is_on_hull(const Star_2& corners) const
-  {
-    const Corner_2& first = corners.front();
-    return m_mesh.tr.neighbors[first.triangle][cw(first.index)] == no_index;
-  }
-
-  // the neighbours on the hull, which runs counterclockwise
-
-  Index next_on_hull(const Star_2& corners) const
-  {
-    return m_mesh.tr.vertices[corners.front().triangle][ccw(corners.front().index)];
-  }
-
-  Index last_on_hull(const Star_2& corners) const
-  {
-    return m_mesh.tr.vertices[corners.back().triangle][cw(corners.back().index)];
-  }
-
   Corner_2 corner(Index t, Index v) const
   {
     const auto& vertices = m_mesh.tr.vertices[t];
@@ -134,7 +109,7 @@ private:
   bool flip_unless_delaunay(Index t, int i)
   {
     const Index n = m_mesh.tr.neighbors[t][i];
-    if (n == no_index || m_mesh.edges[t][i] != no_index)
+    if (n == no_index || m_mesh.edges[t][i] != no_index || !is_inside(t))
       return false;
     const int j = m_mesh.tr.index_of_neighbor(n, t);
     const Flat_triangulation_2& tr = m_mesh.tr;

@@ -102,8 +102,8 @@ private:
     return slope > 0 ? Vector{-step_down * g.x / slope, -step_down * g.y / slope} : Vector{0, 0};
   }
 
-  /// moves a vertex to `p`, which is `step` away, unless a triangle around it, in or outside of the domain,
-  /// would be turned over; returns whether it did
+  /// moves a vertex to `p`, which is `step` away, unless a triangle of the domain around it would be turned
+  /// over; returns whether it did
   bool try_to_move(Editable_triangulation_2& mesh, Bubbles_2& b, Index v, Point p, Vector step) const
   {
     double s = b.s[v];

@@ -12,10 +12,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Defect_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Defect_treatment_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Outside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -40,7 +42,11 @@ std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& 
   const std::vector<Index> moved =
     Defect_treatment_2<Concurrency_tag>(domain, mesh.triangulation, mesh.bubbles)();
   const double smallest_now = smallest_quality<Concurrency_tag>(mesh.triangulation);
-  if (smallest_now < smallest) { // the moves made none worse, but flips can
+  const bool moves_outline = std::any_of(moved.begin(), moved.end(),
+                                         [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
+  // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
+  if (smallest_now < smallest ||
+      (moves_outline && !Outside_2(domain, mesh.bubbles, mesh.triangulation).rebuild())) {
     mesh.bubbles = untreated;
     mesh.triangulation = triangulate(domain, mesh.bubbles);
     return 0;
