@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Triangle_question_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 
 #include <algorithm>
 #include <array>
@@ -131,7 +132,10 @@ private:
 
   void triangulate()
   {
-    m_mesh.triangulation = internal::triangulate(m_domain, m_mesh.known.bubbles);
+    if (follows_space(m_mesh.known.bubbles))
+      m_mesh.triangulation = internal::triangulate(m_domain, m_mesh.known.bubbles);
+    else
+      triangulate_along_curve();
     m_is_new = false;
     m_radius.assign(m_mesh.known.size(), no_radius);
     for (std::size_t i = 0, k = 0; i < m_own.size(); ++i, ++k) {
@@ -139,6 +143,33 @@ private:
         ++k;
       m_radius[k] = m_free_radius[i];
     }
+  }
+
+  /// CGAL searches each point from the last one: whether that is near, or users gave numbers of their own
+  static bool follows_space(const Bubbles_2& b)
+  {
+    constexpr double far = 30;
+    double steps = 0, sizes = 0;
+    for (std::size_t i = 1; i < b.size(); ++i) {
+      steps += std::hypot(b.x[i] - b.x[i - 1], b.y[i] - b.y[i - 1]);
+      sizes += b.d[i];
+    }
+    return steps < far * sizes;
+  }
+
+  void triangulate_along_curve()
+  {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < m_mesh.known.size(); ++i)
+      points.push_back(m_mesh.known.bubbles.point(i));
+    const std::vector<Index> order = hilbert_order(m_partition.curve(), points);
+    Bubbles_2 sorted = m_mesh.known.bubbles;
+    sorted.select(order);
+    m_mesh.triangulation = internal::triangulate(m_domain, sorted);
+    m_mesh.triangulation.tr.points.swap(points);
+    for (std::array<Index, 3>& vertices : m_mesh.triangulation.tr.vertices)
+      for (Index& v : vertices)
+        v = order[v];
   }
 
   Messages<Triangle_question_2> questions_about_triangles()
