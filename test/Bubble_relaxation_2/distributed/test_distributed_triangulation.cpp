@@ -87,10 +87,6 @@ void expect_union_is_the_whole(const Case& c, const Options& options = Options()
       }
   EXPECT_TRUE(around == distributed::triangles(part.triangulation, part.known.numbers, part.is_final));
   EXPECT_TRUE(std::is_sorted(part.known.numbers.begin(), part.known.numbers.end()));
-  if (ranks.comm.size() > 1 && std::getenv("BUBBLE_RELAXATION_2_VERBOSE"))
-    std::cout << ranks.comm.rank() << ": own " << own.size() << " known " << part.known.size() << " rounds "
-              << part.number_of_rounds << " questions " << part.number_of_questions << " answers "
-              << part.number_of_answers << std::endl;
 }
 
 Options reach(double r)
@@ -172,7 +168,45 @@ TEST(Distributed_triangulation, points_on_circles_and_edges_through_them)
   expect_union_is_the_whole(c);
   expect_union_is_the_whole(c, gaps());
   expect_union_is_the_whole(c, shuffled());
-  expect_union_is_the_whole(c, reach(0));
+  for (double r : {0., 0.2, 0.4, 0.6, 0.8})
+    expect_union_is_the_whole(c, reach(r)); // the fourth point of a square may be unknown
+}
+
+TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
+{
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> uniform(0, 1), flatness(-18, 0);
+  const CGAL::Bbox_2 domain(0, 0, 1, 1);
+  std::size_t in_boxes = 0;
+  for (int k = 0; k < 3000; ++k) {
+    Marked_triangulation_2 mesh;
+    const Point p(uniform(engine), uniform(engine)), q(uniform(engine), uniform(engine));
+    const double t = uniform(engine), off = std::pow(10, flatness(engine));
+    const Point r(p.x() + t * (q.x() - p.x()) - off * (q.y() - p.y()),
+                  p.y() + t * (q.y() - p.y()) + off * (q.x() - p.x()));
+    if (CGAL::orientation(p, q, r) != CGAL::LEFT_TURN)
+      continue;
+    const Index hidden = static_cast<Index>(engine() % 4); // the last one: none
+    mesh.tr.points = {p, q, r};
+    mesh.tr.vertices = {{0, 1, 2}};
+    mesh.edges = {{no_index, no_index, no_index}};
+    if (hidden < 3)
+      mesh.edges[0][hidden] = 0;
+    const CGAL::Bbox_2 box = box_that_matters(mesh, 0, domain);
+    const Triangle_question_2 question = make_question(mesh, 0, box, 0, 0);
+    for (int i = 0; i < 50; ++i) {
+      // at all distances from the vertices
+      const double d = std::pow(10, flatness(engine) / 6), angle = 7 * uniform(engine);
+      const Point& near = mesh.tr.points[engine() % 3];
+      const Point x(near.x() + d * std::cos(angle), near.y() + d * std::sin(angle));
+      const bool is_in_domain = x.x() >= 0 && x.x() <= 1 && x.y() >= 0 && x.y() <= 1;
+      if (!is_in_domain || !question.concerns(x))
+        continue;
+      ++in_boxes;
+      EXPECT_TRUE(x.x() >= box.xmin() && x.x() <= box.xmax() && x.y() >= box.ymin() && x.y() <= box.ymax());
+    }
+  }
+  EXPECT_GT(in_boxes, 1000u);
 }
 
 TEST(Distributed_triangulation, fewer_bubbles_than_ranks)
@@ -191,8 +225,8 @@ TEST(Distributed_triangulation, one_rank_has_all)
   Ranks ranks;
   const Case c = random(paper::trunk(1), 300, 4);
   const std::vector<std::int64_t> numbers = numbers_of(c, Options());
-  const std::vector<Hilbert_curve_2::Key> none(static_cast<std::size_t>(ranks.comm.size() - 1), ~Hilbert_curve_2::Key(0));
-  const Hilbert_partition_2 partition(Hilbert_curve_2(c.domain().bbox()), none);
+  const Hilbert_partition_2 partition =
+    Hilbert_partition_2::of_first_rank(Hilbert_curve_2(c.domain().bbox()), ranks.comm.size());
   const Distributed_mesh_2 part = distributed_triangulate(
     c.domain(), distributed::own_part(c.bubbles, numbers, partition, ranks.comm.rank()), partition, ranks.comm,
     ranks.agreement, ranks.exchange);
