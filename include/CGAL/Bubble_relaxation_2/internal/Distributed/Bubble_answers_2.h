@@ -9,8 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_BUBBLE_ANSWERS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_BUBBLE_ANSWERS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Box_tree_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Triangle_question_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/order_in_space.h>
 #include <CGAL/Bubble_relaxation_2/internal/Hilbert_curve_2.h>
 
 #include <algorithm>
@@ -58,12 +60,11 @@ public:
   /// adds what a question of `rank` asks for
   void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
   {
-    if (m_places.empty())
-      sort_along_curve();
+    if (!m_is_collected)
+      collect();
+    std::unordered_set<Index>& sent = m_sent[rank];
     m_found.clear();
-    const Box box{m_curve.column(question.xmin), m_curve.column(question.xmax),
-                  m_curve.row(question.ymin), m_curve.row(question.ymax)};
-    search(question, box, 0, 0, Hilbert_curve_2::levels, m_sent[rank]);
+    m_tree.for_each_in(question.box(), [&](std::size_t k) { test(question, m_inner[k], sent); });
     const std::size_t n = (std::min)(m_found.size(), most_bubbles);
     std::partial_sort(m_found.begin(), m_found.begin() + static_cast<std::ptrdiff_t>(n), m_found.end(),
                       [](const Found& f, const Found& g) {
@@ -72,72 +73,33 @@ public:
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = static_cast<std::size_t>(m_found[k].i);
       answers.push_back({record(m_own.bubbles, i, m_own.numbers[i]), question.number});
-      note_sent(rank, m_found[k].i);
+      sent.insert(m_found[k].i);
     }
   }
 
 private:
-  using Key = Hilbert_curve_2::Key;
-
-  struct Place
-  {
-    Key key;
-    Index i;
-  };
-
   struct Found
   {
     double distance;
     Index i;
   };
 
-  /// cells
-  struct Box
-  {
-    std::uint32_t first_column, last_column, first_row, last_row;
-  };
-
-  void sort_along_curve()
+  void collect()
   {
     const Bubbles_2& b = m_own.bubbles;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (!is_on_outline(b, i))
-        m_places.push_back(Place{m_curve.key(b.x[i], b.y[i]), static_cast<Index>(i)});
-    std::sort(m_places.begin(), m_places.end(), [](const Place& p, const Place& q) {
-      return std::tie(p.key, p.i) < std::tie(q.key, q.i);
-    });
-  }
-
-  /// searches a square of 2^level cells in a row, as far as it is in the box
-  void search(const Triangle_question_2& question, const Box& box, std::uint32_t column, std::uint32_t row,
-              int level, const std::unordered_set<Index>& sent)
-  {
-    constexpr std::ptrdiff_t few = 8;
-    const bool is_all = level == Hilbert_curve_2::levels;
-    if (!is_all && (column > box.last_column >> level || column < box.first_column >> level ||
-                    row > box.last_row >> level || row < box.first_row >> level))
-      return;
-    auto first = m_places.begin(), last = m_places.end();
-    if (!is_all) {
-      const Key low = Hilbert_curve_2::key_of_cell(column, row, Hilbert_curve_2::levels - level) << 2 * level;
-      const Key high = low | ((Key(1) << 2 * level) - 1);
-      first = std::lower_bound(first, last, low, [](const Place& p, Key key) { return p.key < key; });
-      last = std::upper_bound(first, last, high, [](Key key, const Place& p) { return key < p.key; });
-    }
-    if (last - first <= few || level == 0) {
-      for (; first != last; ++first)
-        test(question, first->i, sent);
-      return;
-    }
-    for (std::uint32_t quarter = 0; quarter < 4; ++quarter)
-      search(question, box, 2 * column + (quarter & 1), 2 * row + (quarter >> 1), level - 1, sent);
+    std::vector<Point> points;
+    for (Index i : order_in_space(m_curve, b))
+      if (!is_on_outline(b, static_cast<std::size_t>(i))) {
+        m_inner.push_back(i);
+        points.push_back(b.point(static_cast<std::size_t>(i)));
+      }
+    m_tree = Box_tree_2(std::move(points));
+    m_is_collected = true;
   }
 
   void test(const Triangle_question_2& question, Index i, const std::unordered_set<Index>& sent)
   {
-    const Point p = m_own.bubbles.point(i);
-    if (p.x() < question.xmin || p.x() > question.xmax || p.y() < question.ymin || p.y() > question.ymax)
-      return;
+    const Point p = m_own.bubbles.point(static_cast<std::size_t>(i));
     if (sent.count(i) != 0 || !question.concerns(p))
       return;
     const double dx = p.x() - question.x[question.vertex], dy = p.y() - question.y[question.vertex];
@@ -146,7 +108,9 @@ private:
 
   const Numbered_bubbles_2& m_own;
   const Hilbert_curve_2& m_curve;
-  std::vector<Place> m_places; // of those that others may not know
+  bool m_is_collected = false;
+  std::vector<Index> m_inner; // those that others may not know
+  Box_tree_2 m_tree;           // of these
   std::map<int, std::unordered_set<Index>> m_sent;
   std::vector<Found> m_found;
 };

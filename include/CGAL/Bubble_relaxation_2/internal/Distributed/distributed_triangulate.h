@@ -17,8 +17,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Triangle_question_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/order_in_space.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
-#include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 
 #include <algorithm>
 #include <array>
@@ -132,8 +132,9 @@ private:
 
   void triangulate()
   {
-    if (follows_space(m_mesh.known.bubbles))
-      m_mesh.triangulation = internal::triangulate(m_domain, m_mesh.known.bubbles);
+    const Bubbles_2& b = m_mesh.known.bubbles;
+    if (follow_space(b))
+      m_mesh.triangulation = internal::triangulate(m_domain, b);
     else
       triangulate_along_curve();
     m_is_new = false;
@@ -145,29 +146,17 @@ private:
     }
   }
 
-  /// CGAL searches each point from the last one: whether that is near, or users gave numbers of their own
-  static bool follows_space(const Bubbles_2& b)
-  {
-    constexpr double far = 30;
-    double steps = 0, sizes = 0;
-    for (std::size_t i = 1; i < b.size(); ++i) {
-      steps += std::hypot(b.x[i] - b.x[i - 1], b.y[i] - b.y[i - 1]);
-      sizes += b.d[i];
-    }
-    return steps < far * sizes;
-  }
-
+  /// CGAL searches each point from the last one
   void triangulate_along_curve()
   {
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < m_mesh.known.size(); ++i)
-      points.push_back(m_mesh.known.bubbles.point(i));
-    const std::vector<Index> order = hilbert_order(m_partition.curve(), points);
     Bubbles_2 sorted = m_mesh.known.bubbles;
+    const std::vector<Index> order = order_in_space(m_partition.curve(), sorted);
     sorted.select(order);
     m_mesh.triangulation = internal::triangulate(m_domain, sorted);
-    m_mesh.triangulation.tr.points.swap(points);
-    for (std::array<Index, 3>& vertices : m_mesh.triangulation.tr.vertices)
+    Flat_triangulation_2& tr = m_mesh.triangulation.tr;
+    for (std::size_t i = 0; i < tr.points.size(); ++i)
+      tr.points[i] = m_mesh.known.bubbles.point(i);
+    for (std::array<Index, 3>& vertices : tr.vertices)
       for (Index& v : vertices)
         v = order[v];
   }
@@ -182,7 +171,7 @@ private:
     for (std::size_t k = 0; k < mesh.tr.number_of_triangles(); ++k) {
       const Index t = static_cast<Index>(k);
       const int vertex = mesh.inside[k] ? own_vertex(t) : -1;
-      if (vertex == -1)
+      if (vertex == -1 || is_clearly_free(t))
         continue;
       const Bbox_2 box = box_that_matters(mesh, t, m_domain.bbox());
       if (is_free(t, box))
@@ -207,6 +196,22 @@ private:
       if (m_radius[m_mesh.triangulation.tr.vertices[t][i]] != no_radius)
         return i;
     return -1;
+  }
+
+  /// Of a triangle without an obtuse angle the disc lies in a disc around each vertex with less than 1.4 times
+  /// the longest side as radius. That decides about most triangles.
+  bool is_clearly_free(Index t) const
+  {
+    const Flat_triangulation_2& tr = m_mesh.triangulation.tr;
+    double longest = 0, sum = 0, radius = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
+      const double dx = q.x() - p.x(), dy = q.y() - p.y(), square = dx * dx + dy * dy;
+      longest = (std::max)(longest, square);
+      sum += square;
+      radius = (std::max)(radius, m_radius[tr.vertices[t][i]]);
+    }
+    return 2 * longest < sum && 2 * longest < radius * radius;
   }
 
   /// whether the box lies in a disc around a vertex of which this rank owns all
