@@ -37,10 +37,10 @@ namespace Distributed {
 What one rank has of a triangle mesh that is spread over the ranks of an MPI communicator. It is made by
 `CGAL::Distributed::triangulate()`.
 
-A rank has its own points, all triangles around them, and the vertices of these triangles that other ranks own,
-the ghosts. Each point and each triangle is owned by one rank: a triangle by the owner of that of its vertices with
-the smallest global id. Points and triangles have local indices, the owned ones first, and points have a global id,
-which is the same on all ranks.
+A rank has its own points, all triangles around them, and the vertices of these triangles that other ranks
+own, the ghosts. Each point and each triangle is owned by one rank: a triangle by the owner of that of its
+vertices with the smallest global id. Points and triangles have local indices, the owned ones first, and points
+have a global id, which is the same on all ranks.
 
 \tparam Kernel_ the kernel of the points
 */
@@ -112,16 +112,16 @@ public:
   bool is_constrained(std::size_t t, int i) const { return m_is_constrained[t][i] != 0; }
   /// @}
 
-  /// The statistics of the mesh of all ranks, the same on each, and for any number of ranks. There are lengths of
-  /// edges if a sizing function was given.
+  /// The statistics of the mesh of all ranks, the same on each, and for any number of ranks. There are lengths
+  /// of edges if a sizing function was given.
   const Mesh_quality_2<double>& quality() const { return m_quality; }
 
   /*!
   \brief writes the mesh for ParaView. All ranks must call it, with the same name.
 
-  Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, and the first one `name.pvtu`,
-  which refers to them. Points have the data `global_id`, `size`, and `rank`, their owner; triangles `q`, the radius
-  ratio, and `rank`.
+  Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, and the first one
+  `name.pvtu`, which refers to them. Points have the data `global_id`, `size`, and `rank`, their owner; triangles
+  `q`, the radius ratio, and `rank`.
 
   \param path name of the file, which must end with `.pvtu`
   \pre the communicator that the mesh was made with still exists

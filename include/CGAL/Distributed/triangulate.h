@@ -37,36 +37,37 @@ namespace Distributed {
 \brief makes the constrained Delaunay triangulation of points that are spread over the ranks of an MPI
 communicator, and gives each rank its part of it. All ranks must call it.
 
-The constraints are those of the domain, which all ranks have, cut where points lie on them. Together the ranks have
-the one triangulation that a single rank would make of all points: the same triangles for any number of ranks and in
-whatever way the points come spread over them. No rank ever has all points but those on constraints.
+The constraints are those of the domain, which all ranks have, cut where points lie on them. Together the ranks
+have the one triangulation that a single rank would make of all points: the same triangles for any number of
+ranks, in whatever way the points come spread over them. Points on constraints go to all ranks; of the others a
+rank gets its own and those that its triangles need.
 
-Each rank gets as many points as any other, from a piece of a Hilbert curve through the domain. A triangle is
-known to be one of the whole when its circumscribed circle lies in what the rank has seen; until then the rank asks
-others for points.
+Each rank owns as many points as any other, from a piece of a Hilbert curve through the domain. A triangle is
+known to be one of the whole when its circumscribed circle lies in what the rank has seen; until then the rank
+asks others for points.
 
-\tparam PointSet a `CGAL::Point_set_3<K::Point_2, K::Vector_2>`. A point lies on a constraint if it is there up to
-the rounding of its coordinates. Properties of the points that are used if they are there:
-- `global_id` (`std::int64_t`): different for all points of all ranks, and not negative. Without it points are numbered
-  along the curve, from 0.
-- `size` (`double`): the wanted distance to neighbours. Without it that of `sizing_function`, or else a guess from
-  points nearby. It decides how many points are exchanged at first, and no triangle.
-- `dimension` (`int`), `edge` (`int`) and `position` (`double`), as `CGAL::Distributed::npbs_relax()` makes them: where
-  on the outline a point lies.
+\tparam PointSet a `CGAL::Point_set_3<K::Point_2, K::Vector_2>`. A point lies on a constraint if it is there up
+to the rounding of its coordinates. Properties of the points that are used if they are there:
+- `global_id` (`std::int64_t`): different for all points of all ranks, and not negative. Without it points are
+  numbered along the curve, from 0.
+- `size` (`double`): the wanted distance to neighbours. Without it that of `sizing_function`, or else a guess
+  from points nearby. It decides how many points are exchanged at first, and no triangle.
+- `dimension` (`int`), `edge` (`int`) and `position` (`double`), as `CGAL::Distributed::npbs_relax()` makes them:
+  where on the outline a point lies.
 \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points the points of this rank, any part of all
-\param domain the triangulation that bounds the domain. Its constraints must be the same on all ranks. The ends of
-constraints belong to the mesh, whether they are among the points or not; those that are not get the ids after the
-largest, or are numbered with the others. Its other vertices do not matter.
+\param domain the triangulation that bounds the domain. Its constraints must be the same on all ranks. The ends
+of constraints belong to the mesh, whether they are among the points or not; those that are not get the ids after
+the largest, or are numbered with the others. Its other vertices do not matter.
 \param comm the communicator. A duplicate of it is used, so no message of others is in the way
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
-    \cgalParamDescription{the wanted distance d of neighbouring vertices, for points without the property `size` and
-                          for the statistics of the lengths of edges}
+    \cgalParamDescription{the wanted distance d of neighbouring vertices, for points without the property `size`
+                          and for the statistics of the lengths of edges}
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -90,11 +91,12 @@ largest, or are numbered with the others. Its other vertices do not matter.
 
 \returns this rank's part of the mesh
 
-\throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a point is not finite, not in the
-domain or has a property out of range, if two points have the same coordinates or the same id, if points of some ranks
-have ids and points of others have none, if there is no domain, or if the domain is not the same on all ranks
-\throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the points
-on them
+\throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a point is not finite, not in
+the domain or has a property out of range, if two points have the same coordinates or the same id, if points of
+some ranks have ids and points of others have none, if there is no domain, or if the domain is not the same on all
+ranks
+\throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the
+points on them
 
 What the sizing function throws on one rank is thrown on all, as `std::invalid_argument`, `std::length_error`,
 `std::domain_error`, `std::bad_alloc` or `std::runtime_error`.

@@ -152,7 +152,8 @@ TEST(Values_of_all_ranks, sorted_positions_are_those_of_all_values)
   const Values_of_all_ranks all(comm);
   std::mt19937 engine(7);
   std::vector<double> values{0., -0., std::numeric_limits<double>::denorm_min(),
-                             std::numeric_limits<double>::infinity(), (std::numeric_limits<double>::max)(), 1., 1., 1.};
+                             std::numeric_limits<double>::infinity(), (std::numeric_limits<double>::max)(),
+                             1., 1., 1.};
   std::uniform_real_distribution<double> exponent(-300, 300);
   for (int i = 0; i < 500; ++i)
     values.push_back(std::pow(10, exponent(engine)));

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Collective. Cuts the curve so that all ranks own equally many of some keys, which are on any ranks. All cuts are
-/// searched at once by halving: 64 times each rank counts its keys before each cut.
+/// Collective. Cuts the curve so that all ranks own equally many of some keys, which are on any ranks. All cuts
+/// are searched at once by halving: 64 times each rank counts its keys before each cut.
 /// \param keys this rank's, sorted
 inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
                                           const std::vector<Hilbert_curve_2::Key>& keys)

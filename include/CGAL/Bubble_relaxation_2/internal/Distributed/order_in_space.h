@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Whether bubbles that follow each other are near to each other, as they are if they are numbered by the package,
-/// but perhaps not by users.
+/// Whether bubbles that follow each other are near to each other, as they are if they are numbered by the
+/// package, but perhaps not by users.
 inline bool follow_space(const Bubbles_2& b)
 {
   constexpr double far = 30;

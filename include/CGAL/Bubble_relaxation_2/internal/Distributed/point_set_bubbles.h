@@ -140,10 +140,10 @@ private:
   Point_property<Point_set, int> m_dimension, m_edge;
 };
 
-/// Makes bubbles of the points of a `Point_set_3` with points and vectors of two dimensions, in their order. Points
-/// may have the properties `global_id` (`std::int64_t`; else all numbers are -1), `size` (`double`; else
-/// `sizing(point)`), `dimension`, `edge` (`int`) and `position` (`double`); where the last three do not tell what
-/// of the domain a point lies on it is found. Normals are velocities.
+/// Makes bubbles of the points of a `Point_set_3` with points and vectors of two dimensions, in their order.
+/// Points may have the properties `global_id` (`std::int64_t`; else all numbers are -1), `size` (`double`; else
+/// `sizing(point)`), `dimension`, `edge` (`int`) and `position` (`double`); where the last three do not tell
+/// what of the domain a point lies on it is found. Normals are velocities.
 /// \throws std::invalid_argument if a point is not finite or not in the domain, or has a property out of range
 template <class Point_set, class Sizing>
 Numbered_bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)

@@ -127,8 +127,8 @@ private:
   }
 
   template <class Text>
-  static void array(std::ostream& out, const char* type, const char* name, const std::vector<std::size_t>& indices,
-                    const Text& text)
+  static void array(std::ostream& out, const char* type, const char* name,
+                    const std::vector<std::size_t>& indices, const Text& text)
   {
     out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n";
     for (std::size_t i : indices)
