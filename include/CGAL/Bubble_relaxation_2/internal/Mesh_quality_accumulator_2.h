@@ -92,26 +92,33 @@ public:
     m.vertices += other.m.vertices;
     m.interior += other.m.interior;
     m.irregular += other.m.irregular;
-    if (!(other.m_largest_cotangent <= m_largest_cotangent)) {
-      m_largest_cotangent = other.m_largest_cotangent;
-      m.minimum_angle = other.m.minimum_angle;
-    }
-    if (!(other.m_smallest_cotangent >= m_smallest_cotangent)) {
-      m_smallest_cotangent = other.m_smallest_cotangent;
-      m.maximum_angle = other.m.maximum_angle;
+    if (!other.m_qualities.empty()) {
+      if (may_be_smallest(other.m_largest_cotangent))
+        add_smallest(other.m_largest_cotangent, other.m.minimum_angle);
+      if (may_be_largest(other.m_smallest_cotangent))
+        add_largest(other.m_smallest_cotangent, other.m.maximum_angle);
     }
     m_qualities.insert(m_qualities.end(), other.m_qualities.begin(), other.m_qualities.end());
     m_lengths.insert(m_lengths.end(), other.m_lengths.begin(), other.m_lengths.end());
   }
 
-  Mesh_statistics_2 statistics()
+  /// `all` may know of what others have, see `All_values_here`; to be called once
+  template <class All = All_values_here>
+  Mesh_statistics_2 statistics(const All& all = All())
   {
-    m.triangles = m_qualities.size();
-    if (!m_qualities.empty())
-      finish_qualities();
-    m.has_lengths = !m_lengths.empty();
+    const auto counts = all.sums(std::array<std::size_t, 5>{m.vertices, m.interior, m.irregular,
+                                                            m_qualities.size(), m_lengths.size()});
+    m.vertices = counts[0];
+    m.interior = counts[1];
+    m.irregular = counts[2];
+    m.triangles = counts[3];
+    if (m.triangles > 0) {
+      finish_extremes(all);
+      finish_qualities(all);
+    }
+    m.has_lengths = counts[4] > 0;
     if (m.has_lengths)
-      finish_lengths();
+      finish_lengths(counts[4], all);
     return m;
   }
 
@@ -151,52 +158,87 @@ private:
     // the cotangent falls as the angle grows, and costs less
     const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
     const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();
-    if (!(cotangent <= m_largest_cotangent)) {
-      m_largest_cotangent = cotangent;
-      m.minimum_angle = is_angle ? degrees * std::atan2(cross, dot) : 0.;
-    }
-    if (!(cotangent >= m_smallest_cotangent)) {
-      m_smallest_cotangent = cotangent;
-      m.maximum_angle = is_angle ? degrees * std::atan2(cross, dot) : 0.;
-    }
+    if (may_be_smallest(cotangent))
+      add_smallest(cotangent, is_angle ? degrees * std::atan2(cross, dot) : 0.);
+    if (may_be_largest(cotangent))
+      add_largest(cotangent, is_angle ? degrees * std::atan2(cross, dot) : 0.);
   }
 
-  void finish_qualities()
+  bool may_be_smallest(double cotangent) const { return !(cotangent < m_largest_cotangent); }
+  bool may_be_largest(double cotangent) const { return !(cotangent > m_smallest_cotangent); }
+
+  /// of angles with the same cotangent the smallest, whichever comes first
+  void add_smallest(double cotangent, double angle)
+  {
+    m.minimum_angle = cotangent == m_largest_cotangent ? (std::min)(angle, m.minimum_angle) : angle;
+    m_largest_cotangent = cotangent;
+  }
+
+  void add_largest(double cotangent, double angle)
+  {
+    m.maximum_angle = cotangent == m_smallest_cotangent ? (std::max)(angle, m.maximum_angle) : angle;
+    m_smallest_cotangent = cotangent;
+  }
+
+  /// where there is no triangle all extremes are at infinity
+  template <class All>
+  void finish_extremes(const All& all)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const bool is_empty = m_qualities.empty();
+    const auto smallest_if = [&](bool is_one, double value) { return all.smallest(is_one ? value : infinity); };
+
+    const double quality = smallest_if(!is_empty, m.minimum_quality);
+    bool is_worst = !is_empty && !(m.minimum_quality > quality);
+    const double x = smallest_if(is_worst, m.worst_x);
+    is_worst = is_worst && !(m.worst_x > x);
+    m.worst_y = smallest_if(is_worst, m.worst_y);
+    m.worst_x = x;
+    m.minimum_quality = quality;
+
+    const double largest = all.largest(is_empty ? -infinity : m_largest_cotangent);
+    m.minimum_angle = smallest_if(!is_empty && m_largest_cotangent == largest, m.minimum_angle);
+    const double smallest = smallest_if(!is_empty, m_smallest_cotangent);
+    const bool is_widest = !is_empty && m_smallest_cotangent == smallest;
+    m.maximum_angle = all.largest(is_widest ? m.maximum_angle : -infinity);
+  }
+
+  template <class All>
+  void finish_qualities(const All& all)
   {
     for (double q : m_qualities) {
       const double bar = q * double(number_of_quality_bars);
       ++m.histogram[(std::min)(static_cast<std::size_t>(bar), number_of_quality_bars - 1)];
     }
-    m.mean_quality = sum_in_any_order(m_qualities, [](double q) { return q; }) / double(m_qualities.size());
-    m.quality_percentiles = percentiles(m_qualities, quality_percents);
+    m.histogram = all.sums(m.histogram);
+    m.mean_quality = sum_in_any_order(m_qualities, [](double q) { return q; }, all) / double(m.triangles);
+    m.quality_percentiles = percentiles(m_qualities, m.triangles, quality_percents, all);
   }
 
-  void finish_lengths()
+  /// `lengths`: how many there are
+  template <class All>
+  void finish_lengths(std::size_t lengths, const All& all)
   {
-    const double n = double(m_lengths.size());
-    m.mean_length = sum_in_any_order(m_lengths, [](double l) { return l; }) / n;
-    m.deviation = std::sqrt(
-      sum_in_any_order(m_lengths, [this](double l) { return (l - m.mean_length) * (l - m.mean_length); }) / n);
-    const auto ends = percentiles(m_lengths, std::array<int, 2>{1, 99});
+    const double n = double(lengths);
+    m.mean_length = sum_in_any_order(m_lengths, [](double l) { return l; }, all) / n;
+    const auto square = [this](double l) { return (l - m.mean_length) * (l - m.mean_length); };
+    m.deviation = std::sqrt(sum_in_any_order(m_lengths, square, all) / n);
+    const auto ends = percentiles(m_lengths, lengths, std::array<int, 2>{1, 99}, all);
     m.length_percentile_1 = ends[0];
     m.length_percentile_99 = ends[1];
   }
 
   /// the smallest of the values that at least each of `percents` of all values do not exceed
-  template <std::size_t n>
-  static std::array<double, n> percentiles(std::vector<double>& values, const std::array<int, n>& percents)
+  template <std::size_t n, class All>
+  static std::array<double, n> percentiles(std::vector<double>& values, std::size_t number,
+                                           const std::array<int, n>& percents, const All& all)
   {
     std::array<std::size_t, n> positions;
-    std::transform(percents.begin(), percents.end(), positions.begin(), [&values](int percent) {
-      const std::size_t rank = (values.size() * static_cast<std::size_t>(percent) + 99) / 100;
+    std::transform(percents.begin(), percents.end(), positions.begin(), [number](int percent) {
+      const std::size_t rank = (number * static_cast<std::size_t>(percent) + 99) / 100;
       return (std::max)(rank, std::size_t(1)) - 1;
     });
-    auto distinct = positions;
-    sort_positions(values, 0, values.size(), distinct.begin(), std::unique(distinct.begin(), distinct.end()));
-    std::array<double, n> result;
-    std::transform(positions.begin(), positions.end(), result.begin(),
-                   [&values](std::size_t position) { return values[position]; });
-    return result;
+    return all.sorted_at(values, positions);
   }
 
   Mesh_statistics_2 m;

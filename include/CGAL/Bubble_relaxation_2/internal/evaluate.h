@@ -23,6 +23,17 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// Adds the length of an edge over d in the midpoint. It begins at the end that comes first: what rounds must not
+/// depend on the triangle from which the edge is seen.
+template <class Sizing>
+void add_length(const Point& p, const Point& q, const Sizing& sizing, Mesh_quality_accumulator_2& accumulator)
+{
+  const bool is_reversed = CGAL::lexicographically_xy_smaller(q, p);
+  const Point &a = is_reversed ? q : p, &b = is_reversed ? p : q;
+  const double dx = b.x() - a.x(), dy = b.y() - a.y();
+  accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(a.x() + dx / 2, a.y() + dy / 2));
+}
+
 /// Adds the triangles of a domain from `first` to `last`, without, and the lengths of their edges over d in
 /// the midpoints.
 template <class Sizing>
@@ -39,9 +50,7 @@ void add_triangles(const Marked_triangulation_2& mesh, std::size_t first, std::s
       const Index n = tr.neighbors[t][i];
       if (n != no_index && mesh.inside[n] && n < f)
         continue; // seen from the other side
-      const Point &p = tr.point(f, ccw(i)), &q = tr.point(f, cw(i));
-      const double dx = q.x() - p.x(), dy = q.y() - p.y();
-      accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(p.x() + dx / 2, p.y() + dy / 2));
+      add_length(tr.point(f, ccw(i)), tr.point(f, cw(i)), sizing, accumulator);
     }
   }
 }

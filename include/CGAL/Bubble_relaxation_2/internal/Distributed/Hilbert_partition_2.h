@@ -65,7 +65,7 @@ public:
                    m_curve.row(y + radius)};
     // at most four cells of this level cover the disc
     const std::uint32_t widest = (std::max)(disc.last_column - disc.first_column, disc.last_row - disc.first_row);
-    int level = 0;
+    int level = 1; // of the last cell of level 0 there is no next
     while (level < Hilbert_curve_2::levels && (widest >> level) > 0)
       ++level;
     for (std::uint32_t row = at(disc.first_row, level); row <= at(disc.last_row, level); ++row)

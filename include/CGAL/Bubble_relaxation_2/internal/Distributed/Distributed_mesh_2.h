@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_MESH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_MESH_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What a rank has of the one constrained Delaunay triangulation of the bubbles of all ranks. Triangles of the
+/// domain with a vertex that this rank owns are the same as on one rank; all others are only what its
+/// bubbles, the ghosts that it happens to know and the outline look like from here.
+struct Distributed_mesh_2
+{
+  Known_bubbles_2 known;               ///< own bubbles, ghosts, and all bubbles of the outline
+  Marked_triangulation_2 triangulation; ///< of these, with the same indices
+  std::vector<char> is_final;          ///< per triangle: in the domain, with an own vertex
+  std::vector<char> is_owned;          ///< per triangle: each one of the domain on one rank only
+
+  std::size_t number_of_rounds = 0;    ///< of questions to other ranks
+  std::size_t number_of_questions = 0;
+  std::size_t number_of_answers = 0;   ///< bubbles that were missing
+
+  /// the vertex of a triangle that decides who owns it: the one with the smallest number
+  Index first_vertex(std::size_t t) const
+  {
+    const std::array<Index, 3>& v = triangulation.tr.vertices[t];
+    return (std::min)((std::min)(v[0], v[1]), v[2]); // indices follow numbers
+  }
+
+  void mark_triangles(int rank)
+  {
+    const std::size_t n = triangulation.tr.number_of_triangles();
+    is_final.assign(n, 0);
+    is_owned.assign(n, 0);
+    for (std::size_t t = 0; t < n; ++t) {
+      if (!triangulation.inside[t])
+        continue;
+      for (Index v : triangulation.tr.vertices[t])
+        is_final[t] |= known.owners[v] == rank;
+      is_owned[t] = known.owners[first_vertex(t)] == rank;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_MESH_2_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECK_SAME_DOMAIN_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECK_SAME_DOMAIN_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// the hash FNV-1a of numbers, byte by byte
+class Hash_of_numbers
+{
+public:
+  template <class T>
+  void add(T number)
+  {
+    unsigned char bytes[sizeof(T)];
+    std::memcpy(bytes, &number, sizeof(T));
+    for (unsigned char byte : bytes)
+      m_hash = (m_hash ^ byte) * 1099511628211u;
+  }
+
+  std::uint64_t value() const { return m_hash; }
+
+private:
+  std::uint64_t m_hash = 14695981039346656037u;
+};
+
+inline std::uint64_t hash_of(const Domain_2& domain)
+{
+  Hash_of_numbers hash;
+  for (const Point& p : domain.corners()) {
+    hash.add(p.x());
+    hash.add(p.y());
+  }
+  for (const Domain_edge_2& e : domain.edges()) {
+    hash.add(e.source);
+    hash.add(e.target);
+    hash.add(e.inside_left);
+    hash.add(e.inside_right);
+  }
+  return hash.value();
+}
+
+/// Collective. \throws std::invalid_argument on all ranks if not all have the same domain
+inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
+{
+  const std::uint64_t hash = hash_of(domain);
+  if (comm.smallest(hash) == comm.largest(hash))
+    return;
+  comm.all_throw();
+  throw std::invalid_argument("Bubble_relaxation_2: the domain is not the same on all ranks");
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECK_SAME_DOMAIN_H

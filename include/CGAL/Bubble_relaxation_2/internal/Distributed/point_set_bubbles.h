@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_POINT_SET_BUBBLES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_POINT_SET_BUBBLES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Domain_location_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A property of the points of a `Point_set_3`, which may be missing.
+template <class Point_set, class T>
+class Point_property
+{
+public:
+  Point_property(const Point_set& points, const char* name)
+  {
+    auto map = points.template property_map<T>(name);
+    m_map = map.first;
+    m_is_there = map.second;
+  }
+
+  bool is_there() const { return m_is_there; }
+  const T& operator[](const typename Point_set::Index& i) const { return m_map[i]; }
+
+private:
+  typename Point_set::template Property_map<T> m_map;
+  bool m_is_there = false;
+};
+
+/// Makes bubbles of points. What their properties do not tell is found from the domain: see `read_bubbles()`.
+template <class Point_set>
+class Point_set_reader_2
+{
+  using Index_in_set = typename Point_set::Index;
+
+public:
+  Point_set_reader_2(const Point_set& points, const Domain_2& domain)
+    : m_points(points), m_domain(domain), m_locate(domain), m_number(points, "global_id"),
+      m_size(points, "size"), m_position(points, "position"), m_dimension(points, "dimension"),
+      m_edge(points, "edge")
+  {}
+
+  bool has_numbers() const { return m_number.is_there(); }
+
+  template <class Sizing>
+  Numbered_bubbles_2 operator()(const Sizing& sizing)
+  {
+    Numbered_bubbles_2 result;
+    result.bubbles.make_room_for(m_points.size());
+    for (const Index_in_set& i : m_points)
+      result.add(read(i, sizing));
+    return result;
+  }
+
+private:
+  template <class Sizing>
+  Bubble_record_2 read(const Index_in_set& i, const Sizing& sizing)
+  {
+    const Point p(CGAL::to_double(m_points.point(i).x()), CGAL::to_double(m_points.point(i).y()));
+    const Location_2 location = locate(i, p);
+    Bubble_record_2 r{};
+    r.x = p.x();
+    r.y = p.y();
+    r.d = m_size.is_there() ? m_size[i] : sizing(p);
+    if (m_size.is_there() && (!(r.d > 0) || !std::isfinite(r.d)))
+      throw_property("size", r.d, p, "must be positive and finite");
+    if (m_points.has_normal_map()) {
+      r.vx = CGAL::to_double(m_points.normal(i).x());
+      r.vy = CGAL::to_double(m_points.normal(i).y());
+    }
+    r.number = m_number.is_there() ? m_number[i] : no_index;
+    if (m_number.is_there() && r.number < 0)
+      throw_property("global_id", double(r.number), p, "must not be negative");
+    r.s = location.s;
+    r.place = location.place;
+    r.tag = no_index;
+    r.dimension = location.dimension;
+    return r;
+  }
+
+  Location_2 locate(const Index_in_set& i, const Point& p)
+  {
+    Location_2 location = m_locate(p);
+    if (!m_dimension.is_there())
+      return location;
+    const int dimension = m_dimension[i];
+    if (dimension < 0 || dimension > 2)
+      throw_property("dimension", dimension, p, "must be 0, 1 or 2");
+    if (dimension == 0 && location.dimension == Bubbles_2::FACE)
+      return Location_2{Bubbles_2::CORNER, no_index, 0}; // pinned
+    if (dimension == 1 && m_edge.is_there() && m_position.is_there())
+      return on_edge(m_edge[i], m_position[i], p);
+    return location;
+  }
+
+  /// as the properties have it: what is found from coordinates may be off by a rounding
+  Location_2 on_edge(int edge, double s, const Point& p) const
+  {
+    if (edge < 0 || static_cast<std::size_t>(edge) >= m_domain.edges().size())
+      throw_property("edge", edge, p, "is no edge of the domain");
+    if (!(s > 0 && s < 1))
+      throw_property("position", s, p, "must be between 0 and 1");
+    const Point q = m_domain.point_on_edge(edge, s);
+    if (!(std::hypot(q.x() - p.x(), q.y() - p.y()) <= m_locate.rounding(edge, p)))
+      throw_property("position", s, p, "is another point of the edge");
+    return Location_2{Bubbles_2::EDGE, edge, s};
+  }
+
+  [[noreturn]] static void throw_property(const char* name, double value, const Point& p, const char* what)
+  {
+    throw std::invalid_argument("Bubble_relaxation_2: property " + std::string(name) + " = " + in_words(value) +
+                                " of the point " + in_words(p.x(), p.y()) + " " + what);
+  }
+
+  const Point_set& m_points;
+  const Domain_2& m_domain;
+  Domain_location_2 m_locate;
+  Point_property<Point_set, std::int64_t> m_number;
+  Point_property<Point_set, double> m_size, m_position;
+  Point_property<Point_set, int> m_dimension, m_edge;
+};
+
+/// Makes bubbles of the points of a `Point_set_3` with points and vectors of two dimensions, in their order.
+/// Points may have the properties `global_id` (`std::int64_t`; else all numbers are -1), `size` (`double`; else
+/// `sizing(point)`), `dimension`, `edge` (`int`) and `position` (`double`); where the last three do not tell
+/// what of the domain a point lies on it is found. Normals are velocities.
+/// \throws std::invalid_argument if a point is not finite or not in the domain, or has a property out of range
+template <class Point_set, class Sizing>
+Numbered_bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)
+{
+  return Point_set_reader_2<Point_set>(points, domain)(sizing);
+}
+
+/// adds bubbles to a point set, with all the properties that `read_bubbles()` knows
+template <class Point_set>
+void write_bubbles(const Numbered_bubbles_2& numbered, Point_set& points)
+{
+  using Point_2 = typename Point_set::Point_3; // so it calls them, whatever their dimension
+  using Vector_2 = typename Point_set::Vector_3;
+  auto number = points.template add_property_map<std::int64_t>("global_id", no_index).first;
+  auto size = points.template add_property_map<double>("size", 0.).first;
+  auto dimension = points.template add_property_map<int>("dimension", 0).first;
+  auto edge = points.template add_property_map<int>("edge", no_index).first;
+  auto position = points.template add_property_map<double>("position", 0.).first;
+  points.add_normal_map();
+  const Bubbles_2& b = numbered.bubbles;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const auto k = *points.insert(Point_2(b.x[i], b.y[i]), Vector_2(b.vx[i], b.vy[i]));
+    number[k] = numbered.numbers[i];
+    size[k] = b.d[i];
+    dimension[k] = b.dimension[i];
+    edge[k] = b.is_on_edge(i) ? b.place[i] : no_index;
+    position[k] = b.s[i];
+  }
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_POINT_SET_BUBBLES_H

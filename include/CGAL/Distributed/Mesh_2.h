@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_DISTRIBUTED_MESH_2_H
+#define CGAL_DISTRIBUTED_MESH_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_pvtu.h>
+#include <CGAL/Mesh_quality_2.h>
+
+#include <mpi.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/// functions and classes for the ranks of an MPI communicator
+namespace Distributed {
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
+What one rank has of a triangle mesh that is spread over the ranks of an MPI communicator. It is made by
+`CGAL::Distributed::triangulate()`.
+
+A rank has its own points, all triangles around them, and the vertices of these triangles that other ranks
+own, the ghosts. Each point and each triangle is owned by one rank: a triangle by the owner of that of its
+vertices with the smallest global id. Points and triangles have local indices, the owned ones first, and points
+have a global id, which is the same on all ranks.
+
+\tparam Kernel_ the kernel of the points
+*/
+template <class Kernel_>
+class Mesh_2
+{
+  using Index = Bubble_relaxation_2::internal::Index;
+
+public:
+  using Kernel = Kernel_;
+  using Point_2 = typename Kernel::Point_2;
+  /// what names a point on all ranks
+  using Global_id = std::int64_t;
+
+#ifndef DOXYGEN_RUNNING
+  Mesh_2(const Bubble_relaxation_2::internal::Distributed_mesh_2& mesh, const Mesh_quality_2<double>& quality,
+         MPI_Comm comm, int rank, int number_of_ranks)
+    : m_comm(comm), m_rank(rank), m_number_of_ranks(number_of_ranks), m_quality(quality)
+  {
+    std::vector<Index> local(mesh.known.size(), -1);
+    add_owned_points(mesh, local);
+    m_owned_points = m_points.size();
+    add_triangles(mesh, true, local);
+    m_owned_triangles = m_vertices.size();
+    add_triangles(mesh, false, local);
+  }
+#endif
+
+  /// \name Ranks
+  /// @{
+  int rank() const { return m_rank; }                       ///< of this process
+  int number_of_ranks() const { return m_number_of_ranks; } ///< that have a part of the mesh
+  /// @}
+
+  /// \name Points
+  /// Local indices are less than `number_of_points()`. Owned points and ghosts are in the order of their ids.
+  /// @{
+  std::size_t number_of_points() const { return m_points.size(); }    ///< owned points and ghosts
+  std::size_t number_of_owned_points() const { return m_owned_points; } ///< those with the first indices
+
+  const Point_2& point(std::size_t i) const { return m_points[i]; }    ///< coordinates
+  Global_id global_id(std::size_t i) const { return m_ids[i]; }        ///< the same on all ranks
+  int owner(std::size_t i) const { return m_owners[i]; }               ///< the rank that owns the point
+  bool is_ghost(std::size_t i) const { return i >= m_owned_points; }   ///< whether another rank owns it
+  double size(std::size_t i) const { return m_sizes[i]; }              ///< the wanted distance to neighbours
+  /// 0: a corner of the domain or a pinned point, 1: on an edge of the domain, 2: in a face
+  int dimension(std::size_t i) const { return m_dimensions[i]; }
+  /// @}
+
+  /// \name Triangles
+  /// All triangles of the domain with an owned vertex. Their vertices are in counterclockwise order.
+  /// @{
+  std::size_t number_of_triangles() const { return m_vertices.size(); }     ///< owned ones and others
+  std::size_t number_of_owned_triangles() const { return m_owned_triangles; } ///< those with the first indices
+  /// whether this rank owns the triangle, as exactly one does
+  bool is_owned_triangle(std::size_t t) const { return t < m_owned_triangles; }
+
+  /// local indices of the vertices
+  const std::array<std::int32_t, 3>& vertices(std::size_t t) const { return m_vertices[t]; }
+
+  /// global ids of the vertices
+  std::array<Global_id, 3> triangle(std::size_t t) const
+  {
+    const std::array<std::int32_t, 3>& v = m_vertices[t];
+    return {m_ids[v[0]], m_ids[v[1]], m_ids[v[2]]};
+  }
+
+  /// whether the side opposite to the vertex `i` of a triangle lies on an edge of the domain
+  bool is_constrained(std::size_t t, int i) const { return m_is_constrained[t][i] != 0; }
+  /// @}
+
+  /// The statistics of the mesh of all ranks, the same on each, and for any number of ranks. There are lengths
+  /// of edges if a sizing function was given.
+  const Mesh_quality_2<double>& quality() const { return m_quality; }
+
+  /*!
+  \brief writes the mesh for ParaView. All ranks must call it, with the same name.
+
+  Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, and the first one
+  `name.pvtu`, which refers to them. Points have the data `global_id`, `size`, and `rank`, their owner; triangles
+  `q`, the radius ratio, and `rank`.
+
+  \param path name of the file, which must end with `.pvtu`
+  \pre the communicator that the mesh was made with still exists
+
+  \throws std::invalid_argument if the name does not end so
+  \throws std::runtime_error on all ranks if one of the files cannot be written
+  */
+  void write_pvtu(const std::string& path) const
+  {
+    using namespace Bubble_relaxation_2::internal;
+    const Communicator comm(m_comm);
+    Agreement agreement(comm);
+    agreement.reach_after([&] {
+      const std::string stem = pvtu_stem(path);
+      write_file(vtu_path(stem, m_rank),
+                 [&](std::ostream& out) { Vtu_piece_2<Mesh_2>(*this).write(out); });
+      if (m_rank == 0)
+        write_file(path, [&](std::ostream& out) { write_pvtu_header(out, stem, m_number_of_ranks); });
+    });
+  }
+
+private:
+  using Part = Bubble_relaxation_2::internal::Distributed_mesh_2;
+
+  void add_owned_points(const Part& mesh, std::vector<Index>& local)
+  {
+    for (std::size_t i = 0; i < mesh.known.size(); ++i)
+      if (mesh.known.owners[i] == m_rank)
+        add_point(mesh, i, local);
+  }
+
+  void add_point(const Part& mesh, std::size_t i, std::vector<Index>& local)
+  {
+    const auto& b = mesh.known.bubbles;
+    local[i] = static_cast<Index>(m_points.size());
+    m_points.push_back(Point_2(b.x[i], b.y[i]));
+    m_ids.push_back(mesh.known.numbers[i]);
+    m_owners.push_back(mesh.known.owners[i]);
+    m_sizes.push_back(b.d[i]);
+    m_dimensions.push_back(b.dimension[i]);
+  }
+
+  void add_triangles(const Part& mesh, bool are_owned, std::vector<Index>& local)
+  {
+    const auto& marked = mesh.triangulation;
+    const auto is_taken = [&](std::size_t t) { return mesh.is_final[t] && (mesh.is_owned[t] != 0) == are_owned; };
+    const std::size_t n = marked.tr.number_of_triangles();
+    std::vector<char> is_needed(mesh.known.size(), 0);
+    for (std::size_t t = 0; t < n; ++t)
+      for (Index v : marked.tr.vertices[t])
+        is_needed[v] |= is_taken(t);
+    for (std::size_t i = 0; i < local.size(); ++i)
+      if (is_needed[i] && local[i] == -1)
+        add_point(mesh, i, local);
+    for (std::size_t t = 0; t < n; ++t) {
+      if (!is_taken(t))
+        continue;
+      const auto& v = marked.tr.vertices[t];
+      const auto& e = marked.edges[t];
+      m_vertices.push_back({local[v[0]], local[v[1]], local[v[2]]});
+      m_is_constrained.push_back({e[0] != -1, e[1] != -1, e[2] != -1});
+    }
+  }
+
+  MPI_Comm m_comm;
+  int m_rank, m_number_of_ranks;
+  std::size_t m_owned_points = 0, m_owned_triangles = 0;
+  std::vector<Point_2> m_points;
+  std::vector<Global_id> m_ids;
+  std::vector<int> m_owners;
+  std::vector<double> m_sizes;
+  std::vector<unsigned char> m_dimensions;
+  std::vector<std::array<std::int32_t, 3>> m_vertices;
+  std::vector<std::array<char, 3>> m_is_constrained;
+  Mesh_quality_2<double> m_quality;
+};
+
+} // namespace Distributed
+} // namespace CGAL
+
+#endif // CGAL_DISTRIBUTED_MESH_2_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_DISTRIBUTED_TRIANGULATE_H
+#define CGAL_DISTRIBUTED_TRIANGULATE_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Point_distribution_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/check_same_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_quality.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Distributed/Mesh_2.h>
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+
+namespace CGAL {
+namespace Distributed {
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief makes the constrained Delaunay triangulation of points that are spread over the ranks of an MPI
+communicator, and gives each rank its part of it. All ranks must call it.
+
+The constraints are those of the domain, which all ranks have, cut where points lie on them. Together the ranks
+have the one triangulation that a single rank would make of all points: the same triangles for any number of
+ranks, in whatever way the points come spread over them. Points on constraints go to all ranks; of the others a
+rank gets its own and those that its triangles need.
+
+Each rank owns as many points as any other, from a piece of a Hilbert curve through the domain. A triangle is
+known to be one of the whole when its circumscribed circle lies in what the rank has seen; until then the rank
+asks others for points.
+
+\tparam PointSet a `CGAL::Point_set_3<K::Point_2, K::Vector_2>`. A point lies on a constraint if it is there up
+to the rounding of its coordinates. Properties of the points that are used if they are there:
+- `global_id` (`std::int64_t`): different for all points of all ranks, and not negative. Without it points are
+  numbered along the curve, from 0.
+- `size` (`double`): the wanted distance to neighbours. Without it that of `sizing_function`, or else a guess
+  from points nearby. It decides how many points are exchanged at first, and no triangle.
+- `dimension` (`int`), `edge` (`int`) and `position` (`double`), as `CGAL::Distributed::npbs_relax()` makes them:
+  where on the outline a point lies.
+\tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param points the points of this rank, any part of all
+\param domain the triangulation that bounds the domain. Its constraints must be the same on all ranks. The ends
+of constraints belong to the mesh, whether they are among the points or not; those that are not get the ids after
+the largest, or are numbered with the others. Its other vertices do not matter.
+\param comm the communicator. A duplicate of it is used, so no message of others is in the way
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{sizing_function}
+    \cgalParamDescription{the wanted distance d of neighbouring vertices, for points without the property `size`
+                          and for the statistics of the lengths of edges}
+    \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{seeds}
+    \cgalParamDescription{points in the holes of the domain, or in the domain, as for `npbs_relax()`}
+    \cgalParamType{a range of points}
+    \cgalParamDefault{none: the domain are the faces that are marked as such, or else the faces in an odd
+                      number of outlines}
+  \cgalParamNEnd
+  \cgalParamNBegin{seeds_are_in_domain}
+    \cgalParamDescription{whether the seeds lie in the domain}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{pinned vertices of `domain`, which do not count as splitting a straight constraint only}
+    \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
+    \cgalParamDefault{no vertex is pinned}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns this rank's part of the mesh
+
+\throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a point is not finite, not in
+the domain or has a property out of range, if two points have the same coordinates or the same id, if points of
+some ranks have ids and points of others have none, if there is no domain, or if the domain is not the same on all
+ranks
+\throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the
+points on them
+
+What the sizing function throws on one rank is thrown on all, as `std::invalid_argument`, `std::length_error`,
+`std::domain_error`, `std::bad_alloc` or `std::runtime_error`.
+
+\sa `npbs_relax()`
+*/
+template <class PointSet, class CDT, class NamedParameters = parameters::Default_named_parameters>
+auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
+                 const NamedParameters& np = parameters::default_values())
+{
+  using namespace Bubble_relaxation_2::internal;
+  if (comm == MPI_COMM_NULL)
+    throw std::invalid_argument("Bubble_relaxation_2: the communicator is MPI_COMM_NULL");
+  const Communicator ranks(comm);
+  Agreement agreement(ranks);
+  Sparse_exchange exchange(ranks);
+
+  std::unique_ptr<Domain_reading_2<CDT>> reading;
+  agreement.reach_after([&] { reading = read_domain(domain, np, Domain_marks_2<CDT>(domain, np)); });
+  check_same_domain(ranks, reading->domain);
+
+  const auto mesh_with = [&](const auto& size_at, const auto* sizing) {
+    Numbered_bubbles_2 own;
+    agreement.reach_after([&] { own = read_bubbles(points, reading->domain, size_at); });
+    Point_distribution_2 distribute(reading->domain, ranks, agreement, exchange);
+    own = distribute(own, points.template has_property_map<std::int64_t>("global_id"));
+    const Distributed_mesh_2 mesh = distributed_triangulate(reading->domain, own, distribute.partition(), ranks,
+                                                            agreement, exchange);
+    const auto quality = distributed_quality(mesh, sizing, ranks, agreement);
+    return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm, ranks.rank(), ranks.size());
+  };
+  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
+    const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
+    const Checked_sizing_field_2<typename CDT::Geom_traits::Point_2, std::decay_t<decltype(f)>> sizing(f);
+    return mesh_with(sizing, &sizing);
+  } else {
+    const auto unknown = [](const Bubble_relaxation_2::internal::Point&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    };
+    return mesh_with(unknown, static_cast<const Sizing_field_ref_2*>(nullptr));
+  }
+}
+
+} // namespace Distributed
+} // namespace CGAL
+
+#endif // CGAL_DISTRIBUTED_TRIANGULATE_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// statistics of all ranks are those that one rank would find, to the last bit
+
+#include "bubbles.h"
+#include "union_of_ranks.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_quality.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bubbles;
+using Quality = CGAL::Mesh_quality_2<double>;
+
+struct Field
+{
+  paper::Sizing d;
+
+  double operator()(double x, double y) const { return d(Point(x, y)); }
+  double operator()(const Point& p) const { return d(p); }
+};
+
+void expect_equal(const Quality& a, const Quality& b)
+{
+  EXPECT_EQ(a.number_of_vertices(), b.number_of_vertices());
+  EXPECT_EQ(a.number_of_triangles(), b.number_of_triangles());
+  EXPECT_EQ(a.number_of_interior_vertices(), b.number_of_interior_vertices());
+  EXPECT_EQ(a.irregular_share(), b.irregular_share());
+  EXPECT_EQ(a.minimum_quality(), b.minimum_quality());
+  EXPECT_EQ(a.mean_quality(), b.mean_quality());
+  EXPECT_EQ(a.worst_x(), b.worst_x());
+  EXPECT_EQ(a.worst_y(), b.worst_y());
+  EXPECT_EQ(a.minimum_angle(), b.minimum_angle());
+  EXPECT_EQ(a.maximum_angle(), b.maximum_angle());
+  for (int percent : quality_percents)
+    EXPECT_EQ(a.quality_percentile(percent), b.quality_percentile(percent)) << percent;
+  EXPECT_EQ(a.histogram(), b.histogram());
+  ASSERT_EQ(a.has_length_ratios(), b.has_length_ratios());
+  if (!a.has_length_ratios())
+    return;
+  EXPECT_EQ(a.mean_length_ratio(), b.mean_length_ratio());
+  EXPECT_EQ(a.length_ratio_deviation(), b.length_ratio_deviation());
+  EXPECT_EQ(a.length_ratio_percentile(1), b.length_ratio_percentile(1));
+  EXPECT_EQ(a.length_ratio_percentile(99), b.length_ratio_percentile(99));
+}
+
+struct Ranks
+{
+  Communicator comm{MPI_COMM_WORLD};
+  Agreement agreement{comm};
+  Sparse_exchange exchange{comm};
+
+  Quality quality(const Case& c, const Field* field, bool with_gaps)
+  {
+    std::vector<std::int64_t> numbers(c.bubbles.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const Hilbert_partition_2 partition =
+      distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), with_gaps);
+    const Distributed_mesh_2 mesh = distributed_triangulate(
+      c.domain(), distributed::own_part(c.bubbles, numbers, partition, comm.rank()), partition, comm, agreement,
+      exchange);
+    return distributed_quality(mesh, field, comm, agreement);
+  }
+};
+
+void expect_quality_of_one_rank(const Case& c, const Field& field)
+{
+  CGAL::Bubble_relaxation_report_2<double> report;
+  evaluate<CGAL::Sequential_tag>(triangulate(c.domain(), c.bubbles), field, report);
+  Ranks ranks;
+  expect_equal(ranks.quality(c, &field, false), report.quality);
+  expect_equal(ranks.quality(c, &field, true), report.quality);
+}
+
+} // namespace
+
+TEST(Distributed_quality, of_relaxed_bubbles)
+{
+  for (const paper::Domain& domain : paper::all_domains(1)) {
+    SCOPED_TRACE(domain.name);
+    expect_quality_of_one_rank(relaxed(domain), Field{domain.d});
+  }
+}
+
+TEST(Distributed_quality, of_random_points)
+{
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const paper::Domain domain = paper::trunk(1);
+    expect_quality_of_one_rank(random(domain, 700, seed), Field{domain.d});
+  }
+}
+
+TEST(Distributed_quality, of_equal_triangles)
+{
+  expect_quality_of_one_rank(lattice(16), Field{[](const Point& p) { return 1 + p.x() / 7; }});
+}
+
+TEST(Distributed_quality, of_a_mesh_with_fewer_triangles_than_ranks)
+{
+  Case c = read(paper::graded_square(1));
+  add_outline(c, 0, 1);
+  expect_quality_of_one_rank(c, Field{[](const Point&) { return 1; }});
+}
+
+TEST(Distributed_quality, without_lengths)
+{
+  Ranks ranks;
+  const Case c = random(paper::trunk(1), 100, 1);
+  const Quality quality = ranks.quality(c, nullptr, false);
+  EXPECT_FALSE(quality.has_length_ratios());
+  EXPECT_EQ(quality.number_of_vertices(), c.bubbles.size());
+}
+
+TEST(Distributed_quality, a_sizing_function_that_throws_on_one_rank)
+{
+  const Case c = random(paper::trunk(1), 400, 1);
+  Ranks ranks;
+  const int last = ranks.comm.size() - 1;
+  const Field field{[&](const Point&) -> double {
+    if (ranks.comm.rank() == last)
+      throw std::domain_error("no size here");
+    return 1;
+  }};
+  try {
+    ranks.quality(c, &field, false);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const std::domain_error& e) {
+    EXPECT_STREQ(e.what(), "no size here");
+  }
+}
+
+TEST(Values_of_all_ranks, sorted_positions_are_those_of_all_values)
+{
+  const Communicator comm(MPI_COMM_WORLD);
+  const Values_of_all_ranks all(comm);
+  std::mt19937 engine(7);
+  std::vector<double> values{0., -0., std::numeric_limits<double>::denorm_min(),
+                             std::numeric_limits<double>::infinity(), (std::numeric_limits<double>::max)(),
+                             1., 1., 1.};
+  std::uniform_real_distribution<double> exponent(-300, 300);
+  for (int i = 0; i < 500; ++i)
+    values.push_back(std::pow(10, exponent(engine)));
+  std::vector<double> own;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (static_cast<int>(i * i % 11) % comm.size() == comm.rank())
+      own.push_back(values[i]);
+  std::sort(values.begin(), values.end());
+  const std::array<std::size_t, 7> positions{0, 1, 2, 2, 250, 506, 507};
+  const auto found = all.sorted_at(own, positions);
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    EXPECT_EQ(found[k], values[positions[k]]) << positions[k];
+}
