@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/gather.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_alone.h>
 
@@ -144,7 +144,7 @@ public:
     for (std::size_t i = 0; i < b.size(); ++i)
       if (b.is_ours(i) && (b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index)))
         ours.push_back(Placed{b.x[i], b.y[i], b.d[i], b.s[i], b.number[i], b.place[i], b.is_on_edge(i)});
-    std::vector<Placed> all = gather_on_all(m_comm, ours);
+    std::vector<Placed> all = gather_records(m_comm, ours);
     std::sort(all.begin(), all.end());
     std::unordered_map<std::int64_t, Index> indices;
     for (std::size_t i = 0; i < b.size(); ++i)

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATE_DISTRIBUTED_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreed_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Simulation_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/compact_numbers.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
@@ -64,12 +65,13 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
 }
 
 /// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their
-/// numbers are their indices there.
+/// numbers are their indices there. What d throws on one rank is thrown on all.
 template <class Cdt, class Sizing, class Report>
 Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                   const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                                   const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& users,
                                    const Relaxation_options& options, Progress& progress, Report& report)
 {
+  const Agreed_sizing_field_2<Sizing> sizing(users, agreement, Hilbert_curve_2(reading.domain.bbox()).side());
   Simulation_team_2 team(comm, exchange, agreement, static_cast<bool>(options.callback));
   Bubbles_2 bubbles;
   {
