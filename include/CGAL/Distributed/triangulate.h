@@ -52,7 +52,7 @@ to the rounding of its coordinates. Properties of the points that are used if th
   numbered along the curve, from 0.
 - `size` (`double`): the wanted distance to neighbours. Without it that of `sizing_function`, or else a guess
   from points nearby. It decides how many points are exchanged at first, and no triangle.
-- `dimension` (`int`), `edge` (`int`) and `position` (`double`), as `CGAL::Distributed::npbs_relax()` makes them:
+- `dimension` (`int`), `edge` (`int`) and `position` (`double`), as the bubbles of a relaxation have them:
   where on the outline a point lies.
 \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
