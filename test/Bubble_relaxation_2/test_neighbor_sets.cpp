@@ -233,8 +233,8 @@ TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
     options.number_of_iterations = 100;
     options.displacement_tolerance = tolerance;
     Checking_euler::checked = 0;
-    Simulation_2<CGAL::Sequential_tag, Checking_euler, decltype(size)> simulation(square, size,
-                                                                                  options, b);
+    Simulation_alone alone;
+    Simulation_2<CGAL::Sequential_tag, Checking_euler, decltype(size)> simulation(square, size, options, b, alone);
     Progress progress({}, 1);
     CGAL::Bubble_relaxation_seconds seconds;
     for (unsigned round = 0; round < 3; ++round) {
