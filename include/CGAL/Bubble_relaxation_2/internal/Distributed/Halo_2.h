@@ -55,17 +55,22 @@ public:
     m_sent.clear();
     m_received.clear();
     m_owner.clear();
+    m_is_at_border.clear();
+    ++m_number_of_changes;
   }
 
   /// a bubble was added after the last that `owner` owns
   void add(const Bubbles_2& b, Index i, int owner)
   {
     m_owner.push_back(owner);
+    m_is_at_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
     if (owner == m_comm.rank())
       find_clearance(b, i, i > 0 && m_owner[i - 1] == owner ? i - 1 : no_index);
-    else
+    else {
       m_received[owner].push_back(i);
+      ++m_number_of_changes;
+    }
     set_limits(b, i);
   }
 
@@ -74,7 +79,7 @@ public:
   const Messages<Index>& received() const { return m_received; }
 
   int owner(Index i) const { return m_owner[i]; }
-  bool is_at_border(Index i) const { return m_holders.find(i) != m_holders.end(); }
+  bool is_at_border(Index i) const { return m_is_at_border[i] != 0; }
 
   /// whether no other rank has to know of a bubble of ours
   bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
@@ -83,9 +88,29 @@ public:
   bool is_outgrown_by(const Bubbles_2& b, Index i) const
   {
     const Place& p = m_places[i];
-    const double moved = std::hypot(b.x[i] - p.x, b.y[i] - p.y);
-    return moved > p.most_moved || needed_reach * b.d[i] + moved > p.largest_disc;
+    const double x = b.x[i] - p.x, y = b.y[i] - p.y, square_moved = x * x + y * y;
+    if (square_moved > p.most_moved * p.most_moved)
+      return true;
+    const double left = p.largest_disc - needed_reach * b.d[i];
+    return left < 0 || square_moved > left * left;
   }
+
+  /// The bubbles that have gone a third of the way to this, and more: when one is to be looked after, they are too.
+  std::vector<Index> almost_outgrown(const Bubbles_2& b) const
+  {
+    std::vector<Index> result;
+    for (std::size_t k = 0; k < m_places.size(); ++k) {
+      const Place& p = m_places[k];
+      const Index i = static_cast<Index>(k);
+      if (9 * CGAL::squared_distance(Point(p.x, p.y), b.point(k)) > p.most_moved * p.most_moved ||
+          is_outgrown_by(b, i))
+        result.push_back(i);
+    }
+    return result;
+  }
+
+  /// how often one of the lists has got longer
+  std::size_t number_of_changes() const { return m_number_of_changes; }
 
   bool is_far_from_home(const Bubbles_2& b, Index i) const
   {
@@ -185,7 +210,9 @@ private:
     if (std::find(ranks.begin(), ranks.end(), rank) != ranks.end())
       return;
     ranks.push_back(rank);
+    m_is_at_border[i] = 1;
     m_sent[rank].push_back(i);
+    ++m_number_of_changes;
     out[rank].push_back(state(i));
   }
 
@@ -193,9 +220,11 @@ private:
   Sparse_exchange& m_exchange;
   const Hilbert_partition_2* m_partition = nullptr;
   std::vector<int> m_owner; // of each bubble
+  std::vector<char> m_is_at_border;
   std::vector<Place> m_places;
   std::unordered_map<Index, Ranks> m_holders; // the other ranks that have a bubble of ours
   Messages<Index> m_sent, m_received;
+  std::size_t m_number_of_changes = 0;
 };
 
 } // namespace internal

@@ -35,11 +35,20 @@ public:
   /// for the bubbles that the halo knows now
   void connect(const Halo_2& halo, std::size_t number_of_bubbles)
   {
+    if (halo.number_of_changes() == m_number_of_changes) {
+      m_targets.resize(number_of_bubbles);
+      return;
+    }
+    m_number_of_changes = halo.number_of_changes();
+    for (Index i : m_at_border)
+      m_targets[i].clear();
+    m_at_border.clear();
+    m_targets.resize(number_of_bubbles);
     free_requests();
     m_sends.clear();
     m_receives.clear();
-    m_targets.assign(number_of_bubbles, {});
     for (const auto& list : halo.sent()) {
+      m_at_border.insert(m_at_border.end(), list.second.begin(), list.second.end());
       for (std::size_t position = 0; position < list.second.size(); ++position)
         m_targets[list.second[position]].push_back(
           Target{static_cast<std::int32_t>(m_sends.size()), static_cast<std::int32_t>(position)});
@@ -136,7 +145,9 @@ private:
   }
 
   const Communicator& m_comm;
+  std::size_t m_number_of_changes = 0; // of the halo, when it was connected
   std::vector<boost::container::small_vector<Target, 1>> m_targets; // of each bubble
+  std::vector<Index> m_at_border;                                   // those with targets
   std::vector<Send> m_sends;
   std::vector<Receive> m_receives;
   std::vector<MPI_Request> m_receive_requests, m_send_requests;

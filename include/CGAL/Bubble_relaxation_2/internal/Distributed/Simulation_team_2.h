@@ -72,9 +72,8 @@ public:
       migrate(simulation, bubbles);
       surround(simulation, bubbles);
     } else
-      look_after(simulation, bubbles, m_outgrown);
-    m_outgrown.clear();
-    m_is_outgrown = m_is_far_from_home = false;
+      look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles));
+    m_is_outgrown_here = m_is_outgrown = m_is_far_from_home = false;
   }
 
   /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
@@ -123,7 +122,7 @@ public:
   {
     std::array<std::int64_t, 5> values{static_cast<std::int64_t>(sums.restless),
                                        static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
-                                       !m_outgrown.empty(), m_is_far_here};
+                                       m_is_outgrown_here, m_is_far_here};
     check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 5, MPI_INT64_T, MPI_SUM, m_comm.handle()));
     if (values[2] != 0)
       m_agreement.reach();
@@ -179,7 +178,7 @@ private:
   {
     for (Index i : moved)
       if (m_halo.is_outgrown_by(b, i)) {
-        m_outgrown.push_back(i);
+        m_is_outgrown_here = true;
         m_is_far_here = m_is_far_here || m_halo.is_far_from_home(b, i);
       }
   }
@@ -239,8 +238,8 @@ private:
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
   std::size_t m_number_of_migrations = 0;
-  bool m_may_be_stopped, m_is_outgrown = false, m_is_far_here = false, m_is_far_from_home = false;
-  std::vector<Index> m_others, m_outgrown;
+  bool m_may_be_stopped, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false, m_is_far_from_home = false;
+  std::vector<Index> m_others;
 };
 
 } // namespace internal
