@@ -29,18 +29,10 @@ struct Bubble_state_2
   bool operator<(const Bubble_state_2& s) const { return bubble.number < s.bubble.number; }
 };
 
-/// of a bubble that has not been simulated
-inline Bubble_state_2 initial_state(const Bubbles_2& b, std::size_t i, std::int64_t number)
-{
-  return Bubble_state_2{record(b, i, number), Bubble_memory_2{b.x[i], b.y[i], b.d[i], b.x[i], b.y[i], 1, 1}};
-}
-
 /// adds a bubble that is a part of all
 inline void add(Bubbles_2& bubbles, const Bubble_record_2& r, bool is_foreign)
 {
-  bubbles.add(Point(r.x, r.y), r.d, static_cast<Bubbles_2::Dimension>(r.dimension), r.place, r.s, r.tag);
-  bubbles.vx.back() = r.vx;
-  bubbles.vy.back() = r.vy;
+  add(bubbles, r);
   bubbles.number.push_back(r.number);
   bubbles.is_foreign.push_back(is_foreign);
 }

@@ -32,9 +32,6 @@ public:
   /// `rank`: this one
   Growth_holders_2(const Hilbert_partition_2& partition, int rank) : m_partition(partition), m_rank(rank) {}
 
-  const Hilbert_partition_2& partition() const { return m_partition; }
-
-  std::size_t size() const { return m_owner.size(); }
   int owner(std::size_t i) const { return m_owner[i]; }
   bool is_ours(std::size_t i) const { return m_owner[i] == m_rank; }
 

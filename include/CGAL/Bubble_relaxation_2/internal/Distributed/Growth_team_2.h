@@ -208,9 +208,6 @@ public:
     return late;
   }
 
-  std::size_t number_of_common() const { return m_number_of_common; }
-  const Hilbert_partition_2& partition() const { return *m_partition; }
-
 private:
   struct Place
   {

@@ -39,9 +39,7 @@ struct Known_bubbles_2
 
   void add(const Bubble_record_2& r, int owner)
   {
-    bubbles.add(Point(r.x, r.y), r.d, static_cast<Bubbles_2::Dimension>(r.dimension), r.place, r.s, r.tag);
-    bubbles.vx.back() = r.vx;
-    bubbles.vy.back() = r.vy;
+    internal::add(bubbles, r);
     numbers.push_back(r.number);
     owners.push_back(owner);
   }

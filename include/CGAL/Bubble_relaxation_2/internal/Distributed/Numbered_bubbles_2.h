@@ -28,6 +28,20 @@ struct Bubble_record_2
   std::int32_t dimension;
 };
 
+inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i, std::int64_t number)
+{
+  return Bubble_record_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i],
+                         number, b.place[i], b.tag[i], b.dimension[i]};
+}
+
+/// adds a bubble without its number
+inline void add(Bubbles_2& bubbles, const Bubble_record_2& r)
+{
+  bubbles.add(Point(r.x, r.y), r.d, static_cast<Bubbles_2::Dimension>(r.dimension), r.place, r.s, r.tag);
+  bubbles.vx.back() = r.vx;
+  bubbles.vy.back() = r.vy;
+}
+
 /// Bubbles of one rank, and their places in the sequence of the bubbles of all ranks, which one rank alone would
 /// hold.
 struct Numbered_bubbles_2
@@ -39,18 +53,10 @@ struct Numbered_bubbles_2
 
   void add(const Bubble_record_2& r)
   {
-    bubbles.add(Point(r.x, r.y), r.d, static_cast<Bubbles_2::Dimension>(r.dimension), r.place, r.s, r.tag);
-    bubbles.vx.back() = r.vx;
-    bubbles.vy.back() = r.vy;
+    internal::add(bubbles, r);
     numbers.push_back(r.number);
   }
 };
-
-inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i, std::int64_t number)
-{
-  return Bubble_record_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i],
-                         number, b.place[i], b.tag[i], b.dimension[i]};
-}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/in_words.h>
@@ -55,7 +54,7 @@ public:
     std::vector<Keyed_record_2> records;
     m_agreement.reach_after([&] { records = keyed(points); });
     add_missing_corners(records, are_numbered);
-    cut(records);
+    m_partition = even_partition(m_comm, m_partition.curve(), records);
     records = bring_home(m_partition, m_exchange, m_comm.rank(), records);
     m_agreement.reach_after([&] {
       check_places(records);
@@ -146,17 +145,6 @@ private:
     r.tag = no_index;
     r.dimension = Bubbles_2::CORNER;
     return keyed(r);
-  }
-
-  void cut(const std::vector<Keyed_record_2>& records)
-  {
-    std::vector<Hilbert_curve_2::Key> keys;
-    m_agreement.reach_after([&] {
-      for (const Keyed_record_2& r : records)
-        keys.push_back(r.key);
-      std::sort(keys.begin(), keys.end());
-    });
-    m_partition = even_partition(m_comm, m_partition.curve(), keys);
   }
 
   /// points in one place have one key, so they are on one rank

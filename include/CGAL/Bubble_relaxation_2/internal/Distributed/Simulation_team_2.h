@@ -137,11 +137,7 @@ public:
   /// whether a bubble of any rank has gone so far that the halo is to be made anew
   bool is_outgrown() const { return m_is_outgrown; }
 
-  const Halo_2& halo() const { return m_halo; }
-
   const Hilbert_partition_2& partition() const { return *m_partition; }
-
-  std::size_t number_of_migrations() const { return m_number_of_migrations; }
 
 private:
   /// how many bubbles all ranks have, and the sum of their numbers
@@ -226,7 +222,6 @@ private:
       memories.push_back(s.memory);
     }
     simulation.restart(memories);
-    ++m_number_of_migrations;
   }
 
   const Communicator& m_comm;
@@ -237,8 +232,8 @@ private:
   Moves_exchange_2 m_moves;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
-  std::size_t m_number_of_migrations = 0;
-  bool m_may_be_stopped, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false, m_is_far_from_home = false;
+  bool m_may_be_stopped, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false,
+       m_is_far_from_home = false;
   std::vector<Index> m_others;
 };
 

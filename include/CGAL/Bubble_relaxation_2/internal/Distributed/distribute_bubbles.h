@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 
 #include <algorithm>
@@ -56,21 +57,15 @@ inline std::vector<Keyed_record_2> bring_home(const Hilbert_partition_2& partiti
   return home;
 }
 
-/// Cuts the curve so that all ranks own equally many of the bubbles.
-/// \pre the records of each rank are sorted, and come before those of the next
-inline Hilbert_partition_2 balanced_partition(const Communicator& comm, const Hilbert_curve_2& curve,
-                                              const std::vector<Keyed_record_2>& records)
+/// cuts the curve so that all ranks own equally many of the bubbles, whichever rank has them now
+inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+                                          const std::vector<Keyed_record_2>& records)
 {
-  const std::int64_t n = static_cast<std::int64_t>(records.size()), all = comm.sum(n), before = comm.sum_before(n);
-  std::vector<Hilbert_curve_2::Key> first_keys(static_cast<std::size_t>(comm.size() - 1), 0);
-  for (std::size_t k = 0; k < first_keys.size(); ++k) {
-    const std::int64_t first = all * static_cast<std::int64_t>(k + 1) / comm.size() - before;
-    if (first >= 0 && first < n)
-      first_keys[k] = records[static_cast<std::size_t>(first)].key;
-  }
-  if (comm.size() > 1)
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, first_keys.data(), comm.size() - 1, MPI_UINT64_T, MPI_MAX, comm.handle()));
-  return Hilbert_partition_2(curve, first_keys);
+  std::vector<Hilbert_curve_2::Key> keys;
+  for (const Keyed_record_2& r : records)
+    keys.push_back(r.key);
+  std::sort(keys.begin(), keys.end());
+  return even_partition(comm, curve, keys);
 }
 
 /// Of bubbles in one place the one of the lowest dimension stays.
@@ -83,7 +78,8 @@ inline void forget_coincident(std::vector<Keyed_record_2>& sorted)
                sorted.end());
 }
 
-/// Numbers bubbles along the curve, the first of all ranks by 0. \pre as above
+/// Numbers bubbles along the curve, the first of all ranks by 0.
+/// \pre the records of each rank are sorted, and come before those of the next
 inline Numbered_bubbles_2 number_along_curve(const Communicator& comm, const std::vector<Keyed_record_2>& records)
 {
   std::int64_t number = comm.sum_before(static_cast<std::int64_t>(records.size()));

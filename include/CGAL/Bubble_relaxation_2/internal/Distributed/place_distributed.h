@@ -47,12 +47,9 @@ Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange& excha
     if (!bubbles.is_gone(i) && is_ours)
       records.push_back(Keyed_record_2{curve.key(bubbles.x[i], bubbles.y[i]), record(bubbles, i, 0)});
   }
-  const Hilbert_partition_2 grown =
-    team.is_divided() ? team.partition() : Hilbert_partition_2::of_first_rank(curve, comm.size());
-  records = bring_home(grown, exchange, comm.rank(), records);
-  forget_coincident(records);
-  const Hilbert_partition_2 partition = balanced_partition(comm, curve, records);
+  const Hilbert_partition_2 partition = even_partition(comm, curve, records);
   records = bring_home(partition, exchange, comm.rank(), records);
+  forget_coincident(records);
   return Placed_part_2{number_along_curve(comm, records), partition};
 }
 
