@@ -51,7 +51,9 @@ public:
     const double d = s.parser.Eval();
     if (!(d > 0) || !std::isfinite(d)) {
       std::ostringstream message;
-      message << "--size: d(" << p.x() << ", " << p.y() << ") = " << d << " must be positive and finite";
+      message << "--size: d(" << p.x() << ", " << p.y() << ") = "
+              << (std::isnan(d) ? std::nan("") : d) // not "-nan", as 0/0 is printed
+              << " must be positive and finite";
       throw std::runtime_error(message.str());
     }
     return d;
