@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
@@ -22,7 +23,7 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 template <class Point_2>
-double radius_ratio(const Point_2& p, const Point_2& q, const Point_2& r)
+double radius_ratio_from_first(const Point_2& p, const Point_2& q, const Point_2& r)
 {
   // With the area A and the sides a, b, c:  r_in = 2 A / (a+b+c),  r_out = a b c / (4 A). The area comes
   // from a cross product: the product of differences in eq. 11 loses all digits of a flat triangle.
@@ -42,6 +43,17 @@ double radius_ratio(const Point_2& p, const Point_2& q, const Point_2& r)
   return sides > 0 ? (std::min)(1., 4 * twice_area * twice_area / sides) : 0.;
 }
 
+/// What rounds depends on the vertex to begin with, so the points decide which that is.
+template <class Point_2>
+double radius_ratio(const Point_2& p, const Point_2& q, const Point_2& r)
+{
+  if (CGAL::lexicographically_xy_smaller(q, p) && CGAL::lexicographically_xy_smaller(q, r))
+    return radius_ratio_from_first(q, r, p);
+  if (CGAL::lexicographically_xy_smaller(r, p))
+    return radius_ratio_from_first(r, p, q);
+  return radius_ratio_from_first(p, q, r);
+}
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 
@@ -51,8 +63,8 @@ double radius_ratio(const Point_2& p, const Point_2& q, const Point_2& r)
 \brief returns q = 2 r_in / r_out of the triangle `pqr`, twice the radius of its inscribed circle over the
 radius of its circumscribed circle (eq. 11 of the paper): 1 if it is equilateral, 0 if it is degenerate.
 
-The value does not depend on the orientation, nor on the scale: coordinates may be as large or small as
-their differences can be represented.
+The value does not depend on the orientation, on the vertex that comes first, nor on the scale: coordinates may
+be as large or small as their differences can be represented.
 
 \tparam Point_2 the point type of a model of `Kernel`; the value is of its type `FT`, with the digits of
 `double` also if that is exact

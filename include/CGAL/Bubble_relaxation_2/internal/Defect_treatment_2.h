@@ -10,19 +10,23 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DEFECT_TREATMENT_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Treatment_alone.h>
 #include <CGAL/Bubble_relaxation_2/internal/Vertex_smoothing_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 #include <CGAL/radius_ratio_2.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+inline double quality(const Flat_triangulation_2& tr, Index t)
+{
+  return radius_ratio(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2));
+}
 
 /// q of each triangle of the domain, 1 outside
 template <class Concurrency_tag>
@@ -31,9 +35,7 @@ std::vector<double> qualities(const Marked_triangulation_2& mesh)
   std::vector<double> result(mesh.tr.number_of_triangles());
   parallel_for<Concurrency_tag>(result.size(), [&](std::size_t t) {
     const Index i = static_cast<Index>(t);
-    result[t] = mesh.inside[t] != 0
-                  ? radius_ratio(mesh.tr.point(i, 0), mesh.tr.point(i, 1), mesh.tr.point(i, 2))
-                  : 1.;
+    result[t] = mesh.inside[t] != 0 ? quality(mesh.tr, i) : 1.;
   });
   return result;
 }
@@ -49,8 +51,8 @@ double smallest_quality(const Marked_triangulation_2& mesh)
 /// The last defects. Where vertices have five and seven neighbours the forces press triangles more than
 /// they must be pressed. So the vertices of bad triangles are moved for the quality of their triangles
 /// alone: in sweeps, of which each takes the vertices around those that moved in the last one, with the
-/// constrained Delaunay property restored in between.
-template <class Concurrency_tag>
+/// constrained Delaunay property restored in between. Vertices of other ranks are left to them.
+template <class Concurrency_tag, class Team = const Treatment_alone>
 class Defect_treatment_2
 {
 public:
@@ -58,8 +60,8 @@ public:
   double treated_quality = 0.95;
   int number_of_sweeps = 4;
 
-  Defect_treatment_2(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles)
-    : m_domain(domain), m_mesh(mesh), m_bubbles(bubbles)
+  Defect_treatment_2(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles, Team& team)
+    : m_domain(domain), m_mesh(mesh), m_bubbles(bubbles), m_team(team), m_coloring(bubbles.size())
   {}
 
   /// returns the vertices that were moved
@@ -68,9 +70,10 @@ public:
     Editable_triangulation_2 mesh(m_mesh);
     std::vector<char> was_moved(m_bubbles.size(), 0);
     std::vector<Index> candidates = vertices_of_bad_triangles();
-    for (int sweep = 0; sweep < number_of_sweeps && !candidates.empty(); ++sweep) {
+    for (int sweep = 0; sweep < number_of_sweeps && m_team.goes_on(!candidates.empty()); ++sweep) {
       const std::vector<Index> moved = move(mesh, candidates);
       mesh.restore_delaunay(moved);
+      m_team.restore_border(mesh, m_mesh);
       for (Index v : moved)
         was_moved[v] = 1;
       candidates = neighbors_of(mesh, moved);
@@ -79,6 +82,8 @@ public:
   }
 
 private:
+  bool may_be_moved(Index v) const { return m_bubbles.can_move(v) && m_bubbles.is_ours(v); }
+
   std::vector<Index> vertices_of_bad_triangles() const
   {
     const Flat_triangulation_2& tr = m_mesh.tr;
@@ -87,7 +92,7 @@ private:
     for (std::size_t t = 0; t < q.size(); ++t)
       if (q[t] < treated_quality)
         for (Index v : tr.vertices[t])
-          marks[v] = m_bubbles.can_move(v);
+          marks[v] = may_be_moved(v);
     return marked(marks);
   }
 
@@ -104,45 +109,30 @@ private:
   std::vector<Index> move(Editable_triangulation_2& mesh, const std::vector<Index>& candidates)
   {
     const Vertex_smoothing_2 smooth(m_domain, treated_quality);
+    std::vector<std::vector<Index>> independent = independent_sets(mesh, candidates);
+    independent.resize(m_team.largest(independent.size()));
     std::vector<Index> result;
-    std::vector<char> moved;
-    for (const std::vector<Index>& independent : independent_sets(mesh, candidates)) {
-      moved.assign(independent.size(), 0);
+    for (const std::vector<Index>& set : independent) {
+      std::vector<char> was_moved(set.size(), 0);
       parallel_for<Concurrency_tag>(
-        independent.size(),
-        [&](std::size_t k) { moved[k] = smooth(mesh, m_bubbles, independent[k]); }, 64);
-      for (std::size_t k = 0; k < independent.size(); ++k)
-        if (moved[k])
-          result.push_back(independent[k]);
+        set.size(), [&](std::size_t k) { was_moved[k] = smooth(mesh, m_bubbles, set[k]); }, 64);
+      std::vector<Index> moved;
+      for (std::size_t k = 0; k < set.size(); ++k)
+        if (was_moved[k])
+          moved.push_back(set[k]);
+      m_team.share_moves(m_mesh, m_bubbles, moved);
+      result.insert(result.end(), moved.begin(), moved.end());
     }
     return result;
   }
 
-  /// the candidates in sets without neighbours, each in the first set that has none of its neighbours
   std::vector<std::vector<Index>> independent_sets(const Editable_triangulation_2& mesh,
                                                    const std::vector<Index>& candidates)
   {
-    constexpr unsigned none = 255;
-    m_set.resize(m_bubbles.size(), none);
-    std::vector<std::vector<Index>> sets;
-    for (Index v : candidates) {
-      std::uint64_t taken = 0;
-      for (const Corner_2& c : mesh.star(v))
-        for (Index w : m_mesh.tr.vertices[c.triangle])
-          if (m_set[w] != none)
-            taken |= std::uint64_t(1) << m_set[w];
-      unsigned set = 0;
-      while (set < 63 && (taken >> set & 1) != 0)
-        ++set;
-      if (set == 63)
-        continue; // more neighbours than this are not to be treated here
-      m_set[v] = static_cast<unsigned char>(set);
-      if (set == sets.size())
-        sets.emplace_back();
-      sets[set].push_back(v);
-    }
-    for (Index v : candidates)
-      m_set[v] = none;
+    m_coloring.color(mesh, candidates);
+    m_team.share_colors(mesh, candidates, m_coloring);
+    std::vector<std::vector<Index>> sets = m_coloring.sets(candidates);
+    m_coloring.forget(candidates);
     return sets;
   }
 
@@ -153,8 +143,9 @@ private:
     for (Index v : moved)
       for (const Corner_2& c : mesh.star(v))
         for (Index w : m_mesh.tr.vertices[c.triangle])
-          if (m_bubbles.can_move(w))
+          if (may_be_moved(w) && mesh.is_inside(c.triangle))
             result.push_back(w);
+    m_team.add_neighbors_of_others(mesh, m_bubbles, result);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -163,8 +154,17 @@ private:
   const Domain_2& m_domain;
   Marked_triangulation_2& m_mesh;
   Bubbles_2& m_bubbles;
-  std::vector<unsigned char> m_set; // of candidates
+  Team& m_team;
+  Greedy_coloring_2 m_coloring;
 };
+
+/// moves the vertices of bad triangles where there is one rank; returns those that were moved
+template <class Concurrency_tag>
+std::vector<Index> treat_vertices(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles)
+{
+  const Treatment_alone alone;
+  return Defect_treatment_2<Concurrency_tag>(domain, mesh, bubbles, alone)();
+}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

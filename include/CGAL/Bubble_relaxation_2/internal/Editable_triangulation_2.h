@@ -13,6 +13,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -90,16 +91,31 @@ public:
         m_doubtful.push_back(c);
         m_doubtful.push_back(Corner_2{c.triangle, ccw(c.index)});
       }
-      while (!m_doubtful.empty()) {
-        const Corner_2 edge = m_doubtful.back();
-        m_doubtful.pop_back();
-        number_of_flips += flip_unless_delaunay(edge.triangle, edge.index);
-      }
+      number_of_flips += flip_doubtful();
     }
     return number_of_flips;
   }
 
+  /// the same around one triangle with vertices that were moved
+  std::size_t restore_delaunay_around(Index t)
+  {
+    for (int i = 0; i < 3; ++i)
+      m_doubtful.push_back(Corner_2{t, i});
+    return flip_doubtful();
+  }
+
 private:
+  std::size_t flip_doubtful()
+  {
+    std::size_t number_of_flips = 0;
+    while (!m_doubtful.empty()) {
+      const Corner_2 edge = m_doubtful.back();
+      m_doubtful.pop_back();
+      number_of_flips += flip_unless_delaunay(edge.triangle, edge.index);
+    }
+    return number_of_flips;
+  }
+
   Corner_2 corner(Index t, Index v) const
   {
     const auto& vertices = m_mesh.tr.vertices[t];
@@ -112,15 +128,27 @@ private:
     if (n == no_index || m_mesh.edges[t][i] != no_index || !is_inside(t))
       return false;
     const int j = m_mesh.tr.index_of_neighbor(n, t);
-    const Flat_triangulation_2& tr = m_mesh.tr;
-    if (CGAL::side_of_oriented_circle(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), tr.point(n, j)) !=
-        ON_POSITIVE_SIDE)
+    if (is_delaunay(t, i, n, j))
       return false;
     flip(t, i, n, j);
     for (Index changed : {t, n})
       for (int k = 0; k < 3; ++k)
         m_doubtful.push_back(Corner_2{changed, k});
     return true;
+  }
+
+  /// Of four vertices on a circle the edge must not end at the last one in the order of coordinates, as if that
+  /// were a little outside. This is how CGAL's triangulations have it: the order of flips does not matter.
+  bool is_delaunay(Index t, int i, Index n, int j) const
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Point &a = tr.point(t, i), &b = tr.point(t, ccw(i)), &c = tr.point(t, cw(i)), &d = tr.point(n, j);
+    const Oriented_side side = CGAL::side_of_oriented_circle(a, b, c, d);
+    if (side != ON_ORIENTED_BOUNDARY)
+      return side == ON_NEGATIVE_SIDE;
+    const auto is_smaller = [](const Point& p, const Point& q) { return CGAL::lexicographically_xy_smaller(p, q); };
+    const Point& last = (std::max)(b, c, is_smaller);
+    return is_smaller(last, a) || is_smaller(last, d);
   }
 
   /// replaces the common edge of the triangles `t` = (a, b, c) and `n` = (d, c, b), opposite to their

@@ -23,10 +23,11 @@ namespace internal {
 class Mesh_patch_2
 {
 public:
-  /// all triangles of the domain that can be reached from `triangle` in `reach` steps across sides
-  Mesh_patch_2(const Bubble_mesh_2& mesh, Index triangle, int reach) : m_mesh(mesh)
+  /// all triangles of the domain that can be reached from `triangle` in some steps across sides
+  Mesh_patch_2(const Bubbles_2& bubbles, const Marked_triangulation_2& mesh, Index triangle)
+    : m_all_bubbles(bubbles), m_mesh(mesh)
   {
-    collect_triangles(triangle, reach);
+    collect_triangles(triangle);
     collect_bubbles();
     collect_edges();
   }
@@ -43,15 +44,28 @@ public:
                               m_indices.begin());
   }
 
+  /// whether the mesh ends at the patch where the domain does not; `outline`: what `edges` has where the domain ends
+  bool is_cut_off(Index outline) const
+  {
+    for (Index t : m_triangles)
+      for (int i = 0; i < 3; ++i)
+        if (m_mesh.tr.neighbors[t][i] == no_index && m_mesh.edges[t][i] != outline)
+          return true;
+    return false;
+  }
+
 private:
+  /// the vertices that move are those up to about three edges away
+  static constexpr int reach = 6;
+
   bool contains(Index t) const
   {
     return t != no_index && std::binary_search(m_triangles.begin(), m_triangles.end(), t);
   }
 
-  void collect_triangles(Index triangle, int reach)
+  void collect_triangles(Index triangle)
   {
-    const Marked_triangulation_2& m = m_mesh.triangulation;
+    const Marked_triangulation_2& m = m_mesh;
     std::vector<Index> front(1, triangle);
     m_triangles = front;
     for (int step = 0; step < reach; ++step) {
@@ -70,12 +84,12 @@ private:
 
   void collect_bubbles()
   {
-    const Marked_triangulation_2& m = m_mesh.triangulation;
+    const Marked_triangulation_2& m = m_mesh;
     for (Index t : m_triangles)
       m_indices.insert(m_indices.end(), m.tr.vertices[t].begin(), m.tr.vertices[t].end());
     std::sort(m_indices.begin(), m_indices.end());
     m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
-    const Bubbles_2& b = m_mesh.bubbles;
+    const Bubbles_2& b = m_all_bubbles;
     for (Index i : m_indices)
       m_bubbles.add(b.point(i), b.d[i], static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.place[i],
                     b.s[i], b.tag[i]);
@@ -92,7 +106,7 @@ private:
   /// the rim and the constraints inside
   void collect_edges()
   {
-    const Marked_triangulation_2& m = m_mesh.triangulation;
+    const Marked_triangulation_2& m = m_mesh;
     for (Index t : m_triangles)
       for (int i = 0; i < 3; ++i) {
         const Index n = m.tr.neighbors[t][i];
@@ -104,7 +118,8 @@ private:
       }
   }
 
-  const Bubble_mesh_2& m_mesh;
+  const Bubbles_2& m_all_bubbles;
+  const Marked_triangulation_2& m_mesh;
   std::vector<Index> m_triangles, m_indices;
   Bubbles_2 m_bubbles;
   std::vector<Domain_edge_2> m_edges;

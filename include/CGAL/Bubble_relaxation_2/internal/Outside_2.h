@@ -23,6 +23,31 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// Makes the triangulation of the bubbles on the outline of a domain, whose vertices are numbered as the bubbles
+/// are; returns whether it can be made.
+inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Marked_triangulation_2& outline)
+{
+  std::vector<Index> number(b.size(), no_index), vertices;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index)) {
+      number[i] = static_cast<Index>(points.size());
+      points.push_back(b.point(i));
+      vertices.push_back(static_cast<Index>(i));
+    }
+  std::vector<Domain_edge_2> edges = cut_edges(domain, b);
+  for (Domain_edge_2& e : edges) {
+    e.source = number[e.source];
+    e.target = number[e.target];
+  }
+  if (mark_triangulation(points, edges, outline) != Marking_error::NONE)
+    return false;
+  for (auto& triangle : outline.tr.vertices)
+    for (Index& v : triangle)
+      v = vertices[v];
+  return true;
+}
+
 /// Makes the triangles outside of the domain anew. They depend on its outline only, since nothing sees through
 /// the edges; so they need not be looked at while vertices move, which they would forbid where roundings alone
 /// make a bend of a slanted edge.
@@ -36,7 +61,7 @@ public:
   /// returns whether it could be made; if not, the mesh is as it was
   bool rebuild()
   {
-    if (!triangulate_outline())
+    if (!triangulate_outline(m_domain, m_bubbles, m_outline))
       return false;
     Marked_triangulation_2 result;
     result.tr.points.swap(m_mesh.tr.points);
@@ -49,30 +74,6 @@ public:
   }
 
 private:
-  /// the triangulation of the bubbles on the outline, and which they are
-  bool triangulate_outline()
-  {
-    std::vector<Index> number(m_bubbles.size(), no_index);
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
-      if (m_bubbles.is_on_edge(i) || (m_bubbles.is_corner(i) && m_bubbles.place[i] != no_index)) {
-        number[i] = static_cast<Index>(points.size());
-        points.push_back(m_bubbles.point(i));
-        m_vertices.push_back(static_cast<Index>(i));
-      }
-    std::vector<Domain_edge_2> edges = cut_edges(m_domain, m_bubbles);
-    for (Domain_edge_2& e : edges) {
-      e.source = number[e.source];
-      e.target = number[e.target];
-    }
-    if (mark_triangulation(points, edges, m_outline) != Marking_error::NONE)
-      return false;
-    for (auto& triangle : m_outline.tr.vertices)
-      for (Index& v : triangle)
-        v = m_vertices[v];
-    return true;
-  }
-
   /// adds the triangles of one mark; returns their new numbers
   static std::vector<Index> take(const Marked_triangulation_2& from, char mark, Marked_triangulation_2& result)
   {
@@ -123,7 +124,6 @@ private:
   const Bubbles_2& m_bubbles;
   Marked_triangulation_2& m_mesh;
   Marked_triangulation_2 m_outline;
-  std::vector<Index> m_vertices; // of the outline
 };
 
 } // namespace internal

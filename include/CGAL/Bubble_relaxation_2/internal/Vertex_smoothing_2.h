@@ -67,10 +67,29 @@ private:
   {
     const Flat_triangulation_2& tr = mesh.triangulation();
     Star_quality_2 star(tr.points[v], bubbles.d[v]);
-    for (const Corner_2& c : mesh.star(v))
+    const Star_2 corners = mesh.star(v);
+    const std::size_t first = first_corner(mesh, corners);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Corner_2& c = corners[(first + k) % corners.size()];
       if (mesh.is_inside(c.triangle))
         star.add(tr.point(c.triangle, ccw(c.index)), tr.point(c.triangle, cw(c.index)));
+    }
     return star;
+  }
+
+  /// The one in the domain with the first neighbour: sums round the same wherever the star begins.
+  static std::size_t first_corner(const Editable_triangulation_2& mesh, const Star_2& corners)
+  {
+    std::size_t first = 0;
+    Index least = no_index;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Index w = mesh.triangulation().vertices[corners[k].triangle][ccw(corners[k].index)];
+      if (mesh.is_inside(corners[k].triangle) && (least == no_index || w < least)) {
+        least = w;
+        first = k;
+      }
+    }
+    return first;
   }
 
   /// Newton's step, or down the slope where the energy is not convex

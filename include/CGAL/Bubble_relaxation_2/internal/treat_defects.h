@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Outside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 #include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/Treatment_counts.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 
 #include <algorithm>
@@ -27,12 +28,6 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// What was done to a mesh.
-struct Treatment_counts
-{
-  std::size_t treated = 0, inserted = 0, deleted = 0;
-};
-
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
 template <class Concurrency_tag>
@@ -40,7 +35,7 @@ std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& 
 {
   const Bubbles_2 untreated = mesh.bubbles;
   const std::vector<Index> moved =
-    Defect_treatment_2<Concurrency_tag>(domain, mesh.triangulation, mesh.bubbles)();
+    treat_vertices<Concurrency_tag>(domain, mesh.triangulation, mesh.bubbles);
   const double smallest_now = smallest_quality<Concurrency_tag>(mesh.triangulation);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
@@ -60,9 +55,8 @@ std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& 
 template <class Concurrency_tag>
 void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, Treatment_counts& counts)
 {
-  const std::size_t most = 32 + mesh.bubbles.size() / 1000; // operations are dear
-  // angles of 38 degrees and less are in triangles with less than the first
-  for (double bad_quality : {0.88, 0.8, 0.8, 0.8}) {
+  const std::size_t most = most_operations(mesh.bubbles.size());
+  for (double bad_quality : bad_qualities) {
     if (smallest >= bad_quality)
       break;
     Defect_surgery_2 surgery(domain, mesh, bad_quality);
@@ -80,9 +74,7 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smal
     }
     smallest = smallest_now;
     mesh = std::move(changed);
-    counts.treated += moved;
-    counts.inserted += surgery.number_of_insertions;
-    counts.deleted += surgery.number_of_deletions;
+    counts += Treatment_counts{moved, surgery.number_of_insertions, surgery.number_of_deletions};
   }
 }
 

@@ -37,6 +37,14 @@ struct Known_bubbles_2
 
   std::size_t size() const { return numbers.size(); }
 
+  /// of a bubble with a number, `no_index` if there is none
+  /// \pre they are sorted
+  Index index(std::int64_t number) const
+  {
+    const auto found = std::lower_bound(numbers.begin(), numbers.end(), number);
+    return found != numbers.end() && *found == number ? static_cast<Index>(found - numbers.begin()) : no_index;
+  }
+
   void add(const Bubble_record_2& r, int owner)
   {
     internal::add(bubbles, r);

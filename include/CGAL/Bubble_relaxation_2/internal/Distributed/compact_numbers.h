@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_COMPACT_NUMBERS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 
@@ -51,6 +52,26 @@ inline void compact_numbers(const Communicator& comm, Sparse_exchange& exchange,
     const int rank = counting_rank(number);
     number = answers[rank][next[rank]++];
   }
+}
+
+/// The bubbles of a rank in the order of their numbers, which are less than `end`, with numbers without gaps.
+/// Collective.
+inline Numbered_bubbles_2 number_without_gaps(const Communicator& comm, Sparse_exchange& exchange, std::int64_t end,
+                                              std::vector<Keyed_record_2> records)
+{
+  std::vector<std::int64_t> numbers;
+  for (const Keyed_record_2& r : records)
+    numbers.push_back(r.bubble.number);
+  compact_numbers(comm, exchange, end, numbers);
+  for (std::size_t k = 0; k < records.size(); ++k)
+    records[k].bubble.number = numbers[k];
+  std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
+    return r.bubble.number < s.bubble.number;
+  });
+  Numbered_bubbles_2 result;
+  for (const Keyed_record_2& r : records)
+    result.add(r.bubble);
+  return result;
 }
 
 } // namespace internal

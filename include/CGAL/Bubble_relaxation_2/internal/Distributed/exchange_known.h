@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Exchanges messages between ranks that know who sends how much: the messages in `in` have their sizes
-/// already.
+/// Exchanges messages between ranks that know who sends how much at most: the messages in `in` have that size,
+/// and afterwards that of what came.
 template <class T>
 void exchange_known(const Communicator& comm, const Messages<T>& out, Messages<T>& in)
 {
@@ -38,7 +38,14 @@ void exchange_known(const Communicator& comm, const Messages<T>& out, Messages<T
     check_mpi(MPI_Isend(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
                         comm.handle(), &requests.back()));
   }
-  check_mpi(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE));
+  std::vector<MPI_Status> statuses(requests.size());
+  check_mpi(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), statuses.data()));
+  std::size_t k = 0;
+  for (auto& message : in) {
+    int size = 0;
+    MPI_Get_count(&statuses[k++], MPI_BYTE, &size);
+    message.second.resize(static_cast<std::size_t>(size) / sizeof(T));
+  }
 }
 
 } // namespace internal

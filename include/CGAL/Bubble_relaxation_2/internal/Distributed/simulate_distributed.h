@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,19 +50,7 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
                                        record(bubbles, i, bubbles.number[i])});
   records = bring_home(partition, exchange, comm.rank(), records);
   forget_coincident(records);
-  std::vector<std::int64_t> numbers;
-  for (const Keyed_record_2& r : records)
-    numbers.push_back(r.bubble.number);
-  compact_numbers(comm, exchange, end, numbers);
-  for (std::size_t k = 0; k < records.size(); ++k)
-    records[k].bubble.number = numbers[k];
-  std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
-    return r.bubble.number < s.bubble.number;
-  });
-  Placed_part_2 result{{}, partition};
-  for (const Keyed_record_2& r : records)
-    result.bubbles.add(r.bubble);
-  return result;
+  return Placed_part_2{number_without_gaps(comm, exchange, end, std::move(records)), partition};
 }
 
 /// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_SURGERY_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_SURGERY_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Defect_surgery_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Patch_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The operations of `Defect_surgery_2` by ranks: each operates on the triangles it owns that are among the worst of
+/// all. An operation looks at the mesh as it was before all of them, so its outcome does not depend on others; of
+/// patches that overlap the one with the worse triangle counts.
+class Distributed_surgery_2
+{
+public:
+  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, const Hilbert_partition_2& partition,
+                        const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
+    : m_domain(domain), m_mesh(piece.mesh), m_partition(partition), m_comm(comm), m_agreement(agreement),
+      m_exchange(exchange)
+  {}
+
+  /// what was done on all ranks
+  std::int64_t number_of_insertions = 0, number_of_deletions = 0;
+
+  /// Collective. Finds the worst triangles of all, `most` at most, and their patches; returns whether the piece is
+  /// wide enough for that on all ranks.
+  bool find_patches(double bad_quality, std::size_t most)
+  {
+    bool is_cut_off = false;
+    std::vector<Bad_triangle_2> worst;
+    m_agreement.reach_after([&] {
+      worst = bad_triangles(m_mesh.known.bubbles, m_mesh.triangulation, bad_quality);
+      worst.erase(std::remove_if(worst.begin(), worst.end(),
+                                 [this](const Bad_triangle_2& t) { return !m_mesh.is_owned[t.triangle]; }),
+                  worst.end());
+      worst.resize((std::min)(most, worst.size()));
+    });
+    keep_worst_of_all(most, worst);
+    m_agreement.reach_after([&] {
+      for (const Bad_triangle_2& bad : worst) {
+        m_operations.push_back(
+          Operation{bad, Mesh_patch_2(m_mesh.known.bubbles, m_mesh.triangulation, bad.triangle), {}, false});
+        is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off(Mesh_piece_2::OUTLINE);
+      }
+    });
+    return !m_comm.any(is_cut_off);
+  }
+
+  /// Collective. Operates on patches that do not overlap: returns this rank's bubbles, which are still where they
+  /// were, with the numbers that all had; those inserted have the next from `end` on.
+  Numbered_bubbles_2 operate(std::int64_t end)
+  {
+    std::vector<Patch_claim_2> claims;
+    for (const Operation& operation : m_operations)
+      claims.push_back(claim(operation));
+    Patch_choice_2 choose(m_comm, m_exchange, claims, m_mesh.known);
+    choose([this](std::size_t k) { return operate_on(m_operations[k]); }, m_agreement);
+    number_insertions(end);
+    Messages<Bubble_record_2> out;
+    m_agreement.reach_after([&] {
+      for (const Operation& operation : m_operations)
+        if (operation.is_chosen)
+          tell_changes(operation, out);
+    });
+    number_of_insertions = m_comm.sum(number_of_insertions);
+    number_of_deletions = m_comm.sum(number_of_deletions);
+    return changed(m_exchange(out));
+  }
+
+private:
+  struct Operation
+  {
+    Bad_triangle_2 bad;
+    Mesh_patch_2 patch;
+    Patch_outcome_2 outcome;
+    bool is_chosen;
+    std::int64_t first_number = 0; ///< of what is inserted
+
+    std::int64_t number_of_insertions() const
+    {
+      return std::count_if(outcome.original.begin(), outcome.original.end(), [this](Index i) {
+        return static_cast<std::size_t>(i) >= patch.indices().size();
+      });
+    }
+  };
+
+  void keep_worst_of_all(std::size_t most, std::vector<Bad_triangle_2>& worst) const
+  {
+    std::vector<Bad_triangle_2> all = gather_records(m_comm, worst);
+    if (all.size() <= most)
+      return;
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
+    const Bad_triangle_2& first_too_many = all[most];
+    worst.erase(std::lower_bound(worst.begin(), worst.end(), first_too_many), worst.end());
+  }
+
+  /// returns whether it helped
+  bool operate_on(Operation& operation) const
+  {
+    Patch_operation_2 operate(m_domain, m_mesh.known.bubbles, m_mesh.triangulation, operation.patch);
+    operation.is_chosen = operate(operation.bad.triangle);
+    operation.outcome = operate.best();
+    return operation.is_chosen;
+  }
+
+  Patch_claim_2 claim(const Operation& operation) const
+  {
+    Patch_claim_2 result{operation.bad, {}};
+    for (Index t : operation.patch.triangles())
+      result.triangles.push_back(m_mesh.triangulation.tr.vertices[t]);
+    return result;
+  }
+
+  /// what is inserted gets numbers as if all was inserted by one rank, in the order of the operations
+  void number_insertions(std::int64_t end)
+  {
+    struct Insertion
+    {
+      Bad_triangle_2 bad;
+      std::int64_t number;
+
+      bool operator<(const Insertion& i) const { return bad < i.bad; }
+    };
+    std::vector<Insertion> own;
+    for (const Operation& operation : m_operations)
+      if (operation.is_chosen)
+        own.push_back(Insertion{operation.bad, operation.number_of_insertions()});
+    std::vector<Insertion> all = gather_records(m_comm, own);
+    std::sort(all.begin(), all.end());
+    for (Insertion& i : all)
+      end += std::exchange(i.number, end);
+    for (Operation& operation : m_operations)
+      if (operation.is_chosen)
+        operation.first_number = std::lower_bound(all.begin(), all.end(), Insertion{operation.bad, 0})->number;
+  }
+
+  void tell_changes(const Operation& operation, Messages<Bubble_record_2>& out)
+  {
+    std::int64_t number = operation.first_number;
+    const Known_bubbles_2& known = m_mesh.known;
+    const std::vector<Index>& indices = operation.patch.indices();
+    const Bubbles_2& b = operation.outcome.bubbles;
+    std::vector<char> is_left(indices.size(), 0);
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      const std::size_t original = static_cast<std::size_t>(operation.outcome.original[k]);
+      if (original >= indices.size()) {
+        out[m_partition.owner(b.x[k], b.y[k])].push_back(record(b, k, number++));
+        ++number_of_insertions;
+        continue;
+      }
+      is_left[original] = 1;
+      const Index i = indices[original];
+      if (b.can_move(k)) // those on the rim look like corners
+        out[known.owners[i]].push_back(record(b, k, known.numbers[i]));
+    }
+    for (std::size_t l = 0; l < indices.size(); ++l)
+      if (!is_left[l]) {
+        Bubble_record_2 gone = record(known.bubbles, static_cast<std::size_t>(indices[l]), known.numbers[indices[l]]);
+        gone.dimension = Bubbles_2::GONE;
+        out[known.owners[indices[l]]].push_back(gone);
+        ++number_of_deletions;
+      }
+  }
+
+  Numbered_bubbles_2 changed(const Messages<Bubble_record_2>& in) const
+  {
+    const Known_bubbles_2& known = m_mesh.known;
+    Bubbles_2 b = known.bubbles;
+    Numbered_bubbles_2 inserted, result;
+    for (const auto& message : in)
+      for (const Bubble_record_2& r : message.second) {
+        const Index i = known.index(r.number);
+        if (i == no_index) {
+          inserted.add(r);
+          continue;
+        }
+        if (r.dimension == Bubbles_2::GONE)
+          b.remove(i);
+        b.x[i] = r.x;
+        b.y[i] = r.y;
+        b.s[i] = r.s;
+        b.place[i] = r.place;
+      }
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (known.owners[i] == m_comm.rank() && !b.is_gone(i))
+        result.add(record(b, i, known.numbers[i]));
+    for (std::size_t k = 0; k < inserted.size(); ++k)
+      result.add(record(inserted.bubbles, k, inserted.numbers[k]));
+    return result;
+  }
+
+  const Domain_2& m_domain;
+  const Distributed_mesh_2& m_mesh;
+  const Hilbert_partition_2& m_partition;
+  const Communicator& m_comm;
+  Agreement& m_agreement;
+  Sparse_exchange& m_exchange;
+  std::vector<Operation> m_operations;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_SURGERY_2_H

@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PATCH_OPERATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PATCH_OPERATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Defect_treatment_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Mesh_patch_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What an operation made of a patch.
+struct Patch_outcome_2
+{
+  Bubbles_2 bubbles;
+  std::vector<Index> original; ///< of each bubble its number in the patch; inserted ones come after the last
+};
+
+/// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its
+/// vertices or of the three beyond its sides, or to insert one in its middle or on a side; the patch is
+/// triangulated and its vertices are moved. The best outcome counts if the worst triangle of the patch gets better.
+class Patch_operation_2
+{
+public:
+  Patch_operation_2(const Domain_2& domain, const Bubbles_2& bubbles, const Marked_triangulation_2& mesh,
+                    const Mesh_patch_2& patch)
+    : m_domain(domain), m_bubbles(bubbles), m_mesh(mesh), m_patch(patch)
+  {}
+
+  /// tries what could help triangle `t`; returns whether anything did
+  bool operator()(Index t)
+  {
+    double smallest = 1;
+    for (Index n : m_patch.triangles())
+      smallest = (std::min)(smallest, quality(m_mesh.tr, n));
+    m_smallest = smallest + least_gain;
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const std::array<int, 3> corners = corners_in_order(t); // among equal outcomes the first counts
+    m_mean_size = mean_size(t, corners);
+    for (int i : corners) {
+      try_without(tr.vertices[t][i]);
+      const Index n = tr.neighbors[t][i];
+      if (n != no_index && m_mesh.inside[n])
+        try_without(tr.vertices[n][tr.index_of_neighbor(n, t)]);
+      try_with_on_side(t, i);
+    }
+    try_with(CGAL::centroid(tr.point(t, corners[0]), tr.point(t, corners[1]), tr.point(t, corners[2])),
+             m_mean_size);
+    return m_is_better;
+  }
+
+  const Patch_outcome_2& best() const { return m_best; }
+
+private:
+  /// how much the smallest q of a patch must gain
+  static constexpr double least_gain = 0.01;
+
+  /// from the vertex with the smallest index on
+  std::array<int, 3> corners_in_order(Index t) const
+  {
+    const std::array<Index, 3>& v = m_mesh.tr.vertices[t];
+    const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
+    return {first, ccw(first), cw(first)};
+  }
+
+  double mean_size(Index t, const std::array<int, 3>& corners) const
+  {
+    double sum = 0;
+    for (int i : corners)
+      sum += m_bubbles.d[m_mesh.tr.vertices[t][i]];
+    return sum / 3;
+  }
+
+
+  void try_without(Index v)
+  {
+    const Index removed = m_patch.local(v);
+    if (!m_patch.bubbles().can_move(removed))
+      return;
+    Bubbles_2 bubbles = m_patch.bubbles();
+    std::vector<Domain_edge_2> edges = m_patch.edges();
+    if (bubbles.is_on_edge(removed) && !join(edges, removed))
+      return;
+    bubbles.remove(removed);
+    try_patch(std::move(bubbles), std::move(edges));
+  }
+
+  /// makes one edge of the two that meet in a bubble
+  static bool join(std::vector<Domain_edge_2>& edges, Index removed)
+  {
+    std::vector<std::size_t> incident;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (edges[e].source == removed || edges[e].target == removed)
+        incident.push_back(e);
+    if (incident.size() != 2)
+      return false;
+    Domain_edge_2 &first = edges[incident[0]], second = edges[incident[1]];
+    if (second.source != removed && second.target == removed)
+      reverse(second);
+    if (first.target != removed)
+      reverse(first);
+    if (first.inside_left != second.inside_left || first.inside_right != second.inside_right)
+      return false;
+    first.target = second.target;
+    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(incident[1]));
+    return true;
+  }
+
+  static void reverse(Domain_edge_2& e)
+  {
+    std::swap(e.source, e.target);
+    std::swap(e.inside_left, e.inside_right);
+  }
+
+  void try_with(const Point& p, double d)
+  {
+    Index hint = 0;
+    const Index triangle = m_domain.locate_inside(p, hint);
+    if (triangle == no_index)
+      return;
+    Bubbles_2 bubbles = m_patch.bubbles();
+    bubbles.add(p, d, Bubbles_2::FACE, triangle);
+    try_patch(std::move(bubbles), m_patch.edges());
+  }
+
+  void try_with_on_side(Index t, int i)
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
+    if (m_mesh.edges[t][i] == no_index) {
+      try_with(CGAL::midpoint(p, q), m_mean_size);
+      return;
+    }
+    const Index u = tr.vertices[t][ccw(i)], v = tr.vertices[t][cw(i)];
+    const Index e = common_edge(u, v);
+    if (e == no_index)
+      return;
+    const double s = 0.5 * (position(u, e) + position(v, e));
+    Bubbles_2 bubbles = m_patch.bubbles();
+    const Index middle = static_cast<Index>(bubbles.size());
+    bubbles.add(m_domain.point_on_edge(e, s), m_mean_size, Bubbles_2::EDGE, e, s);
+    std::vector<Domain_edge_2> edges = m_patch.edges();
+    const Index a = m_patch.local(u), b = m_patch.local(v);
+    for (Domain_edge_2& piece : edges)
+      if ((piece.source == a && piece.target == b) || (piece.source == b && piece.target == a)) {
+        Domain_edge_2 rest = piece;
+        piece.target = rest.source = middle;
+        edges.push_back(rest);
+        break;
+      }
+    try_patch(std::move(bubbles), std::move(edges));
+  }
+
+  /// the edge of the domain that two bubbles lie on
+  Index common_edge(Index u, Index v) const
+  {
+    const Bubbles_2& b = m_bubbles;
+    if (b.is_on_edge(u))
+      return b.place[u];
+    if (b.is_on_edge(v))
+      return b.place[v];
+    for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
+      const Domain_edge_2& edge = m_domain.edges()[e];
+      if ((edge.source == b.place[u] && edge.target == b.place[v]) ||
+          (edge.source == b.place[v] && edge.target == b.place[u]))
+        return static_cast<Index>(e);
+    }
+    return no_index;
+  }
+
+  double position(Index i, Index e) const
+  {
+    const Bubbles_2& b = m_bubbles;
+    return b.is_on_edge(i) ? b.s[i] : b.place[i] == m_domain.edges()[e].source ? 0. : 1.;
+  }
+
+  void try_patch(Bubbles_2 bubbles, std::vector<Domain_edge_2> edges)
+  {
+    std::vector<Index> number(bubbles.size(), no_index), original;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (!bubbles.is_gone(i)) {
+        number[i] = static_cast<Index>(original.size());
+        original.push_back(static_cast<Index>(i));
+      }
+    bubbles.forget_gone();
+    for (Domain_edge_2& e : edges) {
+      e.source = number[e.source];
+      e.target = number[e.target];
+    }
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      points.push_back(bubbles.point(i));
+    Marked_triangulation_2 triangulation;
+    if (mark_triangulation(points, edges, triangulation) != Marking_error::NONE)
+      return;
+    treat_vertices<Sequential_tag>(m_domain, triangulation, bubbles);
+    const double smallest = smallest_quality(triangulation);
+    if (smallest > m_smallest) {
+      m_smallest = smallest;
+      m_is_better = true;
+      m_best = Patch_outcome_2{std::move(bubbles), std::move(original)};
+    }
+  }
+
+  const Domain_2& m_domain;
+  const Bubbles_2& m_bubbles;
+  const Marked_triangulation_2& m_mesh;
+  const Mesh_patch_2& m_patch;
+  bool m_is_better = false;
+  double m_mean_size = 0;
+  double m_smallest = 0; // q of the best outcome
+  Patch_outcome_2 m_best;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PATCH_OPERATION_2_H
