@@ -44,11 +44,12 @@ inline Case read(const paper::Domain& domain)
   return c;
 }
 
-/// bubbles that have almost come to rest
-inline Case relaxed(const paper::Domain& domain)
+/// bubbles that have almost come to rest, or had little time for it
+inline Case relaxed(const paper::Domain& domain, int rounds = 2, int iterations = 20)
 {
   Case c = read(domain);
-  const auto np = CGAL::parameters::sizing_function(domain.d).number_of_rounds(2).number_of_iterations(20);
+  const auto np =
+    CGAL::parameters::sizing_function(domain.d).number_of_rounds(rounds).number_of_iterations(iterations);
   const Domain_marks_2<paper::CDT> marks(c.cdt, np);
   const Relaxation_options options = read_options(np);
   CGAL::Bubble_relaxation_report_2<double> report;

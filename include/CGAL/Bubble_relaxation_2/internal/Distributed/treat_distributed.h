@@ -34,9 +34,11 @@ namespace internal {
 class Distributed_treatment_2
 {
 public:
+  /// `first_reach`: how much wider the pieces are at first, in units of d
   Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, const Communicator& comm,
-                          Agreement& agreement, Sparse_exchange& exchange)
-    : m_domain(domain), m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange)
+                          Agreement& agreement, Sparse_exchange& exchange, double first_reach = usual_reach)
+    : m_domain(domain), m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+      m_first_reach(first_reach)
   {}
 
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.
@@ -82,7 +84,7 @@ public:
   }
 
 private:
-  static constexpr double first_reach = 8; // enough for the sweeps of most meshes, and for patches
+  static constexpr double usual_reach = 8; // enough for the sweeps of most meshes, and for patches
 
   Mesh_piece_2 widen(const Distributed_mesh_2& mesh, double reach) const
   {
@@ -91,7 +93,7 @@ private:
 
   std::size_t smooth(Distributed_mesh_2& mesh, double& smallest) const
   {
-    for (double reach = first_reach;; reach *= 2) {
+    for (double reach = m_first_reach;; reach *= 2) {
       Mesh_piece_2 piece = widen(mesh, reach);
       Treatment_team_2 team(m_comm, piece);
       Bubbles_2& bubbles = piece.mesh.known.bubbles;
@@ -159,7 +161,7 @@ private:
   Numbered_bubbles_2 operate_once(const Distributed_mesh_2& mesh, double bad_quality, Treatment_counts& counts) const
   {
     const std::int64_t end = number_of_bubbles(mesh);
-    for (double reach = first_reach;; reach *= 2) {
+    for (double reach = m_first_reach;; reach *= 2) {
       const Mesh_piece_2 piece = widen(mesh, reach);
       Distributed_surgery_2 surgery(m_domain, piece, m_partition, m_comm, m_agreement, m_exchange);
       if (!surgery.find_patches(bad_quality, most_operations(static_cast<std::size_t>(end))))
@@ -207,6 +209,7 @@ private:
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
+  const double m_first_reach;
 };
 
 } // namespace internal

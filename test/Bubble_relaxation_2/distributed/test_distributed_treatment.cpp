@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// ranks treat the defects of a mesh as one does
+
+#include "bubbles.h"
+#include "union_of_ranks.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/treat_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/treat_defects.h>
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace {
+
+using namespace bubbles;
+
+struct Options
+{
+  double first_reach = 8;
+  bool with_gaps = false;
+};
+
+std::vector<std::int64_t> numbers_of(const Bubbles_2& b)
+{
+  std::vector<std::int64_t> numbers(b.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+void expect_bubbles_are_those(const Bubbles_2& whole, const Numbered_bubbles_2& part)
+{
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    ASSERT_LT(static_cast<std::size_t>(part.numbers[i]), whole.size());
+    const Bubble_record_2 a = record(part.bubbles, i, 0),
+                          b = record(whole, static_cast<std::size_t>(part.numbers[i]), 0);
+    different += a.x != b.x || a.y != b.y || a.d != b.d || a.s != b.s || a.place != b.place ||
+                 a.dimension != b.dimension;
+  }
+  EXPECT_EQ(different, 0u);
+}
+
+Treatment_counts expect_same_treatment(const Case& c, const Options& options = Options())
+{
+  Bubble_mesh_2 whole{c.bubbles, triangulate(c.domain(), c.bubbles)};
+  const Relaxation_options all;
+  const Treatment_counts expected = treat_defects<CGAL::Sequential_tag>(c.domain(), all, whole);
+
+  const Communicator comm(MPI_COMM_WORLD);
+  Agreement agreement(comm);
+  Sparse_exchange exchange(comm);
+  const Hilbert_partition_2 partition =
+    distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), options.with_gaps);
+  Distributed_treatment_2 treat(c.domain(), partition, comm, agreement, exchange, options.first_reach);
+  Distributed_mesh_2 mesh =
+    treat.triangulate(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+  const Treatment_counts counts = treat(mesh, true);
+  EXPECT_EQ(counts.treated, expected.treated);
+  EXPECT_EQ(counts.inserted, expected.inserted);
+  EXPECT_EQ(counts.deleted, expected.deleted);
+  EXPECT_EQ(treat.smallest_quality(mesh), smallest_quality(whole.triangulation));
+
+  const Numbered_bubbles_2 part = treat.bubbles(mesh);
+  EXPECT_EQ(comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.bubbles.size()));
+  expect_bubbles_are_those(whole.bubbles, part);
+  for (std::size_t i = 0; i < part.size(); ++i)
+    EXPECT_EQ(partition.owner(part.bubbles.x[i], part.bubbles.y[i]), comm.rank());
+
+  // the mesh has become that of the bubbles where they are now
+  auto owned = gather_records(comm, distributed::triangles(mesh.triangulation, mesh.known.numbers, mesh.is_owned));
+  std::sort(owned.begin(), owned.end());
+  const Marked_triangulation_2& t = whole.triangulation;
+  EXPECT_TRUE(owned == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
+  return expected;
+}
+
+class Paper_domain : public testing::TestWithParam<int>
+{};
+
+TEST_P(Paper_domain, is_treated_as_by_one_rank)
+{
+  const paper::Domain d = paper::all_domains(1)[GetParam()];
+  SCOPED_TRACE(d.name);
+  const Treatment_counts counts = expect_same_treatment(relaxed(d));
+  EXPECT_GT(counts.treated, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Some, Paper_domain, testing::Values(1, 4, 7));
+
+TEST(Distributed_treatment, operations)
+{
+  const Treatment_counts counts = expect_same_treatment(relaxed(paper::all_domains(0.7)[1], 1, 3));
+  EXPECT_GT(counts.inserted, 0u);
+  EXPECT_GT(counts.deleted, 0u);
+}
+
+TEST(Distributed_treatment, random_points)
+{
+  const Treatment_counts counts = expect_same_treatment(random(paper::all_domains(1)[0], 600, 3));
+  EXPECT_GT(counts.treated, 300u);
+  EXPECT_GT(counts.inserted + counts.deleted, 20u);
+}
+
+TEST(Distributed_treatment, vertices_on_circles) { expect_same_treatment(lattice(16)); }
+
+TEST(Distributed_treatment, pieces_that_are_too_narrow_at_first)
+{
+  expect_same_treatment(relaxed(paper::all_domains(1)[3]), Options{0.5, false});
+}
+
+TEST(Distributed_treatment, ranks_without_bubbles)
+{
+  expect_same_treatment(relaxed(paper::all_domains(2)[1]), Options{8, true});
+}
+
+} // namespace
