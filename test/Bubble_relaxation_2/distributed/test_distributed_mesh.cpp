@@ -14,6 +14,7 @@
 #include <CGAL/Distributed/triangulate.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_bubbles.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>

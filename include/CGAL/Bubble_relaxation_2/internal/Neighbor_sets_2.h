@@ -114,6 +114,8 @@ public:
     m_y.push_back(y);
     m_d.push_back(d);
     append(nullptr, 0);
+    if (m_sets.size() == 1) // `build()` has found nothing that would tell where and how large bubbles are
+      m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, d, x, y, 1);
     if (!m_buckets)
       return;
     m_buckets->insert(i, x, y, d);
