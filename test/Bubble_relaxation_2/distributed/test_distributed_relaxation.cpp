@@ -9,6 +9,7 @@
 // CGAL::Distributed::npbs_relax(): all ranks together make the points, the neighbour sets and the report of one
 
 #include "relaxed_points.h"
+#include "union_of_ranks.h"
 
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <random>
 #include <vector>
 
 namespace {
@@ -138,8 +140,8 @@ Part expect_as_one_rank(const paper::CDT& domain, const NamedParameters& np)
   return part;
 }
 
-/// so that there are one or two thousand points
-paper::Domain domain(int k) { return paper::all_domains(k == 5 ? 0.6 : 0.5)[static_cast<std::size_t>(k)]; }
+/// so that there are about a thousand points
+paper::Domain domain(int k) { return paper::all_domains(0.7)[static_cast<std::size_t>(k)]; }
 
 class Paper_domain : public testing::TestWithParam<int>
 {};
@@ -149,22 +151,59 @@ TEST_P(Paper_domain, as_one_rank)
   const paper::Domain d = domain(GetParam());
   SCOPED_TRACE(d.name);
   const Part part = expect_as_one_rank(paper::triangulate(d), CGAL::parameters::sizing_function(d.d)
-                                                                .defect_treatment(false));
-  EXPECT_GT(part.relaxation.report.number_of_vertices, 1600u);
+                                                                .defect_treatment(false)
+                                                                .number_of_rounds(4));
+  EXPECT_GT(part.relaxation.report.number_of_vertices, 800u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Some, Paper_domain, testing::Values(3, 4, 7));
 
 TEST(Distributed_relaxation, d_may_jump)
 {
-  const paper::Domain d = paper::graded_square(1.2);
-  // a large bubble sees small ones that do not see as far
-  const auto jump = [&d](const Point& p) { return d.d(p) * (std::sin(7 * p.x() + 3 * p.y()) > 0.3 ? 8. : 1.); };
+  const paper::Domain d = paper::graded_square(1);
+  const auto jump = [&d](const Point& p) { return d.d(p) * (std::sin(7 * p.x() + 3 * p.y()) > 0.3 ? 3. : 1.); };
   const Part part = expect_as_one_rank(paper::triangulate(d), CGAL::parameters::sizing_function(jump)
-                                                                .defect_treatment(false)
-                                                                .neighbor_radius(2.5));
+                                                                .defect_treatment(false));
   EXPECT_GT(part.relaxation.report.number_of_deletions, 0u);
   EXPECT_GT(part.relaxation.report.number_of_insertions, 0u);
+}
+
+TEST(Distributed_relaxation, neighbors_of_all_sizes)
+{
+  using namespace CGAL::Bubble_relaxation_2::internal;
+  const Communicator comm(MPI_COMM_WORLD);
+  Agreement agreement(comm);
+  Sparse_exchange exchange(comm);
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Bubbles_2 all;
+  for (int i = 0; i < 400; ++i) {
+    const double x = uniform(engine), y = uniform(engine);
+    all.add(Point(x, y), std::pow(30, -uniform(engine)), Bubbles_2::FACE, 0); // a large one may see most others
+  }
+  const Hilbert_partition_2 partition = distributed::partition(CGAL::Bbox_2(0, 0, 1, 1), all, comm.size(), true);
+  Numbered_bubbles_2 own;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const int home = partition.owner(all.x[i], all.y[i]);
+    if ((i % 5 == 0 ? (home + 1) % comm.size() : home) == comm.rank()) // some have left home
+      own.add(record(all, i, 3 * static_cast<std::int64_t>(i)));
+  }
+  const Known_bubbles_2 known = with_neighbors(own, partition, 0.4, comm, agreement, exchange);
+  Neighbor_sets_2 expected(0.4), found(0.4);
+  expected.build(all);
+  found.build(known.bubbles);
+  std::size_t number_of_own = 0;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (known.owners[k] != comm.rank())
+      continue;
+    ++number_of_own;
+    const Index i = static_cast<Index>(known.numbers[k] / 3);
+    std::vector<Index> neighbors;
+    for (const Index *j = found.begin(k), *end = found.end(k); j != end; ++j)
+      neighbors.push_back(static_cast<Index>(known.numbers[*j] / 3));
+    EXPECT_EQ(neighbors, std::vector<Index>(expected.begin(i), expected.end(i)));
+  }
+  EXPECT_EQ(number_of_own, own.size());
 }
 
 TEST(Distributed_relaxation, d_of_the_outline)
@@ -185,7 +224,7 @@ TEST(Distributed_relaxation, ranks_may_have_nothing)
 
 TEST(Distributed_relaxation, other_starts_and_ends)
 {
-  const paper::Domain d = paper::square_with_hole(1);
+  const paper::Domain d = paper::square_with_hole(1.5);
   const paper::CDT cdt = paper::triangulate(d);
   const auto np = CGAL::parameters::sizing_function(d.d).defect_treatment(false);
   expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::RHOMBIC));

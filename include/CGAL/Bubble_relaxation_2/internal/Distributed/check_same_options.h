@@ -77,12 +77,12 @@ inline Parameter_value parameter_value(const char* name, Bubble_placement value,
 inline void check_same_options(const Communicator& comm, const Relaxation_options& o)
 {
   check_same_values(comm, {
+    parameter_value("integrator", o.integrator), // other defaults depend on it
     parameter_value("initial_placement", o.placement, o.placement_is_given),
     parameter_value("population_control", o.population),
     parameter_value("number_of_rounds", o.number_of_rounds),
     parameter_value("number_of_iterations", o.number_of_iterations),
     parameter_value("displacement_tolerance", o.displacement_tolerance),
-    parameter_value("integrator", o.integrator),
     parameter_value("force_coefficient", o.force_coefficient),
     parameter_value("mass", o.mass),
     parameter_value("damping", o.damping),
