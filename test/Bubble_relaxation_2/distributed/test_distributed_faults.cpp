@@ -30,7 +30,7 @@ using distributed::expect_same_exception;
 using distributed::last_rank;
 using distributed::rank;
 using distributed::size;
-namespace parameters = CGAL::parameters;
+namespace parameters = CGAL::Bubble_relaxation_parameters;
 
 bool is_last() { return rank() == last_rank(); }
 
@@ -65,7 +65,7 @@ void expect_failure(const std::string& part, const paper::CDT& domain, const Nam
 
 struct Case
 {
-  paper::Domain domain = paper::square_with_hole(1);
+  paper::Domain domain = paper::square_with_hole(1.5);
   paper::CDT cdt = paper::triangulate(domain);
 };
 
@@ -110,7 +110,7 @@ TEST(Distributed_faults, sizing_functions_that_are_not_the_same)
     return;
   const Case c;
   expect_failure<std::invalid_argument>("parameter sizing_function = one that asks for", c.cdt,
-                                        parameters::sizing_function(is_last() ? 0.1 : 0.11));
+                                        parameters::sizing_function(is_last() ? 0.2 : 0.21));
 }
 
 TEST(Distributed_faults, parameters_out_of_range_on_one_rank)
@@ -119,7 +119,7 @@ TEST(Distributed_faults, parameters_out_of_range_on_one_rank)
   const auto np = parameters::sizing_function(c.domain.d);
   expect_failure<std::invalid_argument>("parameter mass = -1", c.cdt, np.mass(is_last() ? -1. : 1.));
   expect_failure<std::length_error>("maximum_number_of_bubbles", c.cdt, np.maximum_number_of_bubbles(20));
-  const auto negative = [](const Point& p) { return is_last() && p.x() > 0.9 ? -1. : 0.1; };
+  const auto negative = [](const Point& p) { return is_last() && p.x() > 0.9 ? -1. : 0.2; };
   expect_failure<std::invalid_argument>("must be positive and finite", c.cdt, parameters::sizing_function(negative));
 }
 
@@ -191,8 +191,8 @@ TEST(Distributed_faults, d_that_throws_on_one_rank)
   // while the domain is read, bubbles are placed and moved, the mesh is evaluated, and the points are written
   std::int64_t all = static_cast<std::int64_t>(calls);
   MPI_Bcast(&all, 1, MPI_INT64_T, last_rank(), MPI_COMM_WORLD);
-  for (int part = 0; part <= 24; ++part) {
-    const std::size_t last = static_cast<std::size_t>(1 + (all - 1) * part / 24);
+  for (int part = 0; part <= 12; ++part) {
+    const std::size_t last = static_cast<std::size_t>(1 + (all - 1) * part / 12);
     SCOPED_TRACE(last);
     calls = 0;
     expect_failure<std::domain_error>("no d at call " + std::to_string(last), c.cdt, np(last));

@@ -27,6 +27,7 @@
 namespace {
 
 using namespace relaxed_points;
+namespace parameters = CGAL::Bubble_relaxation_parameters;
 
 /// `report`: of all ranks
 template <class Report>
@@ -150,7 +151,7 @@ TEST_P(Paper_domain, as_one_rank)
 {
   const paper::Domain d = domain(GetParam());
   SCOPED_TRACE(d.name);
-  const Part part = expect_as_one_rank(paper::triangulate(d), CGAL::parameters::sizing_function(d.d)
+  const Part part = expect_as_one_rank(paper::triangulate(d), parameters::sizing_function(d.d)
                                                                 .defect_treatment(false)
                                                                 .number_of_rounds(4));
   EXPECT_GT(part.relaxation.report.number_of_vertices, 800u);
@@ -162,7 +163,7 @@ TEST(Distributed_relaxation, d_may_jump)
 {
   const paper::Domain d = paper::graded_square(1);
   const auto jump = [&d](const Point& p) { return d.d(p) * (std::sin(7 * p.x() + 3 * p.y()) > 0.3 ? 3. : 1.); };
-  const Part part = expect_as_one_rank(paper::triangulate(d), CGAL::parameters::sizing_function(jump)
+  const Part part = expect_as_one_rank(paper::triangulate(d), parameters::sizing_function(jump)
                                                                 .defect_treatment(false));
   EXPECT_GT(part.relaxation.report.number_of_deletions, 0u);
   EXPECT_GT(part.relaxation.report.number_of_insertions, 0u);
@@ -208,7 +209,7 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
 
 TEST(Distributed_relaxation, d_of_the_outline)
 {
-  expect_as_one_rank(paper::triangulate(domain(3)), CGAL::parameters::defect_treatment(false));
+  expect_as_one_rank(paper::triangulate(domain(3)), parameters::defect_treatment(false));
 }
 
 TEST(Distributed_relaxation, ranks_may_have_nothing)
@@ -218,7 +219,7 @@ TEST(Distributed_relaxation, ranks_may_have_nothing)
   cdt.insert_constraint(square.begin(), square.end(), true);
   for (double d : {2., 0.7, 0.4}) {
     SCOPED_TRACE(d);
-    expect_as_one_rank(cdt, CGAL::parameters::sizing_function(d).defect_treatment(false));
+    expect_as_one_rank(cdt, parameters::sizing_function(d).defect_treatment(false));
   }
 }
 
@@ -226,14 +227,14 @@ TEST(Distributed_relaxation, other_starts_and_ends)
 {
   const paper::Domain d = paper::square_with_hole(1.5);
   const paper::CDT cdt = paper::triangulate(d);
-  const auto np = CGAL::parameters::sizing_function(d.d).defect_treatment(false);
+  const auto np = parameters::sizing_function(d.d).defect_treatment(false);
   expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::RHOMBIC));
   expect_as_one_rank(cdt, np.population_control(CGAL::Bubble_population::NONE));
   expect_as_one_rank(cdt, np.number_of_rounds(0));
   expect_as_one_rank(cdt, np.number_of_rounds(3).number_of_iterations(4).limit_by_outline(false));
   paper::CDT mesh = cdt; // whose free vertices are bubbles to begin with
   CGAL::npbs_relax(mesh, np.number_of_rounds(1));
-  expect_as_one_rank(mesh, CGAL::parameters::sizing_function(0.1).defect_treatment(false));
+  expect_as_one_rank(mesh, parameters::sizing_function(0.1).defect_treatment(false));
 }
 
 TEST(Distributed_relaxation, properties_of_users_stay)
@@ -245,7 +246,7 @@ TEST(Distributed_relaxation, properties_of_users_stay)
   points.insert(Point(0, 0));
   points.remove(points.begin());
   CGAL::Distributed::npbs_relax(points, paper::triangulate(d), MPI_COMM_WORLD,
-                                CGAL::parameters::sizing_function(d.d).number_of_rounds(1));
+                                parameters::sizing_function(d.d).number_of_rounds(1));
   EXPECT_EQ(points.size() > 0, true);
   EXPECT_EQ(points.number_of_removed_points(), 0u);
   std::int64_t last = -1;
