@@ -72,7 +72,7 @@ the largest, or are numbered with the others. Its other vertices do not matter.
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
-    \cgalParamDescription{points in the holes of the domain, or in the domain, as for `npbs_relax()`}
+    \cgalParamDescription{points in the holes of the domain, or in the domain, as for `CGAL::npbs_relax()`}
     \cgalParamType{a range of points}
     \cgalParamDefault{none: the domain are the faces that are marked as such, or else the faces in an odd
                       number of outlines}
@@ -101,7 +101,8 @@ points on them
 What the sizing function throws on one rank is thrown on all, as `std::invalid_argument`, `std::length_error`,
 `std::domain_error`, `std::bad_alloc` or `std::runtime_error`.
 
-\sa `npbs_relax()`
+\sa `CGAL::Distributed::npbs_relax()`
+\sa `CGAL::npbs_relax()`
 */
 template <class PointSet, class CDT, class NamedParameters = parameters::Default_named_parameters>
 auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,

@@ -9,11 +9,13 @@
 // CGAL::Distributed::triangulate(): points come from any rank, all ranks get their part, or all throw the same
 
 #include "bubbles.h"
+#include "same_exception.h"
 #include "union_of_ranks.h"
 
 #include <CGAL/Distributed/triangulate.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_bubbles.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>
@@ -33,23 +35,13 @@
 namespace {
 
 using namespace bubbles;
+using distributed::expect_same_exception;
+using distributed::last_rank;
+using distributed::rank;
+using distributed::size;
 using Points = CGAL::Point_set_3<paper::K::Point_2, paper::K::Vector_2>;
 using Mesh = CGAL::Distributed::Mesh_2<paper::K>;
 namespace parameters = CGAL::parameters;
-
-int rank()
-{
-  int result;
-  MPI_Comm_rank(MPI_COMM_WORLD, &result);
-  return result;
-}
-
-int size()
-{
-  int result;
-  MPI_Comm_size(MPI_COMM_WORLD, &result);
-  return result;
-}
 
 enum class Spread { ROUND_ROBIN, ALL_ON_LAST, RANDOM };
 
@@ -152,30 +144,6 @@ void expect_whole(const Mesh& mesh, const Case& c, const std::vector<std::int64_
     EXPECT_EQ(mesh.is_owned_triangle(t), !mesh.is_ghost(static_cast<std::size_t>(mesh.vertices(t)[first])));
   }
 }
-
-/// calls f, which has to throw an E with the same text on all ranks, in which `part` occurs
-template <class E, class Function>
-void expect_same_exception(const std::string& part, const Function& f)
-{
-  std::string text;
-  try {
-    f();
-    ADD_FAILURE() << "nothing was thrown";
-  } catch (const E& e) {
-    text = e.what();
-  } catch (const std::exception& e) {
-    ADD_FAILURE() << "another exception: " << e.what();
-  }
-  EXPECT_NE(text.find(part), std::string::npos) << text;
-  const std::vector<char> own(text.begin(), text.end());
-  const std::vector<char> all = gather_records(Communicator(MPI_COMM_WORLD), own);
-  std::string repeated;
-  for (int r = 0; r < size(); ++r)
-    repeated += text;
-  EXPECT_EQ(std::string(all.begin(), all.end()), repeated);
-}
-
-int last_rank() { return size() - 1; }
 
 } // namespace
 

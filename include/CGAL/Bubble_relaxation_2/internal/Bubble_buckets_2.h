@@ -104,21 +104,14 @@ public:
   template <class Visitor>
   bool for_each_near(double x, double y, double d, double near, Visitor visit) const
   {
-    if (m_bubbles.empty())
-      return true;
-    if (d > 4 * m_largest && is_wider_than_all(d))
-      return visit_all(x, y, d, near, visit);
-    const Query q{x, y, d, near};
-    const double r = slack * 0.5 * near * (d + m_largest), inverse = inverse_side(m_highest);
-    const Cell low = block_of(Cell{index_at(x - r - m_x0, inverse), index_at(y - r - m_y0, inverse), 0}),
-               high = block_of(Cell{index_at(x + r - m_x0, inverse), index_at(y + r - m_y0, inverse), 0});
-    for (std::int64_t iy = low.iy; iy <= high.iy; ++iy)
-      for (std::int64_t ix = low.ix; ix <= high.ix; ++ix) {
-        const Index root = m_table[slot_of(ix, iy)];
-        if (root != no_index && !visit_block(root, q, visit))
-          return false;
-      }
-    return true;
+    return for_each_within(Query<Mean_radius>{x, y, Mean_radius{near, d}}, d, visit);
+  }
+
+  /// the same for those whose distance is less than `near` times the larger of both sizes
+  template <class Visitor>
+  bool for_each_near_larger(double x, double y, double d, double near, Visitor visit) const
+  {
+    return for_each_within(Query<Larger_radius>{x, y, Larger_radius{near, d}}, d, visit);
   }
 
   /// whether no bubble is near to one of size `d` at (x, y)
@@ -133,6 +126,45 @@ public:
   }
 
 private:
+  /// within which distance bubbles of a size count
+  struct Mean_radius
+  {
+    double near, d;
+    double operator()(double size) const { return 0.5 * near * (d + size); }
+  };
+
+  struct Larger_radius
+  {
+    double near, d;
+    double operator()(double size) const { return near * (std::max)(d, size); }
+  };
+
+  template <class Radius>
+  struct Query
+  {
+    double x, y;
+    Radius radius;
+  };
+
+  template <class Radius, class Visitor>
+  bool for_each_within(const Query<Radius>& q, double d, Visitor& visit) const
+  {
+    if (m_bubbles.empty())
+      return true;
+    if (d > 4 * m_largest && is_wider_than_all(d))
+      return visit_all(q, visit);
+    const double x = q.x, y = q.y, r = slack * q.radius(m_largest), inverse = inverse_side(m_highest);
+    const Cell low = block_of(Cell{index_at(x - r - m_x0, inverse), index_at(y - r - m_y0, inverse), 0}),
+               high = block_of(Cell{index_at(x + r - m_x0, inverse), index_at(y + r - m_y0, inverse), 0});
+    for (std::int64_t iy = low.iy; iy <= high.iy; ++iy)
+      for (std::int64_t ix = low.ix; ix <= high.ix; ++ix) {
+        const Index root = m_table[slot_of(ix, iy)];
+        if (root != no_index && !visit_block(root, q, visit))
+          return false;
+      }
+    return true;
+  }
+
   struct Cell
   {
     std::int64_t ix, iy;
@@ -151,11 +183,6 @@ private:
     std::int64_t ix, iy;          ///< of its first cell, divided by 8
     std::array<Index, 4> children{no_index, no_index, no_index, no_index};
     std::array<Index, 64> first;  ///< of the linked lists of the bubbles; read for occupied cells only
-  };
-
-  struct Query
-  {
-    double x, y, d, near;
   };
 
   // covers the rounding of cell coordinates, so that no bubble in reach is missed
@@ -315,28 +342,28 @@ private:
     return blocks * blocks > static_cast<double>(m_bubbles.size());
   }
 
-  template <class Visitor>
-  bool visit_all(double x, double y, double d, double near, Visitor& visit) const
+  template <class Radius, class Visitor>
+  bool visit_all(const Query<Radius>& q, Visitor& visit) const
   {
-    const Query q{x, y, d, near};
     for (const Entry& e : m_bubbles)
       if (e.id != no_index && !visit_if_near(e, q, visit))
         return false;
     return true;
   }
 
-  template <class Visitor>
-  bool visit_if_near(const Entry& e, const Query& q, Visitor& visit) const
+  template <class Radius, class Visitor>
+  bool visit_if_near(const Entry& e, const Query<Radius>& q, Visitor& visit) const
   {
-    const double dx = e.x - q.x, dy = e.y - q.y, reach = 0.5 * q.near * (q.d + e.d);
+    const double dx = e.x - q.x, dy = e.y - q.y, reach = q.radius(e.d);
     const double squared = dx * dx + dy * dy;
     return !(squared < reach * reach) || visit(e, squared);
   }
 
   /// the cells of a block that bubbles near `q` can be in, or can be in smaller cells inside
-  std::uint64_t cells_near(const Block& b, const Query& q) const
+  template <class Radius>
+  std::uint64_t cells_near(const Block& b, const Query<Radius>& q) const
   {
-    const double r = slack * 0.5 * q.near * (q.d + b.largest);
+    const double r = slack * q.radius(b.largest);
     return bits_between(q.x - r - m_x0, q.x + r - m_x0, b.inverse, b.ix, 1) &
            bits_between(q.y - r - m_y0, q.y + r - m_y0, b.inverse, b.iy, 8);
   }
@@ -356,8 +383,8 @@ private:
                      : (0xFFu >> (7 - last) & 0xFFu << first) * first_column;
   }
 
-  template <class Visitor>
-  bool visit_block(Index block, const Query& q, Visitor& visit) const
+  template <class Radius, class Visitor>
+  bool visit_block(Index block, const Query<Radius>& q, Visitor& visit) const
   {
     const Block& b = m_blocks[block];
     const std::uint64_t near = cells_near(b, q);

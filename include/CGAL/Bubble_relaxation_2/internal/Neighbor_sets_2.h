@@ -114,6 +114,8 @@ public:
     m_y.push_back(y);
     m_d.push_back(d);
     append(nullptr, 0);
+    if (m_sets.size() == 1) // `build()` has found nothing that would tell where and how large bubbles are
+      m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, d, x, y, 1);
     if (!m_buckets)
       return;
     m_buckets->insert(i, x, y, d);
@@ -202,12 +204,12 @@ public:
     });
   }
 
-  /// calls `visit(j)` for all bubbles j whose distance from (x, y) is less than `near` times the mean of `d` and
-  /// its size, by references and as far as the skin
+  /// calls `visit(j)` for all bubbles j whose distance from (x, y) is less than `near` times the larger of `d`
+  /// and its size, by references and as far as the skin
   template <class Visitor>
   void find_near(double x, double y, double d, double near, const Visitor& visit) const
   {
-    m_buckets->for_each_near(x, y, d, near + m_radius - 1.5, [&](const Bubble_buckets_2::Entry& e, double) {
+    m_buckets->for_each_near_larger(x, y, d, near + m_radius - 1.5, [&](const Bubble_buckets_2::Entry& e, double) {
       visit(e.id);
       return true;
     });

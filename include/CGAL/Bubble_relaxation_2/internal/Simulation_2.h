@@ -201,7 +201,7 @@ public:
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
 
   /// whether neighbours were looked for, so that there is something to remember
-  bool has_begun() const { return m_neighbors.number_of_bubbles() != 0; }
+  bool has_begun() const { return m_has_begun; }
 
   Bubble_memory_2 memory(Index i) const
   {
@@ -323,9 +323,10 @@ private:
   /// Makes the neighbour sets before the first round, in the paper before each.
   bool build_neighbors_if_due()
   {
-    if (m_neighbors.number_of_bubbles() != 0 && m_options.renewal_interval == 0)
+    const bool is_first = !m_has_begun;
+    if (!is_first && m_options.renewal_interval == 0)
       return false;
-    const bool is_first = m_neighbors.number_of_bubbles() == 0;
+    m_has_begun = true; // also where there are no bubbles: other ranks may have some
     m_neighbors.template build<Concurrency_tag>(m_bubbles);
     m_outrun.clear();
     if (is_first)
@@ -425,6 +426,7 @@ private:
   Step_flags m_flags;
   std::vector<Index> m_outrun; // waiting for their renewal
   std::size_t m_number_of_outrun = 0; // of all ranks
+  bool m_has_begun = false;
 };
 
 } // namespace internal

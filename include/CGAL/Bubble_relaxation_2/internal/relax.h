@@ -15,6 +15,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 #include <CGAL/Bubble_relaxation_2/internal/Simulation_2.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
@@ -78,9 +81,11 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
     }
     if (is_last)
       break; // what is inserted now would not be relaxed
+    const auto number_of_ours = std::count_if(change.deleted.begin(), change.deleted.end(),
+                                              [&bubbles](Index i) { return bubbles.is_ours(i); });
     simulation.apply(change);
     report.number_of_insertions += change.inserted.size();
-    report.number_of_deletions += change.deleted.size();
+    report.number_of_deletions += static_cast<std::size_t>(number_of_ours);
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
 }

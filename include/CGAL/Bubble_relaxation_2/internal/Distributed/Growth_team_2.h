@@ -246,7 +246,7 @@ private:
       return;
     const Bubbles_2& b = crystal.bubbles();
     const bool is_ours = owns(i);
-    crystal.buckets().for_each_near(b.x[i], b.y[i], b.d[i], 2 * reach, [&](const auto& e, double squared) {
+    crystal.buckets().for_each_near_larger(b.x[i], b.y[i], b.d[i], reach, [&](const auto& e, double squared) {
       if (owns(e.id) != is_ours) {
         const double far = reach * (is_ours ? e.d : b.d[i]);
         if (squared < far * far)

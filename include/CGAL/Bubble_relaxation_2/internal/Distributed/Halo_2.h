@@ -119,7 +119,7 @@ public:
   }
 
   /// Makes bubbles known to those who need them, and others to those who need them for these. `find_near(x, y, d,
-  /// near, visit)` calls `visit(j)` for all bubbles whose distance from (x, y) is less than `near` times the mean
+  /// near, visit)` calls `visit(j)` for all bubbles whose distance from (x, y) is less than `near` times the larger
   /// size, and perhaps for more; `state(i)` and `add(state, owner)` give away and take in a bubble. Collective.
   template <class Find_near, class State, class Add>
   void look_after(const Bubbles_2& b, std::vector<Index> those, const Find_near& find_near, const State& state,
@@ -190,7 +190,7 @@ private:
     if (is_ours)
       for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
         give(i, rank, state, out);
-    find_near(b.x[i], b.y[i], b.d[i], 2 * reach, [&](Index j) {
+    find_near(b.x[i], b.y[i], b.d[i], reach, [&](Index j) {
       if ((m_owner[j] == m_comm.rank()) == is_ours)
         return;
       const Index large = is_ours ? j : i, small = is_ours ? i : j;

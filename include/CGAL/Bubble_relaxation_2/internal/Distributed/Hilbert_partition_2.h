@@ -53,7 +53,7 @@ public:
 
   int owner(double x, double y) const { return owner(m_curve.key(x, y)); }
 
-  /// All ranks that own a part of the disc, and perhaps one that owns something beside it; sorted.
+  /// All ranks that own a part of the disc, and perhaps some that own something beside it; sorted.
   Ranks owners_in_disc(double x, double y, double radius) const
   {
     Ranks result;
@@ -70,13 +70,16 @@ public:
       ++level;
     for (std::uint32_t row = at(disc.first_row, level); row <= at(disc.last_row, level); ++row)
       for (std::uint32_t column = at(disc.first_column, level); column <= at(disc.last_column, level); ++column)
-        add_owners(disc, column, row, level, result);
+        add_owners(disc, column, row, level, (std::max)(0, level - finest), result);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
 private:
+  /// so many times a square about as wide as the disc is quartered: it need not be exact what is beside the disc
+  static constexpr int finest = 3;
+
   /// cells around a disc
   struct Box
   {
@@ -89,7 +92,8 @@ private:
   }
 
   /// the owners of what lies in a square of 2^level cells in a row, as far as it is in the box
-  void add_owners(const Box& box, std::uint32_t column, std::uint32_t row, int level, Ranks& result) const
+  void add_owners(const Box& box, std::uint32_t column, std::uint32_t row, int level, int last_level,
+                  Ranks& result) const
   {
     if (column > at(box.last_column, level) || column < at(box.first_column, level) ||
         row > at(box.last_row, level) || row < at(box.first_row, level))
@@ -105,9 +109,14 @@ private:
         result.push_back(low);
       return;
     }
+    if (level == last_level) {
+      for (int rank = low; rank <= high; ++rank)
+        result.push_back(rank);
+      return;
+    }
     for (int quarter = 0; quarter < 4; ++quarter)
       add_owners(box, 2 * column + static_cast<std::uint32_t>(quarter & 1),
-                 2 * row + static_cast<std::uint32_t>(quarter >> 1), level - 1, result);
+                 2 * row + static_cast<std::uint32_t>(quarter >> 1), level - 1, last_level, result);
   }
 
   Hilbert_curve_2 m_curve;

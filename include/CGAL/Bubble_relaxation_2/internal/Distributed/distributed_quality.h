@@ -35,11 +35,10 @@ inline void add_owned_triangles(const Distributed_mesh_2& mesh, Mesh_quality_acc
     }
 }
 
-/// Adds the lengths of edges over d in the midpoints. An edge belongs to the owner of that of its ends with the
-/// smaller number.
-template <class Sizing>
-void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizing& sizing,
-                       Mesh_quality_accumulator_2& accumulator)
+/// Calls `visit(a, b)` for the ends of all edges that a rank owns: those of which it owns the end with the smaller
+/// number.
+template <class Visitor>
+void for_each_owned_edge(const Distributed_mesh_2& mesh, int rank, const Visitor& visit)
 {
   const Marked_triangulation_2& marked = mesh.triangulation;
   const Flat_triangulation_2& tr = marked.tr;
@@ -50,8 +49,18 @@ void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizing& s
         continue; // seen from the other side
       const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
       if (mesh.known.owners[(std::min)(a, b)] == rank)
-        add_length(tr.points[a], tr.points[b], sizing, accumulator);
+        visit(a, b);
     }
+}
+
+/// adds the lengths of the edges that a rank owns over d in the midpoints
+template <class Sizing>
+void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizing& sizing,
+                       Mesh_quality_accumulator_2& accumulator)
+{
+  const std::vector<Point>& points = mesh.triangulation.tr.points;
+  for_each_owned_edge(mesh, rank,
+                      [&](Index a, Index b) { add_length(points[a], points[b], sizing, accumulator); });
 }
 
 /// adds the vertices that a rank owns
@@ -80,9 +89,9 @@ inline void add_owned_vertices(const Distributed_mesh_2& mesh, int rank,
 /// Collective. The statistics of the mesh of all ranks, on all ranks the same as one rank alone would find them,
 /// to the last bit. `sizing`: a pointer to the sizing field, or null if there are to be no lengths. What it
 /// throws on one rank all throw.
-template <class Sizing>
-Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh, const Sizing* sizing,
-                                           const Communicator& comm, Agreement& agreement)
+template <class FT = double, class Sizing>
+Mesh_quality_2<FT> distributed_quality(const Distributed_mesh_2& mesh, const Sizing* sizing,
+                                       const Communicator& comm, Agreement& agreement)
 {
   Mesh_quality_accumulator_2 accumulator;
   agreement.reach_after([&] {
@@ -91,7 +100,7 @@ Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh, const
     if (sizing != nullptr)
       add_owned_lengths(mesh, comm.rank(), *sizing, accumulator);
   });
-  return Mesh_quality_2<double>(accumulator.statistics(Values_of_all_ranks(comm)));
+  return Mesh_quality_2<FT>(accumulator.statistics(Values_of_all_ranks(comm)));
 }
 
 } // namespace internal

@@ -34,16 +34,30 @@ class Point_property
 public:
   Point_property(const Point_set& points, const char* name)
   {
-    auto map = points.template property_map<T>(name);
-    m_map = map.first;
-    m_is_there = map.second;
+    take(points.template property_map<T>(name));
   }
 
   bool is_there() const { return m_is_there; }
   const T& operator[](const typename Point_set::Index& i) const { return m_map[i]; }
 
 private:
-  typename Point_set::template Property_map<T> m_map;
+  using Map = typename Point_set::template Property_map<T>;
+
+  void take(const std::pair<Map, bool>& map) // before CGAL 6
+  {
+    m_map = map.first;
+    m_is_there = map.second;
+  }
+
+  template <class Optional_map>
+  void take(const Optional_map& map)
+  {
+    m_is_there = map.has_value();
+    if (m_is_there)
+      m_map = *map;
+  }
+
+  Map m_map;
   bool m_is_there = false;
 };
 
@@ -149,29 +163,6 @@ template <class Point_set, class Sizing>
 Numbered_bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)
 {
   return Point_set_reader_2<Point_set>(points, domain)(sizing);
-}
-
-/// adds bubbles to a point set, with all the properties that `read_bubbles()` knows
-template <class Point_set>
-void write_bubbles(const Numbered_bubbles_2& numbered, Point_set& points)
-{
-  using Point_2 = typename Point_set::Point_3; // so it calls them, whatever their dimension
-  using Vector_2 = typename Point_set::Vector_3;
-  auto number = points.template add_property_map<std::int64_t>("global_id", no_index).first;
-  auto size = points.template add_property_map<double>("size", 0.).first;
-  auto dimension = points.template add_property_map<int>("dimension", 0).first;
-  auto edge = points.template add_property_map<int>("edge", no_index).first;
-  auto position = points.template add_property_map<double>("position", 0.).first;
-  points.add_normal_map();
-  const Bubbles_2& b = numbered.bubbles;
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    const auto k = *points.insert(Point_2(b.x[i], b.y[i]), Vector_2(b.vx[i], b.vy[i]));
-    number[k] = numbered.numbers[i];
-    size[k] = b.d[i];
-    dimension[k] = b.dimension[i];
-    edge[k] = b.is_on_edge(i) ? b.place[i] : no_index;
-    position[k] = b.s[i];
-  }
 }
 
 } // namespace internal

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WITH_NEIGHBORS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WITH_NEIGHBORS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Finds the bubbles of other ranks that are neighbours of those of this one: nearer than `radius` times the mean of
+/// both sizes, so nearer than that times the larger one.
+///
+/// Each bubble is sent to the ranks whose pieces of the plane a disc with that radius around it meets, so the rank in
+/// whose piece the smaller one of two neighbours lies knows both, and tells the owner of each of the other. It need
+/// own none of them: a bubble may have moved out of the piece of its owner.
+class Neighbors_of_ranks_2
+{
+public:
+  Neighbors_of_ranks_2(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition, double radius,
+                       const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
+    : m_partition(partition), m_radius(radius), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+      m_number_of_own(own.size()), m_known(own, comm.rank())
+  {}
+
+  /// Collective. The own bubbles and these, and perhaps some more of others, in the order of their numbers.
+  Known_bubbles_2 operator()()
+  {
+    Messages<Owned_record> out;
+    m_agreement.reach_after([&] { tell_of_own(out); });
+    Messages<Owned_record> in = m_exchange(out);
+    out.clear();
+    m_agreement.reach_after([&] {
+      learn(in);
+      tell_of_pairs(out);
+    });
+    in = m_exchange(out);
+    m_agreement.reach_after([&] {
+      learn(in);
+      m_known.sort();
+    });
+    return std::move(m_known);
+  }
+
+private:
+  struct Owned_record
+  {
+    Bubble_record_2 bubble;
+    std::int32_t owner;
+  };
+
+  void tell_of_own(Messages<Owned_record>& out)
+  {
+    constexpr double slack = 1 + 1e-9; // coordinates are rounded to cells of the curve
+    const Bubbles_2& b = m_known.bubbles;
+    for (std::size_t i = 0; i < m_number_of_own; ++i)
+      for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], slack * m_radius * b.d[i]))
+        tell(static_cast<Index>(i), rank, out);
+  }
+
+  void tell_of_pairs(Messages<Owned_record>& out)
+  {
+    const Bubbles_2& b = m_known.bubbles;
+    if (b.size() == m_number_of_own)
+      return;
+    Bubble_buckets_2 buckets(m_radius, b.d[0], b.x[0], b.y[0], b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      buckets.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+    for (std::size_t k = m_number_of_own; k < b.size(); ++k) {
+      const Index i = static_cast<Index>(k);
+      buckets.for_each_near(b.x[k], b.y[k], b.d[k], [&](Index j, double, double) {
+        tell(i, m_known.owners[j], out);
+        tell(j, m_known.owners[i], out);
+        return true;
+      });
+    }
+  }
+
+  /// once; neither ourselves, nor the owner of a bubble need be told
+  void tell(Index i, int rank, Messages<Owned_record>& out)
+  {
+    if (rank == m_comm.rank() || rank == m_known.owners[i] || !m_told.insert({i, rank}).second)
+      return;
+    const std::size_t k = static_cast<std::size_t>(i);
+    out[rank].push_back(Owned_record{record(m_known.bubbles, k, m_known.numbers[k]), m_known.owners[k]});
+  }
+
+  void learn(const Messages<Owned_record>& in)
+  {
+    for (const auto& message : in)
+      for (const Owned_record& r : message.second)
+        if (m_learnt.insert(r.bubble.number).second)
+          m_known.add(r.bubble, r.owner);
+  }
+
+  const Hilbert_partition_2& m_partition;
+  double m_radius;
+  const Communicator& m_comm;
+  Agreement& m_agreement;
+  Sparse_exchange& m_exchange;
+  std::size_t m_number_of_own;
+  Known_bubbles_2 m_known;
+  std::set<std::pair<Index, int>> m_told; // of which bubble which rank
+  std::unordered_set<std::int64_t> m_learnt;
+};
+
+/// Collective. The bubbles of this rank, and all bubbles of others that are neighbours of one of them.
+inline Known_bubbles_2 with_neighbors(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition,
+                                      double radius, const Communicator& comm, Agreement& agreement,
+                                      Sparse_exchange& exchange)
+{
+  return Neighbors_of_ranks_2(own, partition, radius, comm, agreement, exchange)();
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WITH_NEIGHBORS_H

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_DISTRIBUTED_NPBS_RELAX_H
+#define CGAL_DISTRIBUTED_NPBS_RELAX_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/add_up_report.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/own_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/read_same_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/read_same_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/treat_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/with_neighbors.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/with_same_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_neighbors.h>
+#include <CGAL/Bubble_relaxation_enums.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Distributed/Relaxation_2.h>
+
+#include <mpi.h>
+
+#include <stdexcept>
+
+namespace CGAL {
+namespace Distributed {
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief places the vertices of a mesh in a domain by the node placement method by bubble simulation (NPBS), on all
+ranks of an MPI communicator together. All ranks must call it.
+
+Each rank places and simulates the bubbles of its piece of the domain and gets the points there, with their
+neighbours, and no rank ever has all of them. `triangulate()` makes the mesh of the points.
+
+The points, their ids, their neighbours and the report do not depend on the number of ranks, to the last bit. They
+are those of one rank: the vertices of the mesh that `CGAL::npbs_relax()` makes, and the nodes and neighbour sets of
+`CGAL::npbs_place_nodes()`, whose indices are the global ids. The kernel is one with `double` as its number type; with
+another points on edges may differ by a rounding.
+
+\tparam PointSet a `CGAL::Point_set_3<K::Point_2, K::Vector_2>`
+\tparam CDT as in `CGAL::npbs_relax()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param points must have no points, on any rank. It gets those of this rank, in the order of their ids, with these
+properties, which are added if they are not there:
+- `global_id` (`std::int64_t`): 0, 1, 2, … over all ranks; near ids are near to each other.
+- `size` (`double`): the wanted distance d at the point.
+- `dimension` (`int`): 0 for vertices of the domain and pinned ones, 1 for points on an edge, 2 for points in a face.
+- `edge` (`int`) and `position` (`double`): of a point on an edge of the domain, which edge, and where on it
+  from 0 to 1, as `triangulate()` wants to know it. The edge is -1 for others.
+- the normals: the velocities of the bubbles when the simulation ended.
+
+Other properties have their default values.
+\param domain the triangulation that bounds the domain, as in `CGAL::npbs_relax()`. Its vertices and its constraints
+must be the same on all ranks, in any order. It is not changed.
+\param comm the communicator. A duplicate of it is used, so no message of others is in the way
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `CGAL::npbs_relax()`, with the
+same values on all ranks. Those listed below differ from there.
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{sizing_function}
+    \cgalParamDescription{the wanted distance d of neighbouring vertices, in the units of the coordinates: the same
+                          function on all ranks. A rank calls it where it has bubbles, and to find out how many
+                          bubbles it asks for in the whole domain}
+    \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
+    \cgalParamDefault{as in `CGAL::npbs_relax()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{initial_placement}
+    \cgalParamDescription{where the bubbles of the faces start. All ranks place all of them, before each keeps its
+                          own, with `RHOMBIC`, and where `domain` has free vertices}
+    \cgalParamType{`Bubble_placement`}
+    \cgalParamDefault{as in `CGAL::npbs_relax()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{population_control}
+    \cgalParamDescription{how the number of bubbles is adjusted between two rounds}
+    \cgalParamType{`Bubble_population`, but not `OVERLAP_RATIO`}
+    \cgalParamDefault{`DELAUNAY`}
+  \cgalParamNEnd
+  \cgalParamNBegin{integrator}
+    \cgalParamDescription{how the equation of motion is integrated}
+    \cgalParamType{`Bubble_integrator`, but not `RUNGE_KUTTA_4`}
+    \cgalParamDefault{`SEMI_IMPLICIT_EULER`}
+  \cgalParamNEnd
+  \cgalParamNBegin{renewal_interval}
+    \cgalParamDescription{steps between two renewals of the neighbour sets}
+    \cgalParamType{an integer, which must be 0}
+    \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{is called with the progress, between 0 and 1, at every step. It may be another one on
+                          each rank, or none. When it returns `false` on one rank all stop together, and `points`
+                          stays as it is on all. The last call, with 1, comes just before `points` is changed,
+                          and what it returns does not matter}
+    \cgalParamType{an object that converts to `std::function<bool(double)>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{concurrency_tag}
+    \cgalParamDescription{has no effect: each rank has one thread}
+    \cgalParamType{`Sequential_tag` or `Parallel_tag`}
+    \cgalParamDefault{`Sequential_tag`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns a `Relaxation_2`: what was done, the statistics of the mesh of all points, and the neighbour sets of those of
+this rank. After a callback has returned `false` it tells only what was done until then.
+
+\throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a parameter is out of its range,
+or not the same as on others, if there is no domain on one, if the domain is not the same on all, or if there are
+points on one
+\throws std::length_error on all ranks if more bubbles are expected than `maximum_number_of_bubbles`
+\throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the
+bubbles on them
+
+What the sizing function or the callback throws on one rank is thrown on all, as `std::invalid_argument`,
+`std::length_error`, `std::domain_error`, `std::bad_alloc` or `std::runtime_error`. After any exception the points of
+all ranks are as they were.
+
+\sa `CGAL::npbs_relax()`
+\sa `CGAL::Distributed::triangulate()`
+*/
+template <class PointSet, class CDT, class NamedParameters = parameters::Default_named_parameters>
+auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
+                const NamedParameters& np = parameters::default_values())
+{
+  using namespace Bubble_relaxation_2::internal;
+  if (comm == MPI_COMM_NULL)
+    throw std::invalid_argument("Bubble_relaxation_2: the communicator is MPI_COMM_NULL");
+  const Communicator ranks(comm);
+  Agreement agreement(ranks);
+  Sparse_exchange exchange(ranks);
+
+  Relaxation_2<typename CDT::Geom_traits> result;
+  auto& report = result.report;
+  Phase_timer reading_time(report.seconds.reading);
+  const Relaxation_options options = read_same_options(np, ranks, agreement);
+  Progress progress(options.callback, options.number_of_rounds);
+  const Same_domain_2<CDT> same = read_same_domain(domain, np, ranks, agreement);
+  const Domain_reading_2<CDT>& reading = *same.reading;
+  check_same_vertices(ranks, reading);
+  with_same_sizing_field(domain, np, same, options, ranks, agreement, [&](const auto& sizing, const auto& wanted) {
+    Numbered_bubbles_2 bubbles;
+    agreement.reach_after([&] { bubbles = read_bubbles(points, reading.domain, sizing); });
+    refuse_given(ranks, bubbles);
+    reading_time.stop();
+
+    const Placed_part_2 part = simulate_distributed(ranks, exchange, agreement, domain, reading, sizing, options,
+                                                    progress, report);
+    agreement.reach(); // the callback may have thrown, or d after the last step
+    add_up_report(ranks, report);
+    if (report.stop_reason == Bubble_stop_reason::STOPPED_BY_CALLBACK)
+      return;
+    const Distributed_mesh_2 mesh = treat_distributed(reading, options, part, ranks, agreement, exchange, report);
+    evaluate_distributed(mesh, wanted, ranks, agreement, report);
+
+    Phase_timer writing_time(report.seconds.writing);
+    Point_replacement_2<PointSet> replacement(points);
+    agreement.reach_after([&] { bubbles = own_bubbles(mesh, ranks.rank(), sizing); });
+    const Known_bubbles_2 known = with_neighbors(bubbles, part.partition, options.neighbor_radius, ranks, agreement,
+                                                 exchange);
+    agreement.reach_after([&] {
+      write_neighbors(known, ranks.rank(), options.neighbor_radius, result);
+      replacement.prepare(bubbles);
+      progress.report(1);
+    });
+    replacement.finish(); // nothing can fail on any rank from here on
+  });
+  find_slowest(ranks, report.seconds);
+  return result;
+}
+
+} // namespace Distributed
+} // namespace CGAL
+
+#endif // CGAL_DISTRIBUTED_NPBS_RELAX_H

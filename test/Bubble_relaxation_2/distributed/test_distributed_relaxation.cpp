@@ -1,0 +1,257 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// CGAL::Distributed::npbs_relax(): all ranks together make the points, the neighbour sets and the report of one
+
+#include "relaxed_points.h"
+#include "union_of_ranks.h"
+
+#include <CGAL/npbs_place_nodes.h>
+#include <CGAL/npbs_relax.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace relaxed_points;
+namespace parameters = CGAL::Bubble_relaxation_parameters;
+
+/// `report`: of all ranks
+template <class Report>
+void expect_equal(const Report& report, const Report& expected)
+{
+  EXPECT_EQ(report.number_of_vertices, expected.number_of_vertices);
+  EXPECT_EQ(report.number_of_triangles, expected.number_of_triangles);
+  EXPECT_EQ(report.number_of_initial_bubbles, expected.number_of_initial_bubbles);
+  EXPECT_EQ(report.number_of_rounds, expected.number_of_rounds);
+  EXPECT_EQ(report.number_of_steps, expected.number_of_steps);
+  EXPECT_EQ(report.number_of_force_evaluations, expected.number_of_force_evaluations);
+  EXPECT_EQ(report.number_of_moves, expected.number_of_moves);
+  EXPECT_EQ(report.number_of_renewals, expected.number_of_renewals);
+  EXPECT_EQ(report.number_of_insertions, expected.number_of_insertions);
+  EXPECT_EQ(report.number_of_deletions, expected.number_of_deletions);
+  EXPECT_EQ(report.number_of_treated_vertices, expected.number_of_treated_vertices);
+  EXPECT_EQ(report.number_of_returns, expected.number_of_returns);
+  EXPECT_EQ(report.converged, expected.converged);
+  EXPECT_EQ(report.stop_reason, expected.stop_reason);
+  EXPECT_EQ(report.largest_size_gradient, expected.largest_size_gradient);
+  EXPECT_EQ(report.steepest_x, expected.steepest_x);
+  EXPECT_EQ(report.steepest_y, expected.steepest_y);
+  EXPECT_EQ(report.steep_share, expected.steep_share);
+  const auto &q = report.quality, &r = expected.quality;
+  EXPECT_EQ(q.minimum_quality(), r.minimum_quality());
+  EXPECT_EQ(q.mean_quality(), r.mean_quality());
+  EXPECT_EQ(q.worst_x(), r.worst_x());
+  EXPECT_EQ(q.worst_y(), r.worst_y());
+  EXPECT_EQ(q.minimum_angle(), r.minimum_angle());
+  EXPECT_EQ(q.maximum_angle(), r.maximum_angle());
+  EXPECT_EQ(q.histogram(), r.histogram());
+  EXPECT_EQ(q.quality_percentile(50), r.quality_percentile(50));
+  EXPECT_EQ(q.irregular_share(), r.irregular_share());
+  EXPECT_EQ(q.mean_length_ratio(), r.mean_length_ratio());
+  EXPECT_EQ(q.length_ratio_deviation(), r.length_ratio_deviation());
+  EXPECT_EQ(q.length_ratio_percentile(99), r.length_ratio_percentile(99));
+}
+
+/// the nodes of one rank have the ids of the points as indices
+template <class Nodes>
+void expect_equal(const All_parts& all, const Nodes& nodes)
+{
+  ASSERT_EQ(all.nodes.size(), nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const Node& node = all.nodes[n];
+    ASSERT_EQ(node.id, static_cast<std::int64_t>(n));
+    ASSERT_EQ(Point(node.place[0], node.place[1]), nodes.points[n]);
+    ASSERT_EQ(node.size, nodes.sizes[n]);
+    ASSERT_EQ(node.dimension, int(nodes.dimensions[n]));
+    const auto first = nodes.neighbors.begin();
+    const std::vector<std::int64_t> expected(first + static_cast<std::ptrdiff_t>(nodes.neighbor_offsets[n]),
+                                             first + static_cast<std::ptrdiff_t>(nodes.neighbor_offsets[n + 1]));
+    ASSERT_EQ(all.neighbors[n], expected) << "of " << n;
+  }
+}
+
+/// they are the points of all parts, in another order
+void expect_vertices(const All_parts& all, const paper::CDT& mesh)
+{
+  std::vector<Coordinates> points, vertices;
+  for (const Node& node : all.nodes)
+    points.push_back(node.place);
+  for (const auto v : mesh.finite_vertex_handles())
+    vertices.push_back({v->point().x(), v->point().y()});
+  std::sort(points.begin(), points.end());
+  std::sort(vertices.begin(), vertices.end());
+  EXPECT_TRUE(points == vertices);
+}
+
+/// points come in the order of their ids, and ghosts are the neighbours that others own, as these know them
+void expect_consistent(const Part& part, const All_parts& all)
+{
+  const auto& r = part.relaxation;
+  std::vector<std::int64_t> own, neighbors = r.neighbors, ghosts;
+  for (const auto& i : part.points)
+    own.push_back(part.global_id(i));
+  EXPECT_TRUE(std::is_sorted(own.begin(), own.end()));
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  std::set_difference(neighbors.begin(), neighbors.end(), own.begin(), own.end(), std::back_inserter(ghosts));
+  ASSERT_EQ(r.ghost_ids, ghosts);
+  ASSERT_EQ(r.ghost_points.size(), ghosts.size());
+  ASSERT_EQ(r.ghost_sizes.size(), ghosts.size());
+  ASSERT_EQ(r.ghost_owners.size(), ghosts.size());
+  for (std::size_t k = 0; k < ghosts.size(); ++k) {
+    const Node& node = all.nodes.at(static_cast<std::size_t>(ghosts[k]));
+    EXPECT_EQ(r.ghost_points[k], Point(node.place[0], node.place[1]));
+    EXPECT_EQ(r.ghost_sizes[k], node.size);
+    EXPECT_EQ(r.ghost_owners[k], node.owner);
+  }
+}
+
+/// One rank of all makes the whole as well.
+template <class NamedParameters>
+Part expect_as_one_rank(const paper::CDT& domain, const NamedParameters& np)
+{
+  Part part;
+  part.relaxation = CGAL::Distributed::npbs_relax(part.points, domain, MPI_COMM_WORLD, np);
+  const All_parts all = gather(part);
+  expect_consistent(part, all);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank != 0)
+    return part;
+  paper::CDT mesh = domain;
+  expect_equal(part.relaxation.report, CGAL::npbs_relax(mesh, np));
+  expect_vertices(all, mesh);
+  const auto nodes = CGAL::npbs_place_nodes(domain, np);
+  EXPECT_EQ(part.relaxation.neighbor_radius, nodes.neighbor_radius);
+  expect_equal(all, nodes);
+  return part;
+}
+
+/// so that there are about a thousand points
+paper::Domain domain(int k) { return paper::all_domains(0.7)[static_cast<std::size_t>(k)]; }
+
+class Paper_domain : public testing::TestWithParam<int>
+{};
+
+TEST_P(Paper_domain, as_one_rank)
+{
+  const paper::Domain d = domain(GetParam());
+  SCOPED_TRACE(d.name);
+  const Part part = expect_as_one_rank(paper::triangulate(d), parameters::sizing_function(d.d).number_of_rounds(4));
+  EXPECT_GT(part.relaxation.report.number_of_vertices, 800u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Some, Paper_domain, testing::Values(3, 4, 7));
+
+TEST(Distributed_relaxation, d_may_jump)
+{
+  const paper::Domain d = paper::graded_square(1);
+  const auto jump = [&d](const Point& p) { return d.d(p) * (std::sin(7 * p.x() + 3 * p.y()) > 0.3 ? 3. : 1.); };
+  const Part part = expect_as_one_rank(paper::triangulate(d), parameters::sizing_function(jump));
+  EXPECT_GT(part.relaxation.report.number_of_deletions, 0u);
+  EXPECT_GT(part.relaxation.report.number_of_insertions, 0u);
+}
+
+TEST(Distributed_relaxation, neighbors_of_all_sizes)
+{
+  using namespace CGAL::Bubble_relaxation_2::internal;
+  const Communicator comm(MPI_COMM_WORLD);
+  Agreement agreement(comm);
+  Sparse_exchange exchange(comm);
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Bubbles_2 all;
+  for (int i = 0; i < 400; ++i) {
+    const double x = uniform(engine), y = uniform(engine);
+    all.add(Point(x, y), std::pow(30, -uniform(engine)), Bubbles_2::FACE, 0); // a large one may see most others
+  }
+  const Hilbert_partition_2 partition = distributed::partition(CGAL::Bbox_2(0, 0, 1, 1), all, comm.size(), true);
+  Numbered_bubbles_2 own;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const int home = partition.owner(all.x[i], all.y[i]);
+    if ((i % 5 == 0 ? (home + 1) % comm.size() : home) == comm.rank()) // some have left home
+      own.add(record(all, i, 3 * static_cast<std::int64_t>(i)));
+  }
+  const Known_bubbles_2 known = with_neighbors(own, partition, 0.4, comm, agreement, exchange);
+  Neighbor_sets_2 expected(0.4), found(0.4);
+  expected.build(all);
+  found.build(known.bubbles);
+  std::size_t number_of_own = 0;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (known.owners[k] != comm.rank())
+      continue;
+    ++number_of_own;
+    const Index i = static_cast<Index>(known.numbers[k] / 3);
+    std::vector<Index> neighbors;
+    for (const Index *j = found.begin(k), *end = found.end(k); j != end; ++j)
+      neighbors.push_back(static_cast<Index>(known.numbers[*j] / 3));
+    EXPECT_EQ(neighbors, std::vector<Index>(expected.begin(i), expected.end(i)));
+  }
+  EXPECT_EQ(number_of_own, own.size());
+}
+
+TEST(Distributed_relaxation, d_of_the_outline)
+{
+  expect_as_one_rank(paper::triangulate(domain(3)), CGAL::parameters::default_values());
+}
+
+TEST(Distributed_relaxation, ranks_may_have_nothing)
+{
+  paper::CDT cdt;
+  const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  cdt.insert_constraint(square.begin(), square.end(), true);
+  for (double d : {2., 0.7, 0.4}) {
+    SCOPED_TRACE(d);
+    expect_as_one_rank(cdt, parameters::sizing_function(d));
+  }
+}
+
+TEST(Distributed_relaxation, other_starts_and_ends)
+{
+  const paper::Domain d = paper::square_with_hole(1.5);
+  const paper::CDT cdt = paper::triangulate(d);
+  const auto np = parameters::sizing_function(d.d);
+  expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::RHOMBIC));
+  expect_as_one_rank(cdt, np.population_control(CGAL::Bubble_population::NONE));
+  expect_as_one_rank(cdt, np.number_of_rounds(0));
+  expect_as_one_rank(cdt, np.number_of_rounds(3).number_of_iterations(4).limit_by_outline(false));
+  paper::CDT mesh = cdt; // whose free vertices are bubbles to begin with
+  CGAL::npbs_relax(mesh, np.number_of_rounds(1));
+  expect_as_one_rank(mesh, parameters::sizing_function(0.1));
+}
+
+TEST(Distributed_relaxation, properties_of_users_stay)
+{
+  const paper::Domain d = paper::square_with_hole(1);
+  Points points;
+  auto color = points.add_property_map<int>("color", 7).first;
+  auto id = points.add_property_map<std::int64_t>("global_id", 0).first;
+  points.insert(Point(0, 0));
+  points.remove(points.begin());
+  CGAL::Distributed::npbs_relax(points, paper::triangulate(d), MPI_COMM_WORLD,
+                                parameters::sizing_function(d.d).number_of_rounds(1));
+  EXPECT_EQ(points.size() > 0, true);
+  EXPECT_EQ(points.number_of_removed_points(), 0u);
+  std::int64_t last = -1;
+  for (const auto& i : points) {
+    EXPECT_EQ(color[i], 7);
+    EXPECT_GT(id[i], last);
+    last = id[i];
+  }
+}
+
+} // namespace
