@@ -204,15 +204,19 @@ public:
     });
   }
 
-  /// calls `visit(j)` for all bubbles j whose distance from (x, y) is less than `near` times the larger of `d`
-  /// and its size, by references and as far as the skin
+  /// calls `visit(j)` for all bubbles j within `near` times `d` of (x, y), and perhaps for some beyond
   template <class Visitor>
-  void find_near(double x, double y, double d, double near, const Visitor& visit) const
+  void find_within(double x, double y, double d, double near, const Visitor& visit) const
   {
-    m_buckets->for_each_near_larger(x, y, d, near + m_radius - 1.5, [&](const Bubble_buckets_2::Entry& e, double) {
-      visit(e.id);
-      return true;
-    });
+    m_buckets->for_each_within(x, y, (near + m_radius - 1.5) * d, visitor(visit));
+  }
+
+  /// the same for those whose distance from (x, y) is less than `near` times their size, if that is `least` or more
+  template <class Visitor>
+  void find_large(double x, double y, double least, double near, const Visitor& visit) const
+  {
+    const double most_grown = m_radius / 1.5; // from the reference, until the skin is used up
+    m_buckets->for_each_large(x, y, least / most_grown, near * most_grown, visitor(visit));
   }
 
   /// whether bubble `i` has used up its share of the skin, see above
@@ -224,6 +228,15 @@ public:
   }
 
 private:
+  template <class Visitor>
+  static auto visitor(const Visitor& visit)
+  {
+    return [&visit](const Bubble_buckets_2::Entry& e, double) {
+      visit(e.id);
+      return true;
+    };
+  }
+
   /// a bubble's neighbours: `size` numbers in the pool from `first`, room for `capacity`
   struct Set
   {

@@ -242,18 +242,21 @@ private:
   template <class Crystal>
   void tell_those_who_need(const Crystal& crystal, Index i)
   {
-    if (m_holders->is_ours_alone(i))
-      return;
     const Bubbles_2& b = crystal.bubbles();
-    const bool is_ours = owns(i);
-    crystal.buckets().for_each_near_larger(b.x[i], b.y[i], b.d[i], reach, [&](const auto& e, double squared) {
-      if (owns(e.id) != is_ours) {
-        const double far = reach * (is_ours ? e.d : b.d[i]);
-        if (squared < far * far)
-          send_late(crystal, is_ours ? i : e.id, m_holders->owner(is_ours ? e.id : i));
-      }
-      return true;
-    });
+    const auto& buckets = crystal.buckets();
+    const double least = (std::max)(b.d[i], m_holders->clearance(i) / reach);
+    if (owns(i))
+      buckets.for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) {
+        if (!owns(e.id))
+          send_late(crystal, i, m_holders->owner(e.id));
+        return true;
+      });
+    else
+      buckets.for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) {
+        if (owns(e.id))
+          send_late(crystal, e.id, m_holders->owner(i));
+        return true;
+      });
   }
 
   template <class Crystal>

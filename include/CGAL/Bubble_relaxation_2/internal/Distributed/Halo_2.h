@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,17 +119,16 @@ public:
     return std::hypot(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
   }
 
-  /// Makes bubbles known to those who need them, and others to those who need them for these. `find_near(x, y, d,
-  /// near, visit)` calls `visit(j)` for all bubbles whose distance from (x, y) is less than `near` times the larger
-  /// size, and perhaps for more; `state(i)` and `add(state, owner)` give away and take in a bubble. Collective.
-  template <class Find_near, class State, class Add>
-  void look_after(const Bubbles_2& b, std::vector<Index> those, const Find_near& find_near, const State& state,
-                  const Add& add)
+  /// Makes bubbles known to those who need them, and others to those who need them for these. `neighbors` finds
+  /// bubbles; `state(i)` and `add(state, owner)` give away and take in a bubble. Collective.
+  template <class State, class Add>
+  void look_after(const Bubbles_2& b, std::vector<Index> those, const Neighbor_sets_2& neighbors,
+                  const State& state, const Add& add)
   {
     for (int turn = 0; turn < 2; ++turn) { // who gets to know a bubble knows what it needs
       Messages<Bubble_state_2> out;
       for (Index i : those)
-        tell(b, i, find_near, state, out);
+        tell(b, i, neighbors, state, out);
       those.clear();
       for (const auto& message : m_exchange(out))
         for (const Bubble_state_2& s : message.second) {
@@ -146,7 +146,8 @@ private:
     double x, y, home_x, home_y, clearance, most_moved, largest_disc;
   };
 
-  static constexpr double look_ahead = 4;
+  /// so many times the reach are tried at first, which helps those that come after; then so many
+  static constexpr double look_ahead = 4, look_ahead_at_least = 1.2;
 
   /// how far a bubble of ours is from other ranks' parts: by one beside it, or by asking
   void find_clearance(const Bubbles_2& b, Index i, Index beside)
@@ -161,8 +162,14 @@ private:
     if (m_comm.size() == 1)
       p.clearance = std::numeric_limits<double>::infinity();
     else if (p.clearance < far)
-      p.clearance = m_partition->owners_in_disc(b.x[i], b.y[i], look_ahead * far) == Ranks(1, m_comm.rank())
-                      ? look_ahead * far : 0;
+      p.clearance = is_clear(b, i, look_ahead * far)            ? look_ahead * far
+                    : is_clear(b, i, look_ahead_at_least * far) ? look_ahead_at_least * far
+                                                                : 0;
+  }
+
+  bool is_clear(const Bubbles_2& b, Index i, double radius) const
+  {
+    return m_partition->owners_in_disc(b.x[i], b.y[i], radius) == Ranks(1, m_comm.rank());
   }
 
   void set_limits(const Bubbles_2& b, Index i)
@@ -174,8 +181,8 @@ private:
                      (most_moved + Boundary_2::longest_step) * b.d[i];
   }
 
-  template <class Find_near, class State>
-  void tell(const Bubbles_2& b, Index i, const Find_near& find_near, const State& state,
+  template <class State>
+  void tell(const Bubbles_2& b, Index i, const Neighbor_sets_2& neighbors, const State& state,
             Messages<Bubble_state_2>& out)
   {
     Place& p = m_places[i];
@@ -185,19 +192,44 @@ private:
     if (is_ours)
       find_clearance(b, i, no_index);
     set_limits(b, i);
-    if (p.clearance > 0)
-      return;
     if (is_ours)
+      tell_of(b, i, neighbors, state, out);
+    else
+      tell_owner_of(b, i, neighbors, state, out);
+  }
+
+  /// tells of a bubble of ours all ranks near it, and the owners of larger ones that reach it
+  template <class State>
+  void tell_of(const Bubbles_2& b, Index i, const Neighbor_sets_2& neighbors, const State& state,
+               Messages<Bubble_state_2>& out)
+  {
+    const double clearance = m_places[i].clearance;
+    if (clearance == 0)
       for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
         give(i, rank, state, out);
-    find_near(b.x[i], b.y[i], b.d[i], reach, [&](Index j) {
-      if ((m_owner[j] == m_comm.rank()) == is_ours)
-        return;
-      const Index large = is_ours ? j : i, small = is_ours ? i : j;
-      const double far = reach * b.d[large];
-      if (CGAL::squared_distance(b.point(large), b.point(small)) < far * far)
-        give(small, m_owner[large], state, out);
+    if (m_received.empty())
+      return;
+    neighbors.find_large(b.x[i], b.y[i], (std::max)(b.d[i], clearance / reach), reach, [&](Index j) {
+      if (m_owner[j] != m_comm.rank() && is_reached_by(b, j, i))
+        give(i, m_owner[j], state, out);
     });
+  }
+
+  /// tells the owner of another's bubble of ours that it reaches
+  template <class State>
+  void tell_owner_of(const Bubbles_2& b, Index i, const Neighbor_sets_2& neighbors, const State& state,
+                     Messages<Bubble_state_2>& out)
+  {
+    neighbors.find_within(b.x[i], b.y[i], b.d[i], reach, [&](Index j) {
+      if (m_owner[j] == m_comm.rank() && is_reached_by(b, i, j))
+        give(j, m_owner[i], state, out);
+    });
+  }
+
+  static bool is_reached_by(const Bubbles_2& b, Index i, Index j)
+  {
+    const double far = reach * b.d[i];
+    return CGAL::squared_distance(b.point(i), b.point(j)) < far * far;
   }
 
   /// gives a bubble of ours to a rank that has not got it

@@ -183,10 +183,7 @@ private:
   void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
     m_halo.look_after(
-      bubbles, those,
-      [&](double x, double y, double d, double near, const auto& visit) {
-        simulation.neighbors().find_near(x, y, d, near, visit);
-      },
+      bubbles, those, simulation.neighbors(),
       [&](Index i) { return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)}; },
       [&](const Bubble_state_2& s, int owner) {
         add(bubbles, s.bubble, true);
