@@ -65,6 +65,7 @@ public:
   {
     start(bubbles, references);
     const std::size_t n = bubbles.size();
+    m_buckets.reset(); // what is in them may be gone
     if (n == 0)
       return;
     m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, m_d[0], m_x[0], m_y[0], n);
@@ -114,6 +115,8 @@ public:
     m_y.push_back(y);
     m_d.push_back(d);
     append(nullptr, 0);
+    if (i == 0) // a rank may begin with none
+      m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, d, x, y, 1);
     if (!m_buckets)
       return;
     m_buckets->insert(i, x, y, d);
@@ -207,6 +210,8 @@ public:
   template <class Visitor>
   void find_near(double x, double y, double d, double near, const Visitor& visit) const
   {
+    if (m_sets.empty())
+      return;
     m_buckets->for_each_near(x, y, d, near + m_radius - 1.5, [&](const Bubble_buckets_2::Entry& e, double) {
       visit(e.id);
       return true;

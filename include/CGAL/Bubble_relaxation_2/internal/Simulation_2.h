@@ -158,6 +158,16 @@ struct Simulation_alone
   {}
   /// whether it holds on any rank
   bool any(bool here) const { return here; }
+  /// brings a simulation to where it was interrupted, if it was; returns how many rounds it had until then
+  template <class Simulation, class Report>
+  std::size_t resume(Simulation&, Bubbles_2&, Report&) const
+  {
+    return 0;
+  }
+  /// keeps where the simulation is now, after a round and its change of the population
+  template <class Simulation, class Report>
+  void end_round(const Simulation&, const Bubbles_2&, Report&) const
+  {}
 
   Population_alone& population() { return m_population; }
 
@@ -188,10 +198,12 @@ public:
       m_tolerance = coarse_tolerance * m_options.displacement_tolerance;
   }
 
+  bool rests_coarsely() const { return m_tolerance != m_options.displacement_tolerance; }
+
   /// Wakes all bubbles for the rest that is asked for; returns false if it was that already.
   bool rest_finely()
   {
-    if (m_tolerance == m_options.displacement_tolerance)
+    if (!rests_coarsely())
       return false;
     m_tolerance = m_options.displacement_tolerance;
     m_active.rouse_all(m_bubbles);
@@ -200,8 +212,8 @@ public:
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
 
-  /// whether neighbours were looked for, so that there is something to remember
-  bool has_begun() const { return m_neighbors.number_of_bubbles() != 0; }
+  /// whether all are awake only to look whether they rest
+  bool is_roused() const { return m_active.is_roused(); }
 
   Bubble_memory_2 memory(Index i) const
   {
@@ -222,8 +234,9 @@ public:
   }
 
   /// goes on with other bubbles, of each of which a simulation remembers something
-  void restart(const std::vector<Bubble_memory_2>& memories)
+  void restart(const std::vector<Bubble_memory_2>& memories, bool is_roused)
   {
+    m_has_begun = true;
     std::vector<double> x, y, d;
     std::vector<char> is_active, is_touched;
     m_update_size.clear();
@@ -237,7 +250,7 @@ public:
       is_touched.push_back(m.is_touched);
     }
     m_neighbors.template build<Concurrency_tag>(m_bubbles, Bubble_references_2{x, y, d});
-    m_active.restart(is_active, is_touched, m_active.is_roused());
+    m_active.restart(is_active, is_touched, is_roused);
     m_outrun.clear();
     for (std::size_t i = 0; i < memories.size(); ++i)
       if (m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i))
@@ -323,9 +336,10 @@ private:
   /// Makes the neighbour sets before the first round, in the paper before each.
   bool build_neighbors_if_due()
   {
-    if (m_neighbors.number_of_bubbles() != 0 && m_options.renewal_interval == 0)
+    if (m_has_begun && m_options.renewal_interval == 0)
       return false;
-    const bool is_first = m_neighbors.number_of_bubbles() == 0;
+    const bool is_first = !m_has_begun;
+    m_has_begun = true;
     m_neighbors.template build<Concurrency_tag>(m_bubbles);
     m_outrun.clear();
     if (is_first)
@@ -413,6 +427,7 @@ private:
   }
 
   const Relaxation_options& m_options;
+  bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
   double m_tolerance; // a displacement of less, in units of the size, is rest
   const Boundary_2 m_boundary;
   Integrator m_integrator;

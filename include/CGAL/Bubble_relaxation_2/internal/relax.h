@@ -15,6 +15,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
 #include <CGAL/Bubble_relaxation_2/internal/Simulation_2.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
@@ -47,6 +51,13 @@ void add_to_report(const Round_result& result, unsigned evaluations_per_step, Re
   report.number_of_returns += result.returns;
 }
 
+/// on other ranks others of them count
+inline std::size_t count_ours(const Bubbles_2& bubbles, const std::vector<Index>& those)
+{
+  return static_cast<std::size_t>(
+    std::count_if(those.begin(), those.end(), [&bubbles](Index i) { return bubbles.is_ours(i); }));
+}
+
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
 /// the population, and again, until the bubbles rest and their population stays. In the first half of the
 /// rounds, while it changes, a coarse rest will do.
@@ -56,7 +67,7 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
 {
   Simulation_2<Concurrency_tag, Integrator, Sizing, Team> simulation(domain, sizing, options, bubbles, team);
   simulation.rest_coarsely();
-  for (std::size_t round = 0; round < options.number_of_rounds; ++round) {
+  for (std::size_t round = team.resume(simulation, bubbles, report); round < options.number_of_rounds; ++round) {
     if (2 * round >= options.number_of_rounds)
       simulation.rest_finely();
     progress.start_round(round);
@@ -80,7 +91,8 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
       break; // what is inserted now would not be relaxed
     simulation.apply(change);
     report.number_of_insertions += change.inserted.size();
-    report.number_of_deletions += change.deleted.size();
+    report.number_of_deletions += count_ours(bubbles, change.deleted);
+    team.end_round(simulation, bubbles, report);
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
 }

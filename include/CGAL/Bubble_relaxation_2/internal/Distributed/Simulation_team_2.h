@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
@@ -34,9 +35,10 @@ class Simulation_team_2
 public:
   static constexpr bool is_alone = false;
 
-  Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, bool may_be_stopped)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_halo(comm, exchange), m_moves(comm),
-      m_population(comm, exchange, m_halo),
+  Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                    Checkpoints_2& checkpoints, bool may_be_stopped)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
+      m_halo(comm, exchange), m_moves(comm), m_population(comm, exchange, m_halo),
       m_may_be_stopped(comm.any(may_be_stopped))
   {}
 
@@ -46,6 +48,30 @@ public:
     m_partition = std::make_unique<Hilbert_partition_2>(part.partition);
     m_number_of_all = m_comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
     m_population.start(*m_partition, m_number_of_all);
+  }
+
+  /// Begins with bubbles that were simulated before.
+  void start(const Restart_2& restart)
+  {
+    m_partition = std::make_unique<Hilbert_partition_2>(restart.partition);
+    m_number_of_all = restart.header.number_of_all;
+    m_population.start(*m_partition, m_number_of_all);
+  }
+
+  template <class Simulation, class Report>
+  std::size_t resume(Simulation& simulation, Bubbles_2& bubbles, Report& report)
+  {
+    if (!m_checkpoints.is_restart())
+      return 0;
+    const std::size_t rounds = m_checkpoints.resume(simulation, report);
+    surround(simulation, bubbles);
+    return rounds;
+  }
+
+  template <class Simulation, class Report>
+  void end_round(const Simulation& simulation, const Bubbles_2& bubbles, Report& report)
+  {
+    m_checkpoints.end_round(simulation, bubbles, *m_partition, m_population.next_number(), report);
   }
 
   /// Gives the bubbles of each rank their surroundings before the first step.
@@ -221,12 +247,13 @@ private:
       add(bubbles, s.bubble, false);
       memories.push_back(s.memory);
     }
-    simulation.restart(memories);
+    simulation.restart(memories, simulation.is_roused());
   }
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   Agreement& m_agreement;
+  Checkpoints_2& m_checkpoints;
   std::unique_ptr<Hilbert_partition_2> m_partition;
   Halo_2 m_halo;
   Moves_exchange_2 m_moves;

@@ -64,6 +64,27 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
   return result;
 }
 
+/// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
+template <class Cdt, class Sizing>
+std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                               const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                               const Relaxation_options& options, Checkpoints_2& checkpoints,
+                               Simulation_team_2& team, Bubbles_2& bubbles)
+{
+  if (checkpoints.is_restart()) {
+    const Restart_2& restart = checkpoints.read(Hilbert_curve_2(reading.domain.bbox()), sizing);
+    for (const Bubble_state_2& s : restart.states)
+      add(bubbles, s.bubble, false);
+    team.start(restart);
+    return static_cast<std::size_t>(restart.header.initial_bubbles);
+  }
+  const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options);
+  for (std::size_t i = 0; i < part.bubbles.size(); ++i)
+    add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
+  team.start(part);
+  return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
+}
+
 /// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their
 /// numbers are their indices there. What d throws on one rank is thrown on all.
 template <class Cdt, class Sizing, class Report>
@@ -72,15 +93,13 @@ Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& ex
                                    const Relaxation_options& options, Progress& progress, Report& report)
 {
   const Agreed_sizing_field_2<Sizing> sizing(users, agreement, Hilbert_curve_2(reading.domain.bbox()).side());
-  Simulation_team_2 team(comm, exchange, agreement, static_cast<bool>(options.callback));
+  Checkpoints_2 checkpoints(comm, exchange, agreement, hash_of_places(reading), options);
+  Simulation_team_2 team(comm, exchange, agreement, checkpoints, static_cast<bool>(options.callback));
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
-    const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options);
-    for (std::size_t i = 0; i < part.bubbles.size(); ++i)
-      add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
-    team.start(part);
-    report.number_of_initial_bubbles = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
+    report.number_of_initial_bubbles = find_first_bubbles(comm, exchange, agreement, cdt, reading, sizing, options,
+                                                          checkpoints, team, bubbles);
   }
   relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
                                                              progress, report);
