@@ -98,6 +98,14 @@ TEST(Named_parameters, of_the_paper)
   EXPECT_EQ(o.population, CGAL::Bubble_population::OVERLAP_RATIO);
 }
 
+TEST(Named_parameters, interval_of_exchanges)
+{
+  EXPECT_EQ(read_options(P::default_values()).exchange_interval, 0u);
+  EXPECT_EQ(read_options(P::exchange_interval(50)).exchange_interval, 50u);
+  EXPECT_THROW(read_options(P::exchange_interval(-1)), std::invalid_argument);
+  EXPECT_THROW(read_options(P::exchange_interval(0.5)), std::invalid_argument);
+}
+
 TEST(Named_parameters, checkpoints)
 {
   const auto none = read_options(P::default_values());

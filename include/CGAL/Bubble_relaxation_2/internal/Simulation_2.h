@@ -152,6 +152,10 @@ struct Simulation_alone
   template <class Simulation>
   void surround_anew(Simulation&, Bubbles_2&)
   {}
+  /// after the last step of a round
+  template <class Simulation>
+  void end_steps(Simulation&, Bubbles_2&)
+  {}
   /// tells other ranks of the bubbles from `first` on, which are new, and adds those of others
   template <class Simulation>
   void share_new(Simulation&, Bubbles_2&, Index)
@@ -285,6 +289,7 @@ public:
       const Phase_timer timer(seconds.motion);
       step(result);
     }
+    m_team.end_steps(*this, m_bubbles);
     return result;
   }
 
@@ -390,6 +395,8 @@ private:
     m_active.add_others(others);
     if (Integrator::lets_bubbles_sleep)
       m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
+    else if (!Team::is_alone)
+      m_active.forget_others(m_bubbles);
     sums = m_team.sum(sums);
     result.is_at_rest = sums.restless == 0;
     m_number_of_outrun = sums.outrun;

@@ -124,6 +124,9 @@ Relaxation_options read_options(const NamedParameters& np)
     static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
   o.callback = choose_parameter(get_parameter(np, internal_np::callback),
                                 std::function<bool(double)>());
+  o.exchange_interval = read_count(
+    "exchange_interval",
+    choose_parameter(get_parameter(np, internal_np::exchange_interval), std::size_t(0)), 0);
   read_checkpoint_options(np, o);
 
   check_positive("force_coefficient", o.force_coefficient);

@@ -25,7 +25,7 @@ struct Named_value
 };
 
 /// The parameters on which it depends where bubbles go, once they are placed in some way, as long as they go on.
-inline std::array<Named_value, 12> steering_parameters(const Relaxation_options& o)
+inline std::array<Named_value, 13> steering_parameters(const Relaxation_options& o)
 {
   return {{{"integrator", static_cast<double>(o.integrator)},
            {"force_coefficient", o.force_coefficient},
@@ -38,7 +38,8 @@ inline std::array<Named_value, 12> steering_parameters(const Relaxation_options&
            {"initial_placement", static_cast<double>(o.placement)},
            {"population_control", static_cast<double>(o.population)},
            {"limit_by_outline", static_cast<double>(o.limit_by_outline)},
-           {"displacement_tolerance", o.displacement_tolerance}}};
+           {"displacement_tolerance", o.displacement_tolerance},
+           {"exchange_interval", static_cast<double>(o.exchange_interval)}}};
 }
 
 } // namespace internal

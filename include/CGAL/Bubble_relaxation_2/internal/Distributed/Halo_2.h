@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubble_state_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Traffic_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 
 #include <algorithm>
@@ -34,6 +35,9 @@ namespace internal {
 /// while none has gone far or grown much, of which `is_outgrown_by()` tells; those are looked after again by
 /// `look_after()`. Ownership does not change: `is_far_from_home()` tells of a bubble that has left the part of its
 /// owner so far that all have to be distributed anew.
+///
+/// For the paper's protocol it can have one width for all instead: then each bubble is known to the ranks whose
+/// parts are nearer than that.
 class Halo_2
 {
 public:
@@ -44,12 +48,15 @@ public:
   static constexpr double needed_reach = 3.5, most_moved = 0.3, farthest_from_home = 1,
                           reach = needed_reach + 2 * (most_moved + Boundary_2::longest_step) + farthest_from_home;
 
-  Halo_2(const Communicator& comm, Sparse_exchange& exchange) : m_comm(comm), m_exchange(exchange) {}
+  Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic)
+    : m_comm(comm), m_exchange(exchange), m_traffic(traffic)
+  {}
 
-  /// starts with bubbles of this rank only
-  void start(const Hilbert_partition_2& partition)
+  /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own
+  void start(const Hilbert_partition_2& partition, double width = 0)
   {
     m_partition = &partition;
+    m_width = width;
     m_places.clear();
     m_holders.clear();
     m_sent.clear();
@@ -83,6 +90,14 @@ public:
 
   /// whether no other rank has to know of a bubble of ours
   bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
+
+  /// whether a bubble of ours cannot have come to another rank's part since it was looked after
+  bool is_surely_home(const Bubbles_2& b, Index i) const
+  {
+    const Place& p = m_places[i];
+    const double x = b.x[i] - p.x, y = b.y[i] - p.y;
+    return x * x + y * y < p.clearance * p.clearance;
+  }
 
   /// whether a bubble has gone so far, or grown so much, that it is to be looked after
   bool is_outgrown_by(const Bubbles_2& b, Index i) const
@@ -129,6 +144,7 @@ public:
       Messages<Bubble_state_2> out;
       for (Index i : those)
         tell(b, i, find_near, state, out);
+      m_traffic.add_messages(out);
       those.clear();
       for (const auto& message : m_exchange(out))
         for (const Bubble_state_2& s : message.second) {
@@ -148,11 +164,14 @@ private:
 
   static constexpr double look_ahead = 4;
 
+  /// how far away the ranks are that get to know a bubble of ours
+  double reach_of(const Bubbles_2& b, Index i) const { return m_width > 0 ? m_width : reach * b.d[i]; }
+
   /// how far a bubble of ours is from other ranks' parts: by one beside it, or by asking
   void find_clearance(const Bubbles_2& b, Index i, Index beside)
   {
     Place& p = m_places[i];
-    const double far = reach * b.d[i];
+    const double far = reach_of(b, i);
     p.clearance = 0;
     if (beside != no_index) {
       const Place& q = m_places[beside];
@@ -188,8 +207,10 @@ private:
     if (p.clearance > 0)
       return;
     if (is_ours)
-      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
+      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach_of(b, i)))
         give(i, rank, state, out);
+    if (m_width > 0)
+      return; // it is the same from the other side
     find_near(b.x[i], b.y[i], b.d[i], 2 * reach, [&](Index j) {
       if ((m_owner[j] == m_comm.rank()) == is_ours)
         return;
@@ -218,7 +239,9 @@ private:
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
+  Traffic_2& m_traffic;
   const Hilbert_partition_2* m_partition = nullptr;
+  double m_width = 0; // of all, or 0
   std::vector<int> m_owner; // of each bubble
   std::vector<char> m_is_at_border;
   std::vector<Place> m_places;

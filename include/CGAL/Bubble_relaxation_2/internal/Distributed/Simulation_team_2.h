@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Checkpoints_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
@@ -36,10 +37,11 @@ public:
   static constexpr bool is_alone = false;
 
   Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                    Checkpoints_2& checkpoints, bool may_be_stopped)
+                    Checkpoints_2& checkpoints, const Relaxation_options& options)
     : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
-      m_halo(comm, exchange), m_moves(comm), m_population(comm, exchange, m_halo),
-      m_may_be_stopped(comm.any(may_be_stopped))
+      m_interval(options.exchange_interval), m_halo(comm, exchange, m_traffic), m_moves(comm, m_traffic),
+      m_population(comm, exchange, m_halo), m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
+      m_has_population(options.population != Bubble_population::NONE)
   {}
 
   /// Begins with bubbles that are numbered from 0 on, each on the rank that owns its place, sorted.
@@ -78,28 +80,40 @@ public:
   template <class Simulation>
   void surround(Simulation& simulation, Bubbles_2& bubbles)
   {
-    m_halo.start(*m_partition);
-    std::vector<Index> near_others;
-    for (std::size_t k = 0; k < bubbles.size(); ++k) {
-      const Index i = static_cast<Index>(k);
-      m_halo.add(bubbles, i, m_comm.rank());
-      if (!m_halo.is_far_from_others(i))
-        near_others.push_back(i);
-    }
-    look_after(simulation, bubbles, near_others);
+    surround(simulation, bubbles, m_interval.is_used() ? Bubble_force_2::cut_off * largest_size(bubbles) : 0);
+    m_interval.start_stage();
   }
 
   /// Looks after the bubbles that have gone far or grown. If one has gone too far, all are brought to the ranks
-  /// that own their places now.
+  /// that own their places now; and so they are in each exchange of the paper's protocol.
   template <class Simulation>
   void surround_anew(Simulation& simulation, Bubbles_2& bubbles)
   {
-    if (m_is_far_from_home) {
+    if (m_interval.is_used()) {
+      release_marked(simulation, bubbles);
+      migrate(simulation, bubbles);
+      surround(simulation, bubbles);
+      wake_around_others(simulation, bubbles);
+    } else if (m_is_far_from_home) {
       migrate(simulation, bubbles);
       surround(simulation, bubbles);
     } else
       look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles));
     m_is_outgrown_here = m_is_outgrown = m_is_far_from_home = false;
+  }
+
+  /// After the steps of a round the paper's protocol ends, and the population is controlled as it always is.
+  template <class Simulation>
+  void end_steps(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    if (!m_interval.is_used())
+      return;
+    release_marked(simulation, bubbles);
+    m_interval.make_due();
+    if (!m_has_population)
+      return;
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles, 0);
   }
 
   /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
@@ -131,13 +145,19 @@ public:
 
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving)
   {
-    m_moves.send(b, active, is_moving);
+    count_step();
+    if (!m_interval.is_used())
+      m_moves.send(b, active, is_moving);
   }
 
   const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
                                           std::vector<char>& is_moving)
   {
     m_others.clear();
+    if (m_interval.is_used()) {
+      mark_those_that_left(b, active);
+      return m_others;
+    }
     m_moves.receive(b, m_others, is_moving);
     note_outgrown(b, active);
     note_outgrown(b, m_others);
@@ -146,26 +166,86 @@ public:
 
   Step_sums sum(const Step_sums& sums)
   {
-    std::array<std::int64_t, 5> values{static_cast<std::int64_t>(sums.restless),
+    const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
+    std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
                                        static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
-                                       m_is_outgrown_here, m_is_far_here};
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 5, MPI_INT64_T, MPI_SUM, m_comm.handle()));
+                                       m_is_outgrown_here, m_is_far_here, is_stale};
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 6, MPI_INT64_T, MPI_SUM, m_comm.handle()));
     if (values[2] != 0)
       m_agreement.reach();
     m_is_outgrown = values[3] != 0;
     m_is_far_from_home = values[4] != 0;
     m_is_far_here = false;
+    if (values[0] == 0 && values[5] != 0) { // they rest among others that may have moved
+      m_interval.make_due();
+      values[0] = 1;
+    }
     return Step_sums{static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1])};
   }
 
   bool goes_on(bool here) const { return m_may_be_stopped ? !m_comm.any(!here) : here; }
 
-  /// whether a bubble of any rank has gone so far that the halo is to be made anew
-  bool is_outgrown() const { return m_is_outgrown; }
+  /// whether a bubble of any rank has gone so far that the halo is to be made anew, or it is time for that
+  bool is_outgrown() const { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
 
   const Hilbert_partition_2& partition() const { return *m_partition; }
 
+  const Traffic_2& traffic() const { return m_traffic; }
+
 private:
+  /// makes the halo, of one width or by the bubbles' sizes
+  template <class Simulation>
+  void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
+  {
+    m_halo.start(*m_partition, width);
+    std::vector<Index> near_others;
+    for (std::size_t k = 0; k < bubbles.size(); ++k) {
+      const Index i = static_cast<Index>(k);
+      m_halo.add(bubbles, i, m_comm.rank());
+      if (!m_halo.is_far_from_others(i))
+        near_others.push_back(i);
+    }
+    look_after(simulation, bubbles, near_others);
+  }
+
+  double largest_size(const Bubbles_2& bubbles) const
+  {
+    return m_comm.largest(bubbles.size() == 0 ? 0. : *std::max_element(bubbles.d.begin(), bubbles.d.end()));
+  }
+
+  void mark_those_that_left(Bubbles_2& b, const std::vector<Index>& active)
+  {
+    for (Index i : active)
+      if (!m_halo.is_surely_home(b, i) && m_partition->owner(b.x[i], b.y[i]) != m_comm.rank()) {
+        m_interval.mark(b, i);
+        ++m_traffic.waits;
+      }
+  }
+
+  template <class Simulation>
+  void release_marked(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    m_interval.release(bubbles, [&simulation](Index i) { simulation.wake_around(i); });
+  }
+
+  /// others may have moved since their neighbours here fell asleep
+  template <class Simulation>
+  static void wake_around_others(Simulation& simulation, const Bubbles_2& bubbles)
+  {
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (!bubbles.is_ours(i))
+        simulation.wake_around(static_cast<Index>(i));
+  }
+
+  void count_step()
+  {
+    m_interval.count_step();
+    ++m_traffic.steps;
+    m_traffic.neighbors += static_cast<std::int64_t>(m_halo.received().size());
+    for (const auto& list : m_halo.received())
+      m_traffic.ghosts += static_cast<std::int64_t>(list.second.size());
+  }
+
   /// how many bubbles all ranks have, and the sum of their numbers
   struct Census
   {
@@ -235,6 +315,7 @@ private:
       (owner == m_comm.rank() ? ours : out[owner])
         .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(static_cast<Index>(i))});
     }
+    m_traffic.add_messages(out);
     const Census before = census(ours, out);
     for (const auto& message : m_exchange(out))
       ours.insert(ours.end(), message.second.begin(), message.second.end());
@@ -255,11 +336,13 @@ private:
   Agreement& m_agreement;
   Checkpoints_2& m_checkpoints;
   std::unique_ptr<Hilbert_partition_2> m_partition;
+  Exchange_interval_2 m_interval;
+  Traffic_2 m_traffic;
   Halo_2 m_halo;
   Moves_exchange_2 m_moves;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
-  bool m_may_be_stopped, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false,
+  bool m_may_be_stopped, m_has_population, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false,
        m_is_far_from_home = false;
   std::vector<Index> m_others;
 };

@@ -87,14 +87,16 @@ std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchan
 
 /// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their
 /// numbers are their indices there. What d throws on one rank is thrown on all.
+/// `traffic`: what this rank sent and held, if it is asked for.
 template <class Cdt, class Sizing, class Report>
 Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                                    const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& users,
-                                   const Relaxation_options& options, Progress& progress, Report& report)
+                                   const Relaxation_options& options, Progress& progress, Report& report,
+                                   Traffic_2* traffic = nullptr)
 {
   const Agreed_sizing_field_2<Sizing> sizing(users, agreement, Hilbert_curve_2(reading.domain.bbox()).side());
   Checkpoints_2 checkpoints(comm, exchange, agreement, hash_of_places(reading), options);
-  Simulation_team_2 team(comm, exchange, agreement, checkpoints, static_cast<bool>(options.callback));
+  Simulation_team_2 team(comm, exchange, agreement, checkpoints, options);
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
@@ -103,6 +105,8 @@ Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& ex
   }
   relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
                                                              progress, report);
+  if (traffic)
+    *traffic = team.traffic();
   remove_crowded_of_ours(reading.domain, team.population(), bubbles);
   return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(), bubbles);
 }
