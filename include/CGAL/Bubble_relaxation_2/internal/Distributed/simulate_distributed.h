@@ -65,18 +65,20 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
 }
 
 /// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their
-/// numbers are their indices there. What d throws on one rank is thrown on all.
+/// numbers are their indices there. What d throws on one rank is thrown on all. `points`: see `place_distributed()`.
 template <class Cdt, class Sizing, class Report>
 Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                                    const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& users,
-                                   const Relaxation_options& options, Progress& progress, Report& report)
+                                   const Relaxation_options& options, Progress& progress, Report& report,
+                                   const Numbered_bubbles_2& points = {})
 {
   const Agreed_sizing_field_2<Sizing> sizing(users, agreement, Hilbert_curve_2(reading.domain.bbox()).side());
   Simulation_team_2 team(comm, exchange, agreement, static_cast<bool>(options.callback));
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
-    const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options);
+    const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options,
+                                                 points);
     for (std::size_t i = 0; i < part.bubbles.size(); ++i)
       add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
     team.start(part);
