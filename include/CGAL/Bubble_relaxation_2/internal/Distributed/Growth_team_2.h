@@ -104,7 +104,7 @@ public:
     for (std::size_t i = 0; i < b.size(); ++i) {
       const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
                                  (i < m_number_of_common ? 0 : m_seeds[i - m_number_of_common]);
-      births.push_back(Growth_birth_2{0, static_cast<double>(place), 0, 0});
+      births.push_back(Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]});
       m_holders->add(b.x[i], b.y[i], reach * b.d[i], no_index);
     }
     crystal.add_births(births);
