@@ -137,6 +137,27 @@ void expect_same(Ranks& ranks, const Case& whole, const Case& bare, const Number
   });
 }
 
+/// from the domain alone
+void expect_same(Ranks& ranks, const paper::Domain& domain, const Relaxation_options& options)
+{
+  const Case bare = read(domain);
+  const auto np = CGAL::parameters::sizing_function(domain.d).limit_by_outline(options.limit_by_outline);
+  const Domain_marks_2<CDT> marks(bare.cdt, np);
+  with_limited_sizing_field(bare.cdt, np, marks, *bare.reading, options, [&](const auto& sizing, const auto&) {
+    CGAL::Bubble_relaxation_report_2<double> first, second;
+    Progress of_first(options.callback, 1), of_second(options.callback, 1);
+    const Bubbles_2 all =
+      simulate_bubbles<CGAL::Sequential_tag>(bare.cdt, *bare.reading, sizing, options, of_first, first);
+    const Placed_part_2 part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, bare.cdt,
+                                                    *bare.reading, sizing, options, of_second, second);
+    EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
+    EXPECT_EQ(second.number_of_steps, first.number_of_steps);
+    EXPECT_GT(all.size(), 500u);
+    EXPECT_GT(first.number_of_insertions + first.number_of_deletions, 0u);
+    expect_parts_make_the_whole(ranks, part, all);
+  });
+}
+
 /// a mesh to start from: a domain with bubbles, and its triangulation with them
 struct Given
 {
@@ -181,5 +202,17 @@ INSTANTIATE_TEST_SUITE_P(All, Ways_to_start,
                          testing::Values(std::make_pair(true, Bubble_placement::KEEP),
                                          std::make_pair(false, Bubble_placement::FRONTAL),
                                          std::make_pair(true, Bubble_placement::FRONTAL)));
+
+TEST(Ways_to_go_on, as_in_the_paper)
+{
+  Ranks ranks;
+  for (int k : {1, 5}) {
+    SCOPED_TRACE(k);
+    Relaxation_options options = read_options(CGAL::npbs_paper_parameters());
+    options.number_of_rounds = 3;
+    options.number_of_iterations = 35;
+    expect_same(ranks, paper::all_domains(k == 5 ? 0.9 : 0.7)[k], options);
+  }
+}
 
 } // namespace

@@ -180,15 +180,17 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
   Bubbles_2 bubbles = place_on_outline(domain, outline_of_mesh(reading),
                                        adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW,
                                        sizing);
-  Growth_alone alone;
   if (adapts)
     adapt_in_faces<Concurrency_tag>(cdt, reading, sizing, bubbles);
   else if (keeps)
     keep_in_faces(reading, sizing, bubbles);
-  else if (options.placement == Bubble_placement::RHOMBIC)
-    Rhombic_placement<Sizing>(domain, sizing, bubbles)();
-  else
+  else if (options.placement == Bubble_placement::RHOMBIC) {
+    Placement_alone alone;
+    Rhombic_placement<Sizing>(domain, sizing, bubbles, alone)();
+  } else {
+    Growth_alone alone;
     place_frontal<Concurrency_tag>(domain, sizing, bubbles, alone);
+  }
   remove_coincident<Concurrency_tag>(domain, bubbles);
   sort_in_space<Concurrency_tag>(domain, bubbles);
   return bubbles;

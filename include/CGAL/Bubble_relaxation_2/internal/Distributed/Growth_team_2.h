@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Growth_holders_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
@@ -63,15 +64,8 @@ public:
 
   void divide(const Domain_2& domain, const Bubbles_2& large)
   {
-    const Hilbert_curve_2 curve(domain.bbox());
-    std::vector<Hilbert_curve_2::Key> keys, first_keys;
-    for (std::size_t i = 0; i < large.size(); ++i)
-      keys.push_back(curve.key(large.x[i], large.y[i]));
-    std::sort(keys.begin(), keys.end());
-    const std::size_t ranks = static_cast<std::size_t>(m_comm.size());
-    for (std::size_t rank = 1; rank < ranks; ++rank)
-      first_keys.push_back(keys[keys.size() * rank / ranks]);
-    m_partition = std::make_unique<Hilbert_partition_2>(curve, first_keys);
+    m_partition =
+      std::make_unique<Hilbert_partition_2>(partition_of_common(Hilbert_curve_2(domain.bbox()), large, m_comm.size()));
     m_holders = std::make_unique<Growth_holders_2>(*m_partition, m_comm.rank());
   }
 

@@ -13,7 +13,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Given_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Growth_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Rhombic_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 
 #include <cstddef>
@@ -93,6 +95,18 @@ void adapt_given(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Giv
   grow_from_all<Sequential_tag>(domain, sizing, directions, bubbles, team);
 }
 
+/// Bubbles in the cells of a rhombus: each rank makes those in its part.
+template <class Sizing>
+void place_rhombic_by_all(const Communicator& comm, Sparse_exchange& exchange, const Domain_2& domain,
+                          const Sizing& sizing, Placement_2& placed)
+{
+  const Hilbert_partition_2 partition = partition_of_common(
+    Hilbert_curve_2(domain.bbox()), large_bubbles(domain, sizing, placed.bubbles), comm.size());
+  Rhombic_team_2 team(comm, exchange, partition);
+  Rhombic_placement<Sizing, Rhombic_team_2>(domain, sizing, placed.bubbles, team)();
+  placed.is_ours.resize(placed.bubbles.size(), 1);
+}
+
 /// what `place_bubbles()` does, by all ranks together
 template <class Cdt, class Sizing>
 Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Cdt& cdt,
@@ -106,11 +120,13 @@ Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Ag
     keep_given(reading.domain, given, sizing, placed);
     return placed;
   }
+  if (!adapts && options.placement == Bubble_placement::RHOMBIC) {
+    place_rhombic_by_all(comm, exchange, reading.domain, sizing, placed);
+    return placed;
+  }
   Growth_team_2 team(comm, exchange, agreement);
   if (adapts)
     adapt_given(cdt, reading, given, sizing, team, placed.bubbles);
-  else if (options.placement == Bubble_placement::RHOMBIC)
-    Rhombic_placement<Sizing>(reading.domain, sizing, placed.bubbles)();
   else
     place_frontal<Sequential_tag>(reading.domain, sizing, placed.bubbles, team);
   placed.is_ours.resize(placed.bubbles.size(), comm.rank() == 0);

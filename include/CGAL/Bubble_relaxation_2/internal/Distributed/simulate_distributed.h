@@ -84,8 +84,12 @@ Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& ex
     team.start(part);
     report.number_of_initial_bubbles = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
   }
-  relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
-                                                             progress, report);
+  if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)
+    relax<Sequential_tag, Runge_kutta_4<Sequential_tag>>(reading.domain, sizing, options, bubbles, team, progress,
+                                                         report);
+  else
+    relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
+                                                               progress, report);
   remove_crowded_of_ours(reading.domain, team.population(), bubbles);
   return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(), bubbles);
 }
