@@ -173,9 +173,11 @@ std::uint64_t fingerprint(const Communicator& comm, const Result& result)
 }
 
 /// a callback that stops in the round after so many
-auto stop_after(std::size_t rounds)
+auto stop_after(std::size_t rounds, std::size_t most = most_rounds)
 {
-  return [rounds](double progress) { return progress < 0.99 * (static_cast<double>(rounds) + 0.01) / most_rounds; };
+  return [rounds, most](double progress) {
+    return progress < 0.99 * (static_cast<double>(rounds) + 0.01) / static_cast<double>(most);
+  };
 }
 
 paper::Domain domain(int k) { return paper::all_domains(1)[static_cast<std::size_t>(k)]; }
@@ -235,6 +237,24 @@ TEST(Checkpoint, an_interrupted_simulation_goes_on_to_the_same_bits)
     Ranks alone(one.handle());
     EXPECT_EQ(fingerprint(alone.comm, simulate(alone, d, d.d, P::restart_from(by_all))), expected);
   }
+}
+
+TEST(Checkpoint, of_the_paper)
+{
+  Ranks ranks;
+  const Directory directory;
+  const paper::Domain d = paper::all_domains(1.5)[3];
+  const std::string path = directory.file("a");
+  const auto np = CGAL::npbs_paper_parameters().number_of_rounds(4).number_of_iterations(15);
+  const std::uint64_t expected = fingerprint(ranks.comm, simulate(ranks, d, d.d, np));
+  {
+    const First_ranks one(1);
+    if (one.has_this()) {
+      Ranks alone(one.handle());
+      simulate(alone, d, d.d, np.checkpoint(path, 2).callback(stop_after(2, 4)));
+    }
+  }
+  EXPECT_EQ(fingerprint(ranks.comm, simulate(ranks, d, d.d, np.restart_from(path))), expected);
 }
 
 /// a file after the first round, and what becomes of an attempt to go on from it or from another one

@@ -51,7 +51,7 @@ Result simulate(Ranks& ranks, const paper::Domain& domain, const NamedParameters
   with_limited_sizing_field(c.cdt, np, marks, *c.reading, options, [&](const auto& sizing, const auto&) {
     Progress progress(options.callback, options.number_of_rounds);
     result.part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, c.cdt, *c.reading, sizing,
-                                       options, progress, result.report, &result.traffic);
+                                       options, progress, result.report, {}, &result.traffic);
   });
   const Distributed_mesh_2 mesh = distributed_triangulate(c.domain(), result.part.bubbles, result.part.partition,
                                                           ranks.comm, ranks.agreement, ranks.exchange);
@@ -109,6 +109,19 @@ TEST(Exchange_interval, changes_nothing_on_one_rank_and_little_on_several)
     } else
       EXPECT_GT(ranks.comm.sum(result.traffic.messages), 0);
   }
+}
+
+TEST(Exchange_interval, of_the_paper)
+{
+  Ranks ranks;
+  if (ranks.comm.size() > 4)
+    GTEST_SKIP() << "takes long with more ranks than cores";
+  const paper::Domain d = paper::all_domains(1.5)[3];
+  const auto np = CGAL::npbs_paper_parameters().number_of_rounds(2).number_of_iterations(60);
+  const Result exact = simulate(ranks, d, np), result = simulate(ranks, d, np.exchange_interval(25));
+  EXPECT_NEAR(result.mean_quality, exact.mean_quality, 0.005);
+  if (ranks.comm.size() == 1)
+    expect_equal(result, exact);
 }
 
 TEST(Exchange_interval, conserves_bubbles)

@@ -131,6 +131,12 @@ struct Simulation_alone
   std::size_t number_of_all(const Bubbles_2& bubbles) const { return bubbles.size(); }
   /// whether another rank has to know where a bubble is
   bool is_at_border(Index) const { return false; }
+  /// puts in where bubbles of other ranks are within a step
+  void share_positions(std::vector<double>&, std::vector<double>&) const {}
+  /// completes the neighbour sets of bubbles that other ranks own
+  template <class Neighbor_sets>
+  void share_sets(const Bubbles_2&, Neighbor_sets&)
+  {}
   /// begins to tell other ranks of the bubbles at the border that were active
   void send_moves(const Bubbles_2&, const std::vector<Index>&, const std::vector<char>&) {}
   /// takes over what others told: returns their bubbles that were active, and adds whether they move
@@ -215,6 +221,10 @@ public:
   }
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
+  Neighbor_sets_2& neighbors() { return m_neighbors; }
+
+  /// whether bubbles are renewed before they go far from where their neighbours were last looked for
+  bool keeps_references() const { return m_options.renewal_interval == 0; }
 
   /// whether all are awake only to look whether they rest
   bool is_roused() const { return m_active.is_roused(); }
@@ -272,7 +282,7 @@ public:
     m_active.forget_touched();
     {
       const Phase_timer timer(seconds.renewal);
-      result.renewals += build_neighbors_if_due();
+      result.renewals += build_neighbors_if_first();
     }
     m_number_of_outrun = m_team.sum(Step_sums{0, count_outrun()}).outrun;
     while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
@@ -290,6 +300,11 @@ public:
       step(result);
     }
     m_team.end_steps(*this, m_bubbles);
+    if (!keeps_references()) { // as in the paper before each round, and for the control of the population
+      const Phase_timer timer(seconds.renewal);
+      build_neighbors();
+      ++result.renewals;
+    }
     return result;
   }
 
@@ -338,18 +353,21 @@ public:
 private:
   static constexpr double coarse_tolerance = 4; // times that of the end
 
-  /// Makes the neighbour sets before the first round, in the paper before each.
-  bool build_neighbors_if_due()
+  /// makes the neighbour sets before the first round
+  bool build_neighbors_if_first()
   {
-    if (m_has_begun && m_options.renewal_interval == 0)
+    if (m_has_begun)
       return false;
-    const bool is_first = !m_has_begun;
     m_has_begun = true;
+    build_neighbors();
+    m_team.surround(*this, m_bubbles);
+    return true;
+  }
+
+  void build_neighbors()
+  {
     m_neighbors.template build<Concurrency_tag>(m_bubbles);
     m_outrun.clear();
-    if (is_first)
-      m_team.surround(*this, m_bubbles);
-    return true;
   }
 
   /// Renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
@@ -362,9 +380,10 @@ private:
         m_neighbors.template build<Concurrency_tag>(m_bubbles);
       else
         m_neighbors.template renew<Concurrency_tag>(m_bubbles, m_outrun);
-    } else if (interval != 0 && step != 0 && step % interval == 0)
+    } else if (interval != 0 && step != 0 && step % interval == 0) {
+      m_team.share_sets(m_bubbles, m_neighbors);
       m_neighbors.renew_from_neighbors(m_bubbles);
-    else
+    } else
       return false;
     m_outrun.clear();
     return true;
@@ -373,7 +392,8 @@ private:
   void step(Round_result& result)
   {
     const std::vector<Index>& active = m_active.indices();
-    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements);
+    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements,
+                 [this](std::vector<double>& x, std::vector<double>& y) { m_team.share_positions(x, y); });
     m_flags.start_step(active.size());
     move_all_of(active, true);
     m_team.send_moves(m_bubbles, active, m_flags.is_moving);
@@ -392,11 +412,11 @@ private:
     for (Index i : others)
       if (m_neighbors.is_outrun_by(m_bubbles, i))
         m_outrun.push_back(i);
-    m_active.add_others(others);
-    if (Integrator::lets_bubbles_sleep)
+    if (Integrator::lets_bubbles_sleep) {
+      m_active.add_others(others);
       m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
-    else if (!Team::is_alone)
-      m_active.forget_others(m_bubbles);
+    } else if (!Team::is_alone)
+      m_active.forget_others(m_bubbles); // those that wait in others' parts
     sums = m_team.sum(sums);
     result.is_at_rest = sums.restless == 0;
     m_number_of_outrun = sums.outrun;

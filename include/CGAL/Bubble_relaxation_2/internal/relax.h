@@ -31,7 +31,7 @@ Population_change adjust_population(const Domain_2& domain, const Sizing& sizing
 {
   switch (options.population) {
   case Bubble_population::OVERLAP_RATIO:
-    return Overlap_population<Sizing>(domain, sizing)(bubbles);
+    return Overlap_population<Sizing, Team>(domain, sizing, team)(bubbles);
   case Bubble_population::DELAUNAY:
     return Delaunay_population<Concurrency_tag, Sizing, Team>(domain, sizing, team)(
       bubbles, simulation.neighbors(), simulation.touched());

@@ -14,8 +14,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 
 #include <algorithm>
 #include <array>
@@ -91,13 +94,11 @@ public:
   {
     if (m_interval.is_used()) {
       release_marked(simulation, bubbles);
-      migrate(simulation, bubbles);
-      surround(simulation, bubbles);
+      migrate_and_surround(simulation, bubbles);
       wake_around_others(simulation, bubbles);
-    } else if (m_is_far_from_home) {
-      migrate(simulation, bubbles);
-      surround(simulation, bubbles);
-    } else
+    } else if (m_is_far_from_home)
+      migrate_and_surround(simulation, bubbles);
+    else
       look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles));
     m_is_outgrown_here = m_is_outgrown = m_is_far_from_home = false;
   }
@@ -142,6 +143,34 @@ public:
   Population_team_2& population() { return m_population; }
 
   bool is_at_border(Index i) const { return m_halo.is_at_border(i); }
+
+  void share_positions(std::vector<double>& x, std::vector<double>& y) const
+  {
+    if (m_interval.is_used())
+      return;
+    Messages<Position> out, in;
+    for (const auto& list : m_halo.sent())
+      for (Index i : list.second)
+        out[list.first].push_back(Position{x[i], y[i]});
+    for (const auto& list : m_halo.received())
+      in[list.first].resize(list.second.size());
+    exchange_known(m_comm, out, in);
+    for (const auto& list : m_halo.received())
+      for (std::size_t n = 0; n < list.second.size(); ++n) {
+        x[list.second[n]] = in[list.first][n].x;
+        y[list.second[n]] = in[list.first][n].y;
+      }
+  }
+
+  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets)
+  {
+    Numbered_sets messages;
+    for (const auto& list : m_halo.sent())
+      for (Index i : list.second)
+        messages.add(list.first, b, sets, i);
+    messages.exchange(m_exchange);
+    messages.for_each(b, [&sets](Index i, const std::vector<Index>& set) { sets.assign(i, set); });
+  }
 
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving)
   {
@@ -193,6 +222,11 @@ public:
   const Traffic_2& traffic() const { return m_traffic; }
 
 private:
+  struct Position
+  {
+    double x, y;
+  };
+
   /// makes the halo, of one width or by the bubbles' sizes
   template <class Simulation>
   void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
@@ -288,18 +322,70 @@ private:
   template <class Simulation>
   void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
+    std::unique_ptr<Bubble_buckets_2> here; // bubbles where they are now
+    if (!simulation.keeps_references())
+      here = buckets_of(bubbles);
     m_halo.look_after(
       bubbles, those,
       [&](double x, double y, double d, double near, const auto& visit) {
-        simulation.neighbors().find_near(x, y, d, near, visit);
+        if (!here) {
+          simulation.neighbors().find_near(x, y, d, near, visit);
+          return;
+        }
+        here->for_each_near(x, y, d, near, [&visit](const Bubble_buckets_2::Entry& e, double) {
+          visit(e.id);
+          return true;
+        });
       },
       [&](Index i) { return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)}; },
       [&](const Bubble_state_2& s, int owner) {
+        const Index i = static_cast<Index>(bubbles.size());
         add(bubbles, s.bubble, true);
         simulation.add_known(s.memory);
-        m_halo.add(bubbles, static_cast<Index>(bubbles.size()) - 1, owner);
+        m_halo.add(bubbles, i, owner);
+        if (here)
+          here->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
       });
     m_moves.connect(m_halo, bubbles.size());
+  }
+
+  static std::unique_ptr<Bubble_buckets_2> buckets_of(const Bubbles_2& b)
+  {
+    const bool is_empty = b.size() == 0;
+    auto result = std::make_unique<Bubble_buckets_2>(1., is_empty ? 1. : b.d[0], is_empty ? 0. : b.x[0],
+                                                     is_empty ? 0. : b.y[0], b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!b.is_gone(i))
+        result->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+    return result;
+  }
+
+  template <class Simulation>
+  void migrate_and_surround(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    if (!simulation.keeps_references()) {
+      migrate_with_sets(simulation, bubbles);
+      return;
+    }
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles);
+  }
+
+  /// the same; neighbour sets that are not what references tell go with their bubbles
+  template <class Simulation>
+  void migrate_with_sets(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    Numbered_sets messages;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+        messages.add(m_partition->owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
+                     static_cast<Index>(i));
+    messages.exchange(m_exchange);
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles);
+    std::vector<std::vector<Index>> sets(bubbles.size());
+    messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
+    simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
   }
 
   /// brings each bubble to the rank that owns its place now
