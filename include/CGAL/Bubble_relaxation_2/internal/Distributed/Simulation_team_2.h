@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 
 #include <algorithm>
@@ -79,6 +80,37 @@ public:
     else
       look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles));
     m_is_outgrown_here = m_is_outgrown = m_is_far_from_home = false;
+  }
+
+  /// Gets the bubbles that those of ours beside wide holes look at, which are farther away than others ever look.
+  template <class Simulation>
+  void look_across_holes(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    using Triangulation = Local_triangulation_2;
+    const Neighbor_sets_2& neighbors = simulation.neighbors();
+    constexpr double largest_ratio = 4;
+    Messages<Hole_side> asked;
+    for (Index i : simulation.touched()) {
+      // one that is asked for, and not known anyway, is not much larger; it may have left the part of its owner
+      const double size = neighbors.reference_d(i);
+      const double most = (0.5 * neighbors.radius() * (Triangulation::far + largest_ratio) +
+                           largest_ratio * (Halo_2::farthest_from_home + 1)) * size;
+      if (!bubbles.is_ours(i) || bubbles.is_gone(i) || m_halo.is_ours_within(bubbles, i, most) ||
+          !Triangulation::is_beside_wide_hole(bubbles, neighbors, i))
+        continue;
+      const Hole_side side{neighbors.reference_x(i), neighbors.reference_y(i), Triangulation::far * size};
+      for (int rank : m_partition->owners_in_disc(side.x, side.y, most))
+        if (rank != m_comm.rank())
+          asked[rank].push_back(side);
+    }
+    if (!m_comm.any(!asked.empty()))
+      return;
+    m_halo.fetch(
+      asked,
+      [&](const Hole_side& side, const auto& visit) { neighbors.find_around(side.x, side.y, side.d, visit); },
+      [&](Index i) { return state(simulation, bubbles, i); },
+      [&](const Bubble_state_2& s, int owner) { add_of_other(simulation, bubbles, s, owner); });
+    m_moves.connect(m_halo, bubbles.size());
   }
 
   /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
@@ -171,6 +203,12 @@ public:
   const Hilbert_partition_2& partition() const { return *m_partition; }
 
 private:
+  /// where a bubble is that asks for others around it, by its reference, and as how large
+  struct Hole_side
+  {
+    double x, y, d;
+  };
+
   struct Position
   {
     double x, y;
@@ -216,6 +254,22 @@ private:
   }
 
   template <class Simulation>
+  static Bubble_state_2 state(const Simulation& simulation, const Bubbles_2& bubbles, Index i)
+  {
+    return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)};
+  }
+
+  template <class Simulation>
+  Index add_of_other(Simulation& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
+  {
+    const Index i = static_cast<Index>(bubbles.size());
+    add(bubbles, s.bubble, true);
+    simulation.add_known(s.memory);
+    m_halo.add(bubbles, i, owner);
+    return i;
+  }
+
+  template <class Simulation>
   void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
     std::unique_ptr<Bubble_buckets_2> here; // bubbles where they are now
@@ -233,12 +287,9 @@ private:
           return true;
         });
       },
-      [&](Index i) { return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)}; },
+      [&](Index i) { return state(simulation, bubbles, i); },
       [&](const Bubble_state_2& s, int owner) {
-        const Index i = static_cast<Index>(bubbles.size());
-        add(bubbles, s.bubble, true);
-        simulation.add_known(s.memory);
-        m_halo.add(bubbles, i, owner);
+        const Index i = add_of_other(simulation, bubbles, s, owner);
         if (here)
           here->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
       });
