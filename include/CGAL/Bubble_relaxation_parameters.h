@@ -14,7 +14,9 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/version.h>
 
+#include <cstddef>
 #include <functional>
+#include <string>
 #include <type_traits>
 
 /// \file
@@ -45,6 +47,14 @@ struct Is_given
                                                    internal_np::Param_not_found>::type,
       internal_np::Param_not_found>::value>
 {};
+
+/// what `checkpoint(path, every)` asks for; counts are given as any number
+template <class Count>
+struct Checkpoint_request
+{
+  std::string path;
+  Count every;
+};
 
 } // namespace internal
 } // namespace Bubble_relaxation_2
@@ -87,6 +97,20 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
+
+  /// the one setter with two arguments
+  template <class Count>
+  auto checkpoint(const std::string& path, const Count& every) const
+  {
+    return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
+  }
+
+  /// a literal is no value that could be kept
+  template <std::size_t n>
+  auto restart_from(const char (&path)[n]) const
+  {
+    return restart_from(std::string(path));
+  }
 };
 
 #endif // DOXYGEN_RUNNING
@@ -122,6 +146,18 @@ namespace Bubble_relaxation_parameters {
 #undef CGAL_add_extra_named_parameter_with_compatibility
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
+
+template <class Count>
+auto checkpoint(const std::string& path, const Count& every)
+{
+  return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
+}
+
+template <std::size_t n>
+auto restart_from(const char (&path)[n])
+{
+  return restart_from(std::string(path));
+}
 #endif // DOXYGEN_RUNNING
 
 /*!

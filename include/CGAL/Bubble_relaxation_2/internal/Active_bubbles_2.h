@@ -80,6 +80,17 @@ public:
     m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(), is_gone), m_indices.end());
   }
 
+  /// bubbles that other ranks own take no part in the next step
+  void forget_others(const Bubbles_2& bubbles)
+  {
+    for (Index i : m_indices)
+      if (!bubbles.is_ours(i))
+        m_is_active[i] = 0;
+    m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(),
+                                   [&bubbles](Index i) { return !bubbles.is_ours(i); }),
+                    m_indices.end());
+  }
+
   /// bubbles that other ranks own took part in this step too, after the last of `indices()`
   void add_others(const std::vector<Index>& others)
   {

@@ -104,14 +104,21 @@ public:
   template <class Visitor>
   bool for_each_near(double x, double y, double d, double near, Visitor visit) const
   {
-    return for_each_within(Query<Mean_radius>{x, y, Mean_radius{near, d}}, d, visit);
+    return for_each_in(Query<Mean_radius>{x, y, Mean_radius{near, d}}, d, visit);
   }
 
-  /// the same for those whose distance is less than `near` times the larger of both sizes
+  /// the same for all within a distance from (x, y)
   template <class Visitor>
-  bool for_each_near_larger(double x, double y, double d, double near, Visitor visit) const
+  bool for_each_within(double x, double y, double distance, Visitor visit) const
   {
-    return for_each_within(Query<Larger_radius>{x, y, Larger_radius{near, d}}, d, visit);
+    return for_each_in(Query<Distance>{x, y, Distance{distance}}, 2 * distance / m_reach, visit);
+  }
+
+  /// the same for those of size `least` or more whose distance from (x, y) is less than `near` times their size
+  template <class Visitor>
+  bool for_each_large(double x, double y, double least, double near, Visitor visit) const
+  {
+    return for_each_in(Query<Large_radius>{x, y, Large_radius{near, least}}, 0, visit);
   }
 
   /// whether no bubble is near to one of size `d` at (x, y)
@@ -133,10 +140,16 @@ private:
     double operator()(double size) const { return 0.5 * near * (d + size); }
   };
 
-  struct Larger_radius
+  struct Distance
   {
-    double near, d;
-    double operator()(double size) const { return near * (std::max)(d, size); }
+    double distance;
+    double operator()(double) const { return distance; }
+  };
+
+  struct Large_radius
+  {
+    double near, least;
+    double operator()(double size) const { return size < least ? 0 : near * size; }
   };
 
   template <class Radius>
@@ -146,8 +159,9 @@ private:
     Radius radius;
   };
 
+  /// `d`: about the size of a bubble that sees so far
   template <class Radius, class Visitor>
-  bool for_each_within(const Query<Radius>& q, double d, Visitor& visit) const
+  bool for_each_in(const Query<Radius>& q, double d, Visitor& visit) const
   {
     if (m_bubbles.empty())
       return true;

@@ -51,6 +51,7 @@ public:
   /// bubbles are looked at so many at a time
   static constexpr std::size_t grain = 64;
 
+  /// without links
   Crystal_2(const Domain_2& domain, Bubbles_2& bubbles)
     : m_bubbles(bubbles), m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
                                     4 * bubbles.size())
@@ -58,7 +59,6 @@ public:
     m_direction.assign(bubbles.size(), Direction{1, 0});
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       insert_in_buckets(i);
-    link_from(0);
   }
 
   std::size_t size() const { return m_bubbles.size(); }

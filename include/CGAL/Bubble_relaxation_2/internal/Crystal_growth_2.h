@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -31,7 +32,7 @@ struct Growth_alone
 {
   /// Divides the domain by bubbles that are some times as large, which all ranks have.
   void divide(const Domain_2&, const Bubbles_2&) {}
-  /// the crystal has its first bubbles, which all ranks have
+  /// The crystal has its first bubbles, which all ranks have or which were given to the team.
   template <class Crystal>
   void start(const Crystal&)
   {}
@@ -86,15 +87,17 @@ template <class Concurrency_tag, class Sizing, class Team = Growth_alone>
 class Crystal_growth_2
 {
 public:
+  /// `directions`: angles of the lattice for the bubbles that are there, or for some; read for those in faces only
   Crystal_growth_2(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles,
-                   Lattice_direction lattice, Team& team)
+                   const std::vector<double>& directions, Lattice_direction lattice, Team& team)
     : m_domain(domain), m_sizing(sizing), m_team(team), m_crystal(domain, bubbles), m_front(domain),
       m_propose(domain, sizing, m_crystal, m_front, lattice)
   {
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      m_crystal.direction(i) = Direction{std::cos(directions[i]), std::sin(directions[i])};
     team.start(m_crystal);
+    m_crystal.link_from(0);
   }
-
-  void set_direction(std::size_t i, const Direction& u) { m_crystal.direction(i) = u; }
 
   /// one of the bubbles that were there before belongs to the front when the growth begins
   void add_to_front(std::size_t i) { add_to_front(i, m_crystal.bubbles().d[i]); }

@@ -169,9 +169,9 @@ private:
     for (const Triangle& t : mesh.triangles())
       add_hole(b, t, holes);
     const std::size_t number_of_ours = m_team.share_holes(holes, least_distance);
-    std::vector<Greedy_candidate_2> candidates; // the widest first
+    std::vector<Greedy_candidate_2> candidates;
     for (const Hole_2& h : holes)
-      candidates.push_back(Greedy_candidate_2{-h.radius, h.x, h.y, h.d});
+      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
     Greedy_choice_2<Concurrency_tag> choice;
     const Bbox_2& box = m_domain.bbox();
     choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, Point(box.xmin(), box.ymin()),
@@ -205,7 +205,7 @@ private:
       return;
     const double d = m_sizing(center);
     if (radius > largest_radius * d)
-      holes.push_back(Hole_2{radius / d, center.x(), center.y(), d, end.triangle});
+      holes.push_back(Hole_2{-(radius / d), center.x(), center.y(), d, end.triangle});
   }
 
   /// whether the circumcentre would be made of roundings: three bubbles on a slanted edge

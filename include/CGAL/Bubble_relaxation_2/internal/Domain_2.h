@@ -281,6 +281,23 @@ public:
     return is_inside(triangle) ? triangle : no_index;
   }
 
+  /// The same; of two triangles on whose common side `q` lies the first, wherever the search began.
+  Index place_inside(const Point& q, Index& hint) const
+  {
+    const Index found = locate(q, hint);
+    if (found == no_index)
+      return no_index;
+    hint = found;
+    Index first = is_inside(found) ? found : no_index;
+    for (int i = 0; i < 3; ++i) {
+      const Index t = m_marked.tr.neighbors[found][i];
+      if (t != no_index && is_inside(t) && (first == no_index || t < first) &&
+          CGAL::orientation(m_marked.tr.point(found, ccw(i)), m_marked.tr.point(found, cw(i)), q) == COLLINEAR)
+        first = t;
+    }
+    return first;
+  }
+
 private:
   struct Side
   {

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Constraint_graph_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Mesh_surroundings_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 
 #include <algorithm>
@@ -39,13 +40,6 @@ struct Domain_reading_2
   /// points decide their order, whatever the order in which they were inserted.
   std::vector<Vertex_handle> pinned, free;
 
-  /// How the existing mesh looks around a vertex.
-  struct Surroundings
-  {
-    double spacing;   ///< mean length of the edges
-    double direction; ///< angle of the shortest edge
-  };
-
   /// `is_inside(face)`, `is_pinned(vertex)`: the domain and what the user pinned
   template <class Is_inside, class Is_pinned>
   Domain_reading_2(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned)
@@ -67,24 +61,15 @@ struct Domain_reading_2
     sort_by_place(free);
   }
 
-  static Surroundings surroundings(const Cdt& cdt, Vertex_handle v)
+  static Mesh_surroundings_2 surroundings(const Cdt& cdt, Vertex_handle v)
   {
-    const Point p = Graph::to_point(v);
-    double sum = 0, shortest = 0, direction = 0;
-    int degree = 0;
+    std::vector<Point> ring;
     auto u = first_neighbor(cdt, v), start = u;
     do {
-      if (cdt.is_infinite(u))
-        continue;
-      const Point q = Graph::to_point(u);
-      const double length = std::hypot(q.x() - p.x(), q.y() - p.y());
-      sum += length;
-      if (degree++ == 0 || length < shortest) {
-        shortest = length;
-        direction = std::atan2(q.y() - p.y(), q.x() - p.x());
-      }
+      if (!cdt.is_infinite(u))
+        ring.push_back(Graph::to_point(u));
     } while (++u != start);
-    return Surroundings{sum / degree, direction};
+    return mesh_surroundings(Graph::to_point(v), ring);
   }
 
 private:
@@ -101,17 +86,14 @@ private:
   }
 
   /// sorts along a Hilbert curve, so that a search from one vertex to the next is short
-  static void sort_by_place(std::vector<Vertex_handle>& vertices)
+  void sort_by_place(std::vector<Vertex_handle>& vertices) const
   {
     std::sort(vertices.begin(), vertices.end(), Graph::is_before); // some may be rounded to one place
     std::vector<Point> points;
-    Bbox_2 box;
-    for (Vertex_handle v : vertices) {
+    for (Vertex_handle v : vertices)
       points.push_back(Graph::to_point(v));
-      box += points.back().bbox();
-    }
     std::vector<Vertex_handle> sorted;
-    for (Index i : hilbert_order(Hilbert_curve_2(box), points))
+    for (Index i : hilbert_order(Hilbert_curve_2(domain.bbox()), points))
       sorted.push_back(vertices[i]);
     vertices.swap(sorted);
   }

@@ -14,13 +14,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -41,10 +37,7 @@ public:
                                     const std::vector<Index>& touched)
   {
     Local_triangulation_2 result(touched);
-    if (neighbors.has_buckets())
-      result.template wrap<Concurrency_tag>(bubbles, neighbors);
-    else
-      result.triangulate(bubbles, neighbors);
+    result.template wrap<Concurrency_tag>(bubbles, neighbors);
     return result;
   }
 
@@ -127,43 +120,6 @@ private:
   static void sort(const Bubbles_2& bubbles, Delaunay_star_2::Indices& indices)
   {
     std::sort(indices.begin(), indices.end(), [&bubbles](Index i, Index j) { return bubbles.is_before(i, j); });
-  }
-
-  void triangulate(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors)
-  {
-    using Vb = Triangulation_vertex_base_with_info_2<Index, Kernel>;
-    using Tds = Triangulation_data_structure_2<Vb, Triangulation_face_base_2<Kernel>>;
-    std::vector<char> is_touched(bubbles.size(), 0);
-    for (Index i : m_touched)
-      is_touched[i] = 1;
-    std::vector<std::pair<Point, Index>> points;
-    for (Index i : with_two_rings(neighbors, is_touched))
-      points.emplace_back(bubbles.point(i), i);
-    const Delaunay_triangulation_2<Kernel, Tds> dt(points.begin(), points.end());
-    m_triangles.clear();
-    for (const auto f : dt.finite_face_handles()) {
-      const Triangle t{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()};
-      if (is_touched[t[0]] || is_touched[t[1]] || is_touched[t[2]])
-        m_triangles.push_back(t);
-    }
-  }
-
-  /// the touched bubbles, their neighbours, and the neighbours of these
-  std::vector<Index> with_two_rings(const Neighbor_sets_2& neighbors, std::vector<char> is_taken) const
-  {
-    std::vector<Index> result = m_touched;
-    std::size_t first = 0;
-    for (int ring = 0; ring < 2; ++ring) {
-      const std::size_t last = result.size();
-      for (; first < last; ++first)
-        for (const Index *j = neighbors.begin(result[first]), *end = neighbors.end(result[first]);
-             j != end; ++j)
-          if (!is_taken[*j]) {
-            is_taken[*j] = 1;
-            result.push_back(*j);
-          }
-    }
-    return result;
   }
 
   std::vector<Index> m_touched;

@@ -65,6 +65,7 @@ public:
   {
     start(bubbles, references);
     const std::size_t n = bubbles.size();
+    m_buckets.reset(); // what is in them may be gone
     if (n == 0)
       return;
     m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, m_d[0], m_x[0], m_y[0], n);
@@ -114,7 +115,7 @@ public:
     m_y.push_back(y);
     m_d.push_back(d);
     append(nullptr, 0);
-    if (m_sets.size() == 1) // `build()` has found nothing that would tell where and how large bubbles are
+    if (m_sets.size() == 1) // a rank may begin with none
       m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, d, x, y, 1);
     if (!m_buckets)
       return;
@@ -154,8 +155,10 @@ public:
     }
   }
 
-  /// the paper's renewal of all sets: neighbours and their neighbours, as far as they are within the
-  /// radius now
+  /// The paper's renewal of all sets: neighbours and their neighbours, as far as they are within the radius now.
+  /// Those that have gone farther apart than three sizes do not tell of their neighbours. Of several ranks each
+  /// renews the sets of its own bubbles, and puts these into the sets of others'.
+  /// \pre sets of others' bubbles near ours have those of their neighbours that are near ours too
   void renew_from_neighbors(const Bubbles_2& bubbles)
   {
     std::vector<Set> old_sets;
@@ -164,29 +167,56 @@ public:
     old_pool.swap(m_pool);
     start(bubbles, Bubble_references_2{bubbles.x, bubbles.y, bubbles.d});
     const std::size_t n = bubbles.size();
+    const double farthest = (std::max)(m_radius, 3.);
+    const auto is_near = [&bubbles](Index i, Index j, double times) {
+      const double reach = 0.5 * times * (bubbles.d[i] + bubbles.d[j]);
+      const double dx = bubbles.x[j] - bubbles.x[i], dy = bubbles.y[j] - bubbles.y[i];
+      return dx * dx + dy * dy < reach * reach;
+    };
     std::vector<std::size_t> seen_by(n, n);
-    for (std::size_t i = 0; i < n; ++i) {
-      seen_by[i] = i;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Index i = static_cast<Index>(k);
+      seen_by[k] = k;
       m_found.clear();
       const auto consider = [&](Index j) {
-        if (seen_by[j] == i)
+        if (seen_by[j] == k)
           return;
-        seen_by[j] = i;
-        const double reach = 0.5 * m_radius * (bubbles.d[i] + bubbles.d[j]);
-        const double dx = bubbles.x[j] - bubbles.x[i], dy = bubbles.y[j] - bubbles.y[i];
-        if (dx * dx + dy * dy < reach * reach)
+        seen_by[j] = k;
+        if (is_near(i, j, m_radius))
           m_found.push_back(j);
       };
-      for (std::size_t k = 0; k < old_sets[i].size; ++k) {
-        const Index j = old_pool[old_sets[i].first + k];
+      const auto old_set = [&](std::size_t j) { return old_pool.data() + old_sets[j].first; };
+      for (std::size_t a = 0; bubbles.is_ours(k) && a < old_sets[k].size; ++a) {
+        const Index j = old_set(k)[a];
         consider(j);
-        for (std::size_t l = 0; l < old_sets[j].size; ++l)
-          consider(old_pool[old_sets[j].first + l]);
+        if (is_near(i, j, farthest))
+          for (std::size_t b = 0; b < old_sets[j].size; ++b)
+            if (is_near(j, old_set(j)[b], farthest))
+              consider(old_set(j)[b]);
       }
-      std::sort(m_found.begin(), m_found.end());
+      std::sort(m_found.begin(), m_found.end(), [this](Index j, Index l) { return is_before(j, l); });
       append(m_found.data(), m_found.size());
     }
     m_buckets.reset(); // their bubbles are not where they were
+    tell_others(bubbles);
+  }
+
+  /// replaces the set of a bubble of another rank by what that rank tells of it
+  void assign(Index i, const std::vector<Index>& set)
+  {
+    make_room(i, set.size());
+    std::copy(set.begin(), set.end(), m_pool.begin() + static_cast<std::ptrdiff_t>(m_sets[i].first));
+    m_sets[i].size = static_cast<std::uint32_t>(set.size());
+  }
+
+  /// Replaces all sets: those of the bubbles of this rank are as `set_of(i)` tells, and those of others' have them.
+  template <class Set_of>
+  void assign_all(const Bubbles_2& bubbles, const Set_of& set_of)
+  {
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      assign(static_cast<Index>(i), bubbles.is_ours(i) ? set_of(static_cast<Index>(i)) : std::vector<Index>());
+    m_buckets.reset();
+    tell_others(bubbles);
   }
 
   /// whether `find_around()` can be asked: not after `renew_from_neighbors()`
@@ -204,15 +234,23 @@ public:
     });
   }
 
-  /// calls `visit(j)` for all bubbles j whose distance from (x, y) is less than `near` times the larger of `d`
-  /// and its size, by references and as far as the skin
+  /// calls `visit(j)` for all bubbles j within `near` times `d` of (x, y), and perhaps for some beyond
   template <class Visitor>
-  void find_near(double x, double y, double d, double near, const Visitor& visit) const
+  void find_within(double x, double y, double d, double near, const Visitor& visit) const
   {
-    m_buckets->for_each_near_larger(x, y, d, near + m_radius - 1.5, [&](const Bubble_buckets_2::Entry& e, double) {
-      visit(e.id);
-      return true;
-    });
+    if (m_sets.empty())
+      return;
+    m_buckets->for_each_within(x, y, (near + m_radius - 1.5) * d, visitor(visit));
+  }
+
+  /// the same for those whose distance from (x, y) is less than `near` times their size, if that is `least` or more
+  template <class Visitor>
+  void find_large(double x, double y, double least, double near, const Visitor& visit) const
+  {
+    if (m_sets.empty())
+      return;
+    const double most_grown = m_radius / 1.5; // from the reference, until the skin is used up
+    m_buckets->for_each_large(x, y, least / most_grown, near * most_grown, visitor(visit));
   }
 
   /// whether bubble `i` has used up its share of the skin, see above
@@ -224,12 +262,34 @@ public:
   }
 
 private:
+  template <class Visitor>
+  static auto visitor(const Visitor& visit)
+  {
+    return [&visit](const Bubble_buckets_2::Entry& e, double) {
+      visit(e.id);
+      return true;
+    };
+  }
+
   /// a bubble's neighbours: `size` numbers in the pool from `first`, room for `capacity`
   struct Set
   {
     std::size_t first;
     std::uint32_t size, capacity;
   };
+
+  /// puts the bubbles of this rank into the sets of their neighbours that others own, which are empty
+  void tell_others(const Bubbles_2& bubbles)
+  {
+    if (bubbles.is_foreign.empty())
+      return;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      for (std::size_t k = 0; bubbles.is_ours(i) && k < m_sets[i].size; ++k) {
+        const Index j = m_pool[m_sets[i].first + k];
+        if (!bubbles.is_ours(j))
+          insert(j, static_cast<Index>(i));
+      }
+  }
 
   void start(const Bubbles_2& bubbles, const Bubble_references_2& references)
   {

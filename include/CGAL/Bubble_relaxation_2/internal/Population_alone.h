@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// the centre of a circle with no bubble in it
+/// a place where a bubble is missing
 struct Hole_2
 {
-  double radius; ///< over the size at the centre
+  double rank; ///< the one with the least is filled first
   double x, y, d;
   Index triangle; ///< of the domain
 };

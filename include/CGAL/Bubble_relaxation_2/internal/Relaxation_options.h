@@ -47,6 +47,10 @@ struct Relaxation_options
   double displacement_tolerance = default_displacement_tolerance;
   std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
   std::function<bool(double)> callback;
+  std::size_t exchange_interval = 0;
+  std::string checkpoint_path;           ///< empty: none is written
+  std::size_t rounds_per_checkpoint = 0;
+  std::string restart_path;              ///< empty: the simulation starts anew
 };
 
 [[noreturn]] inline void throw_invalid_parameter(const char* name, double value,

@@ -131,6 +131,12 @@ struct Simulation_alone
   std::size_t number_of_all(const Bubbles_2& bubbles) const { return bubbles.size(); }
   /// whether another rank has to know where a bubble is
   bool is_at_border(Index) const { return false; }
+  /// puts in where bubbles of other ranks are within a step
+  void share_positions(std::vector<double>&, std::vector<double>&) const {}
+  /// completes the neighbour sets of bubbles that other ranks own
+  template <class Neighbor_sets>
+  void share_sets(const Bubbles_2&, Neighbor_sets&)
+  {}
   /// begins to tell other ranks of the bubbles at the border that were active
   void send_moves(const Bubbles_2&, const std::vector<Index>&, const std::vector<char>&) {}
   /// takes over what others told: returns their bubbles that were active, and adds whether they move
@@ -152,12 +158,26 @@ struct Simulation_alone
   template <class Simulation>
   void surround_anew(Simulation&, Bubbles_2&)
   {}
+  /// after the last step of a round
+  template <class Simulation>
+  void end_steps(Simulation&, Bubbles_2&)
+  {}
   /// tells other ranks of the bubbles from `first` on, which are new, and adds those of others
   template <class Simulation>
   void share_new(Simulation&, Bubbles_2&, Index)
   {}
   /// whether it holds on any rank
   bool any(bool here) const { return here; }
+  /// brings a simulation to where it was interrupted, if it was; returns how many rounds it had until then
+  template <class Simulation, class Report>
+  std::size_t resume(Simulation&, Bubbles_2&, Report&) const
+  {
+    return 0;
+  }
+  /// keeps where the simulation is now, after a round and its change of the population
+  template <class Simulation, class Report>
+  void end_round(const Simulation&, const Bubbles_2&, Report&) const
+  {}
 
   Population_alone& population() { return m_population; }
 
@@ -188,10 +208,12 @@ public:
       m_tolerance = coarse_tolerance * m_options.displacement_tolerance;
   }
 
+  bool rests_coarsely() const { return m_tolerance != m_options.displacement_tolerance; }
+
   /// Wakes all bubbles for the rest that is asked for; returns false if it was that already.
   bool rest_finely()
   {
-    if (m_tolerance == m_options.displacement_tolerance)
+    if (!rests_coarsely())
       return false;
     m_tolerance = m_options.displacement_tolerance;
     m_active.rouse_all(m_bubbles);
@@ -199,9 +221,16 @@ public:
   }
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
+  Neighbor_sets_2& neighbors() { return m_neighbors; }
 
   /// whether neighbours were looked for, so that there is something to remember
   bool has_begun() const { return m_has_begun; }
+
+  /// whether bubbles are renewed before they go far from where their neighbours were last looked for
+  bool keeps_references() const { return m_options.renewal_interval == 0; }
+
+  /// whether all are awake only to look whether they rest
+  bool is_roused() const { return m_active.is_roused(); }
 
   Bubble_memory_2 memory(Index i) const
   {
@@ -222,8 +251,9 @@ public:
   }
 
   /// goes on with other bubbles, of each of which a simulation remembers something
-  void restart(const std::vector<Bubble_memory_2>& memories)
+  void restart(const std::vector<Bubble_memory_2>& memories, bool is_roused)
   {
+    m_has_begun = true;
     std::vector<double> x, y, d;
     std::vector<char> is_active, is_touched;
     m_update_size.clear();
@@ -237,7 +267,7 @@ public:
       is_touched.push_back(m.is_touched);
     }
     m_neighbors.template build<Concurrency_tag>(m_bubbles, Bubble_references_2{x, y, d});
-    m_active.restart(is_active, is_touched, m_active.is_roused());
+    m_active.restart(is_active, is_touched, is_roused);
     m_outrun.clear();
     for (std::size_t i = 0; i < memories.size(); ++i)
       if (m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i))
@@ -255,7 +285,7 @@ public:
     m_active.forget_touched();
     {
       const Phase_timer timer(seconds.renewal);
-      result.renewals += build_neighbors_if_due();
+      result.renewals += build_neighbors_if_first();
     }
     m_number_of_outrun = m_team.sum(Step_sums{0, count_outrun()}).outrun;
     while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
@@ -271,6 +301,12 @@ public:
       }
       const Phase_timer timer(seconds.motion);
       step(result);
+    }
+    m_team.end_steps(*this, m_bubbles);
+    if (!keeps_references()) { // as in the paper before each round, and for the control of the population
+      const Phase_timer timer(seconds.renewal);
+      build_neighbors();
+      ++result.renewals;
     }
     return result;
   }
@@ -320,18 +356,21 @@ public:
 private:
   static constexpr double coarse_tolerance = 4; // times that of the end
 
-  /// Makes the neighbour sets before the first round, in the paper before each.
-  bool build_neighbors_if_due()
+  /// makes the neighbour sets before the first round
+  bool build_neighbors_if_first()
   {
-    const bool is_first = !m_has_begun;
-    if (!is_first && m_options.renewal_interval == 0)
+    if (m_has_begun)
       return false;
-    m_has_begun = true; // also where there are no bubbles: other ranks may have some
+    m_has_begun = true;
+    build_neighbors();
+    m_team.surround(*this, m_bubbles);
+    return true;
+  }
+
+  void build_neighbors()
+  {
     m_neighbors.template build<Concurrency_tag>(m_bubbles);
     m_outrun.clear();
-    if (is_first)
-      m_team.surround(*this, m_bubbles);
-    return true;
   }
 
   /// Renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
@@ -344,9 +383,10 @@ private:
         m_neighbors.template build<Concurrency_tag>(m_bubbles);
       else
         m_neighbors.template renew<Concurrency_tag>(m_bubbles, m_outrun);
-    } else if (interval != 0 && step != 0 && step % interval == 0)
+    } else if (interval != 0 && step != 0 && step % interval == 0) {
+      m_team.share_sets(m_bubbles, m_neighbors);
       m_neighbors.renew_from_neighbors(m_bubbles);
-    else
+    } else
       return false;
     m_outrun.clear();
     return true;
@@ -355,7 +395,8 @@ private:
   void step(Round_result& result)
   {
     const std::vector<Index>& active = m_active.indices();
-    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements);
+    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements,
+                 [this](std::vector<double>& x, std::vector<double>& y) { m_team.share_positions(x, y); });
     m_flags.start_step(active.size());
     move_all_of(active, true);
     m_team.send_moves(m_bubbles, active, m_flags.is_moving);
@@ -374,9 +415,11 @@ private:
     for (Index i : others)
       if (m_neighbors.is_outrun_by(m_bubbles, i))
         m_outrun.push_back(i);
-    m_active.add_others(others);
-    if (Integrator::lets_bubbles_sleep)
+    if (Integrator::lets_bubbles_sleep) {
+      m_active.add_others(others);
       m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
+    } else if (!Team::is_alone)
+      m_active.forget_others(m_bubbles); // those that wait in others' parts
     sums = m_team.sum(sums);
     result.is_at_rest = sums.restless == 0;
     m_number_of_outrun = sums.outrun;
@@ -414,6 +457,7 @@ private:
   }
 
   const Relaxation_options& m_options;
+  bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
   double m_tolerance; // a displacement of less, in units of the size, is rest
   const Boundary_2 m_boundary;
   Integrator m_integrator;
@@ -426,7 +470,6 @@ private:
   Step_flags m_flags;
   std::vector<Index> m_outrun; // waiting for their renewal
   std::size_t m_number_of_outrun = 0; // of all ranks
-  bool m_has_begun = false;
 };
 
 } // namespace internal

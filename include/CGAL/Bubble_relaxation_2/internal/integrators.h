@@ -34,6 +34,12 @@ struct Displacements
   }
 };
 
+/// No other ranks: all positions within a step are known.
+struct Share_nothing
+{
+  void operator()(std::vector<double>&, std::vector<double>&) const {}
+};
+
 /// One step of eq. 3 in units of the local size, which makes it scale-free:
 ///   v <- (1 - h c/m) v + h k0/m F,   x <- x + h d v.
 template <class Concurrency_tag>
@@ -49,8 +55,9 @@ public:
       m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass)
   {}
 
+  template <class Share = Share_nothing>
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
-                  const Boundary_2& boundary, Displacements& displacements) const
+                  const Boundary_2& boundary, Displacements& displacements, const Share& = Share()) const
   {
     displacements.start_step(active.size());
     parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
@@ -82,8 +89,10 @@ public:
     : m_force{o.force_coefficient}, m_step(o.time_step), m_mass(o.mass), m_damping(o.damping)
   {}
 
+  /// `share(x, y)` puts in where the bubbles of other ranks are at a stage
+  template <class Share = Share_nothing>
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
-                  const Boundary_2& boundary, Displacements& displacements)
+                  const Boundary_2& boundary, Displacements& displacements, const Share& share = Share())
   {
     const std::size_t n = b.size();
     displacements.start_step(active.size());
@@ -96,8 +105,11 @@ public:
     m_vx = b.vx;
     m_vy = b.vy;
     for (const Stage& stage : {Stage{1. / 6, 0.5}, Stage{1. / 3, 0.5}, Stage{1. / 3, 1.},
-                               Stage{1. / 6, 0.}})
+                               Stage{1. / 6, 0.}}) {
       advance(stage, b, active, neighbors, boundary, displacements);
+      if (stage.ahead > 0)
+        share(m_x, m_y);
+    }
     for (Index i : active) {
       b.vx[i] += m_sum_vx[i];
       b.vy[i] += m_sum_vy[i];

@@ -24,6 +24,9 @@ CGAL_add_named_parameter(limit_by_outline_t, limit_by_outline, limit_by_outline)
 CGAL_add_named_parameter(displacement_tolerance_t, displacement_tolerance, displacement_tolerance)
 CGAL_add_named_parameter(maximum_number_of_bubbles_t, maximum_number_of_bubbles, maximum_number_of_bubbles)
 CGAL_add_named_parameter(maximum_number_of_vertices_t, maximum_number_of_vertices, maximum_number_of_vertices)
+CGAL_add_named_parameter(exchange_interval_t, exchange_interval, exchange_interval)
+CGAL_add_named_parameter(checkpoint_t, checkpoint, checkpoint)
+CGAL_add_named_parameter(restart_from_t, restart_from, restart_from)
 
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000

@@ -35,9 +35,8 @@ template <class Concurrency_tag, class Sizing, class Team>
 void grow_from_all(const Domain_2& domain, const Sizing& sizing,
                    const std::vector<double>& directions, Bubbles_2& bubbles, Team& team)
 {
-  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, Lattice_direction::BENDS, team);
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    grow.set_direction(i, Direction{std::cos(directions[i]), std::sin(directions[i])});
+  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, directions,
+                                                       Lattice_direction::BENDS, team);
   for (std::size_t i = 0, n = bubbles.size(); i < n; ++i)
     grow.add_to_front(i);
   grow();
@@ -73,7 +72,7 @@ void grow_single_crystal(const Domain_2& domain, const Sizing& sizing, Growth wa
     way == Growth::SINGLE_STRAIGHT ? Lattice_direction::KEEPS : Lattice_direction::BENDS;
   const std::size_t n = bubbles.size();
   const Index longest = longest_edge(domain);
-  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, lattice, team);
+  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, {}, lattice, team);
   for (const bool is_first : {true, false}) {
     for (std::size_t i = 0; i < n; ++i)
       if (touches_edge(domain, bubbles, i, longest) == is_first)
@@ -158,15 +157,22 @@ Growth fill_in_better_way(const Domain_2& domain, const Sizing& sizing, Bubbles_
   return way;
 }
 
+/// How many times as large bubbles are that tell enough of a domain: 1 if there will be few anyway.
+inline double factor_of_large_bubbles(double expected_number)
+{
+  constexpr double enough = 400;
+  double factor = 1;
+  while (expected_number >= 4 * factor * factor * enough)
+    factor *= 2;
+  return factor;
+}
+
 /// Initial bubbles of the faces. What suits a domain is found with large bubbles if there will be many.
 /// `sizing`: has `expected_number`
 template <class Concurrency_tag, class Sizing, class Team>
 void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles, Team& team)
 {
-  constexpr double enough = 400;
-  double factor = 1;
-  while (sizing.expected_number >= 4 * factor * factor * enough)
-    factor *= 2;
+  const double factor = factor_of_large_bubbles(sizing.expected_number);
   if (factor == 1) {
     fill_in_better_way<Concurrency_tag>(domain, sizing, bubbles);
     return;

@@ -12,26 +12,45 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Population_alone.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// how much of a disc belongs to a rank
+enum class Share_of_disc { NONE, SOME, ALL };
+
+/// No other ranks: what a team does when bubbles are placed in cells.
+struct Placement_alone
+{
+  Share_of_disc share_of(const Point&, double) const { return Share_of_disc::ALL; }
+  bool owns_place(const Point&) const { return true; }
+  /// see `Population_alone`
+  std::size_t share_holes(std::vector<Hole_2>& holes, double) { return holes.size(); }
+  template <class Choice>
+  void decide(Choice& choice)
+  {
+    choice.decide([](Index) { return true; });
+  }
+};
+
 /// The initial bubbles of the faces after section 2.1.2 of the paper: a rhombus with angles of 60 and
 /// 120 degrees around the domain is cut in four until a cell is as small as d asks, and gets a bubble
-/// in its centre. Where d is constant this is the hexagonal lattice.
-template <class Sizing>
+/// in its centre. Where d is constant this is the hexagonal lattice. `Team`: the ranks that do this together, each
+/// in its own part, see `Placement_alone`.
+template <class Sizing, class Team = Placement_alone>
 class Rhombic_placement
 {
 public:
-  Rhombic_placement(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
-    : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles),
-      m_buckets(least_distance, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
-                4 * bubbles.size())
+  Rhombic_placement(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles, Team& team)
+    : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles), m_team(team)
   {}
 
   void operator()()
@@ -48,11 +67,11 @@ public:
     m_y0 = box.ymin();
 
     std::vector<Index> boundary(m_bubbles.size());
-    for (std::size_t i = 0; i < boundary.size(); ++i) {
+    for (std::size_t i = 0; i < boundary.size(); ++i)
       boundary[i] = static_cast<Index>(i);
-      m_buckets.insert(boundary[i], m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
-    }
-    subdivide(0, 0, side, boundary, 0);
+    m_centers.clear();
+    subdivide(Cell{0, 0, side, 0, 1, 0, Share_of_disc::SOME}, boundary);
+    add_bubbles();
   }
 
 private:
@@ -64,11 +83,32 @@ private:
     return Point(m_x0 + u + 0.5 * v, m_y0 + 0.5 * std::sqrt(3.) * v);
   }
 
-  /// `boundary`: the bubbles of vertices and edges in the cell; `hint`: a triangle near by
-  void subdivide(double u, double v, double side, const std::vector<Index>& boundary, Index hint)
+  /// a rhombus
+  struct Cell
   {
-    const Point center = point(u + 0.5 * side, v + 0.5 * side);
-    const Index triangle = m_domain.locate(center, hint);
+    double u, v, side;
+    double rank, share; ///< its centre comes after those of cells of a smaller rank; all in it are below their sum
+    Index hint;         ///< a triangle near by
+    Share_of_disc ours; ///< no more of it than this
+
+    Cell quarter(int k, Index triangle) const
+    {
+      return Cell{u + 0.5 * side * (k & 1), v + 0.5 * side * (k >> 1), 0.5 * side,
+                  rank + 0.25 * share * k, 0.25 * share, triangle == no_index ? hint : triangle, ours};
+    }
+  };
+
+  /// `boundary`: the bubbles of vertices and edges in the cell
+  void subdivide(Cell cell, const std::vector<Index>& boundary)
+  {
+    constexpr double half_diagonal = 0.8661; // of the side
+    const double side = cell.side;
+    const Point center = point(cell.u + 0.5 * side, cell.v + 0.5 * side);
+    if (cell.ours != Share_of_disc::ALL)
+      cell.ours = m_team.share_of(center, half_diagonal * side);
+    if (cell.ours == Share_of_disc::NONE)
+      return;
+    const Index triangle = m_domain.locate(center, cell.hint);
     const bool is_inside = triangle != no_index && m_domain.is_inside(triangle);
     // the domain misses a cell with neither boundary nor centre in it, up to bits smaller than a cell
     if (!is_inside && boundary.empty())
@@ -83,24 +123,44 @@ private:
       for (Index i : boundary) {
         const double bv = (m_bubbles.y[i] - m_y0) / (0.5 * std::sqrt(3.));
         const double bu = m_bubbles.x[i] - m_x0 - 0.5 * bv;
-        part[(bu >= u + 0.5 * side) + 2 * (bv >= v + 0.5 * side)].push_back(i);
+        part[(bu >= cell.u + 0.5 * side) + 2 * (bv >= cell.v + 0.5 * side)].push_back(i);
       }
       for (int k = 0; k < 4; ++k)
-        subdivide(u + 0.5 * side * (k & 1), v + 0.5 * side * (k >> 1), 0.5 * side, part[k],
-                  triangle == no_index ? hint : triangle);
+        subdivide(cell.quarter(k, triangle), part[k]);
       return;
     }
-    if (is_inside && m_buckets.for_each_near(center.x(), center.y(), d,
-                                             [](Index, double, double) { return false; })) {
-      m_buckets.insert(static_cast<Index>(m_bubbles.size()), center.x(), center.y(), d);
-      m_bubbles.add(center, d, Bubbles_2::FACE, triangle);
-    }
+    if (is_inside && m_team.owns_place(center))
+      m_centers.push_back(Hole_2{cell.rank, center.x(), center.y(), d, triangle});
+  }
+
+  /// bubbles in the centres where there is room beside the outline and those that came before
+  void add_bubbles()
+  {
+    const Point origin(m_domain.bbox().xmin(), m_domain.bbox().ymin());
+    Bubble_buckets_2 outline(least_distance, m_bubbles.d[0], origin.x(), origin.y(), m_bubbles.size());
+    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
+      outline.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
+    const std::size_t number_of_ours = m_team.share_holes(m_centers, least_distance);
+    std::vector<Greedy_candidate_2> candidates;
+    for (const Hole_2& h : m_centers)
+      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
+    Greedy_choice_2<Sequential_tag> choice;
+    choice.assign(candidates, least_distance, m_bubbles.d[0], origin, [&](Index k) {
+      return outline.is_free(candidates[k].x, candidates[k].y, candidates[k].d);
+    });
+    m_team.decide(choice);
+    choice.for_each_chosen([&](Index k) {
+      const Hole_2& h = m_centers[k];
+      if (static_cast<std::size_t>(k) < number_of_ours)
+        m_bubbles.add(Point(h.x, h.y), h.d, Bubbles_2::FACE, h.triangle);
+    });
   }
 
   const Domain_2& m_domain;
   const Sizing& m_sizing;
   Bubbles_2& m_bubbles;
-  Bubble_buckets_2 m_buckets;
+  Team& m_team;
+  std::vector<Hole_2> m_centers; // of cells
   double m_x0 = 0, m_y0 = 0;
 };
 

@@ -58,6 +58,25 @@ std::size_t read_count(const char* name, T value, std::size_t least,
   return static_cast<std::size_t>(value);
 }
 
+/// Reads where and how often checkpoints are written, and which one is read.
+/// \throws std::invalid_argument naming the parameter
+template <class NamedParameters>
+void read_checkpoint_options(const NamedParameters& np, Relaxation_options& o)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::checkpoint_t>::value) {
+    const auto& request = parameters::get_parameter_reference(np, internal_np::checkpoint);
+    if (request.path.empty())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter checkpoint must have the path of a file");
+    o.checkpoint_path = request.path;
+    o.rounds_per_checkpoint = read_count("checkpoint's number of rounds", request.every, 1);
+  }
+  if constexpr (Is_given<NamedParameters, internal_np::restart_from_t>::value) {
+    o.restart_path = parameters::get_parameter_reference(np, internal_np::restart_from);
+    if (o.restart_path.empty())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter restart_from must be the path of a file");
+  }
+}
+
 /// Reads the named parameters that steer the simulation. Defaults of the time step and the damping
 /// depend on the integrator: the paper's are in length units, those of the default in units of d.
 /// \throws std::invalid_argument naming the parameter and its value
@@ -105,6 +124,10 @@ Relaxation_options read_options(const NamedParameters& np)
     static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
   o.callback = choose_parameter(get_parameter(np, internal_np::callback),
                                 std::function<bool(double)>());
+  o.exchange_interval = read_count(
+    "exchange_interval",
+    choose_parameter(get_parameter(np, internal_np::exchange_interval), std::size_t(0)), 0);
+  read_checkpoint_options(np, o);
 
   check_positive("force_coefficient", o.force_coefficient);
   check_positive("mass", o.mass);

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -30,7 +31,7 @@ Population_change adjust_population(const Domain_2& domain, const Sizing& sizing
 {
   switch (options.population) {
   case Bubble_population::OVERLAP_RATIO:
-    return Overlap_population<Sizing>(domain, sizing)(bubbles);
+    return Overlap_population<Sizing, Team>(domain, sizing, team)(bubbles);
   case Bubble_population::DELAUNAY:
     return Delaunay_population<Concurrency_tag, Sizing, Team>(domain, sizing, team)(
       bubbles, simulation.neighbors(), simulation.touched());
@@ -50,6 +51,13 @@ void add_to_report(const Round_result& result, unsigned evaluations_per_step, Re
   report.number_of_returns += result.returns;
 }
 
+/// on other ranks others of them count
+inline std::size_t count_ours(const Bubbles_2& bubbles, const std::vector<Index>& those)
+{
+  return static_cast<std::size_t>(
+    std::count_if(those.begin(), those.end(), [&bubbles](Index i) { return bubbles.is_ours(i); }));
+}
+
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
 /// the population, and again, until the bubbles rest and their population stays. In the first half of the
 /// rounds, while it changes, a coarse rest will do.
@@ -59,7 +67,7 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
 {
   Simulation_2<Concurrency_tag, Integrator, Sizing, Team> simulation(domain, sizing, options, bubbles, team);
   simulation.rest_coarsely();
-  for (std::size_t round = 0; round < options.number_of_rounds; ++round) {
+  for (std::size_t round = team.resume(simulation, bubbles, report); round < options.number_of_rounds; ++round) {
     if (2 * round >= options.number_of_rounds)
       simulation.rest_finely();
     progress.start_round(round);
@@ -81,11 +89,10 @@ void relax(const Domain_2& domain, const Sizing& sizing, const Relaxation_option
     }
     if (is_last)
       break; // what is inserted now would not be relaxed
-    const auto number_of_ours = std::count_if(change.deleted.begin(), change.deleted.end(),
-                                              [&bubbles](Index i) { return bubbles.is_ours(i); });
     simulation.apply(change);
     report.number_of_insertions += change.inserted.size();
-    report.number_of_deletions += static_cast<std::size_t>(number_of_ours);
+    report.number_of_deletions += count_ours(bubbles, change.deleted);
+    team.end_round(simulation, bubbles, report);
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
 }

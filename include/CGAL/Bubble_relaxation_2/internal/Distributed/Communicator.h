@@ -25,15 +25,20 @@ inline MPI_Datatype mpi_type(std::int32_t) { return MPI_INT32_T; }
 inline MPI_Datatype mpi_type(std::int64_t) { return MPI_INT64_T; }
 inline MPI_Datatype mpi_type(std::uint64_t) { return MPI_UINT64_T; }
 
-/// \throws std::runtime_error with MPI's words if a call of MPI failed
-inline void check_mpi(int result)
+/// MPI's words for what a call returned
+inline std::string mpi_error_text(int result)
 {
-  if (result == MPI_SUCCESS)
-    return;
   char text[MPI_MAX_ERROR_STRING];
   int length = 0;
   MPI_Error_string(result, text, &length);
-  throw std::runtime_error("Bubble_relaxation_2: MPI: " + std::string(text, static_cast<std::size_t>(length)));
+  return std::string(text, static_cast<std::size_t>(length));
+}
+
+/// \throws std::runtime_error if a call of MPI failed
+inline void check_mpi(int result)
+{
+  if (result != MPI_SUCCESS)
+    throw std::runtime_error("Bubble_relaxation_2: MPI: " + mpi_error_text(result));
 }
 
 /// A communicator of our own, so that messages never mix with the user's. Its reductions are those whose
@@ -78,6 +83,9 @@ public:
   }
 
   std::int64_t sum(std::int64_t value) const { return reduce(value, MPI_SUM); }
+
+  /// modulo 2^64
+  std::uint64_t sum_modulo(std::uint64_t value) const { return reduce(value, MPI_SUM); }
 
   /// the sum of the values of all ranks before this one
   std::int64_t sum_before(std::int64_t value) const

@@ -55,8 +55,8 @@ public:
     return clearance_at(x, y, parent) >= radius;
   }
 
-  /// whether it is known that all around a bubble is of this rank
-  bool is_ours_alone(Index i) const { return m_places[i].clearance > 0; }
+  /// how far from where a bubble came in all is of this rank, as far as that is known
+  double clearance(Index i) const { return m_places[i].clearance; }
 
   /// whether all ranks within `radius` of (x, y) have a bubble of ours
   bool is_known_within(Index i, double x, double y, double radius) const

@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Growth_holders_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <tuple>
@@ -32,6 +34,15 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// A bubble of a face that is there before the growth begins, and its place among all such.
+struct Growth_seed_2
+{
+  double x, y, d;
+  double direction; ///< angle of the lattice
+  std::int64_t number;
+  Index triangle;   ///< of the domain
+};
 
 /// The ranks that grow one crystal together, each in its part of the domain. What comes out is what one rank
 /// would have grown, to the last bit.
@@ -53,33 +64,50 @@ public:
 
   void divide(const Domain_2& domain, const Bubbles_2& large)
   {
-    const Hilbert_curve_2 curve(domain.bbox());
-    std::vector<Hilbert_curve_2::Key> keys, first_keys;
-    for (std::size_t i = 0; i < large.size(); ++i)
-      keys.push_back(curve.key(large.x[i], large.y[i]));
-    std::sort(keys.begin(), keys.end());
-    const std::size_t ranks = static_cast<std::size_t>(m_comm.size());
-    for (std::size_t rank = 1; rank < ranks; ++rank)
-      first_keys.push_back(keys[keys.size() * rank / ranks]);
-    m_partition = std::make_unique<Hilbert_partition_2>(curve, first_keys);
+    m_partition =
+      std::make_unique<Hilbert_partition_2>(partition_of_common(Hilbert_curve_2(domain.bbox()), large, m_comm.size()));
     m_holders = std::make_unique<Growth_holders_2>(*m_partition, m_comm.rank());
+  }
+
+  /// Bubbles of faces that are there before the growth begins, which are on any ranks, come to those in whose parts
+  /// they are or near whose parts. They and their directions are added to `bubbles`, which are what all ranks have.
+  void bring_seeds(const std::vector<Growth_seed_2>& seeds, Bubbles_2& bubbles, std::vector<double>& directions)
+  {
+    Messages<Growth_seed_2> out;
+    for (const Growth_seed_2& s : seeds)
+      for (int rank : m_partition->owners_in_disc(s.x, s.y, reach * s.d))
+        out[rank].push_back(s);
+    std::vector<Growth_seed_2> here;
+    for (const auto& message : m_exchange(out))
+      here.insert(here.end(), message.second.begin(), message.second.end());
+    std::sort(here.begin(), here.end(),
+              [](const Growth_seed_2& s, const Growth_seed_2& t) { return s.number < t.number; });
+    for (const Growth_seed_2& s : here) {
+      bubbles.add(Point(s.x, s.y), s.d, Bubbles_2::FACE, s.triangle);
+      directions.push_back(s.direction);
+      m_seeds.push_back(s.number);
+    }
   }
 
   template <class Crystal>
   void start(Crystal& crystal)
   {
     const Bubbles_2& b = crystal.bubbles();
-    m_number_of_common = b.size();
+    m_number_of_common = b.size() - m_seeds.size();
     std::vector<Growth_birth_2> births;
     for (std::size_t i = 0; i < b.size(); ++i) {
-      births.push_back(Growth_birth_2{0, static_cast<double>(i), 0, 0});
+      const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
+                                 (i < m_number_of_common ? 0 : m_seeds[i - m_number_of_common]);
+      births.push_back(Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]});
       m_holders->add(b.x[i], b.y[i], reach * b.d[i], no_index);
     }
     crystal.add_births(births);
     m_is_in_front.assign(b.size(), 0);
     m_keys.assign(b.size(), 0);
-    for (std::size_t i = 0; i < b.size(); ++i)
+    for (std::size_t i = 0, n = b.size(); i < n; ++i)
       tell_those_who_need(crystal, static_cast<Index>(i));
+    std::vector<Growth_proposal_2> late; // seeds near larger bubbles of this rank
+    exchange_late(crystal, late);
   }
 
   double smallest(double key)
@@ -242,18 +270,21 @@ private:
   template <class Crystal>
   void tell_those_who_need(const Crystal& crystal, Index i)
   {
-    if (m_holders->is_ours_alone(i))
-      return;
     const Bubbles_2& b = crystal.bubbles();
-    const bool is_ours = owns(i);
-    crystal.buckets().for_each_near_larger(b.x[i], b.y[i], b.d[i], reach, [&](const auto& e, double squared) {
-      if (owns(e.id) != is_ours) {
-        const double far = reach * (is_ours ? e.d : b.d[i]);
-        if (squared < far * far)
-          send_late(crystal, is_ours ? i : e.id, m_holders->owner(is_ours ? e.id : i));
-      }
-      return true;
-    });
+    const auto& buckets = crystal.buckets();
+    const double least = (std::max)(b.d[i], m_holders->clearance(i) / reach);
+    if (owns(i))
+      buckets.for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) {
+        if (!owns(e.id))
+          send_late(crystal, i, m_holders->owner(e.id));
+        return true;
+      });
+    else
+      buckets.for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) {
+        if (owns(e.id))
+          send_late(crystal, e.id, m_holders->owner(i));
+        return true;
+      });
   }
 
   template <class Crystal>
@@ -315,6 +346,7 @@ private:
   std::unique_ptr<Hilbert_partition_2> m_partition;
   std::unique_ptr<Growth_holders_2> m_holders;
   std::size_t m_number_of_common = 0;
+  std::vector<std::int64_t> m_seeds; // numbers of those that this rank has, in the order of the crystal's bubbles
   std::int64_t m_generation = 0;
   std::vector<double> m_keys;      // of each bubble in the front
   std::vector<char> m_is_in_front;

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubble_state_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Traffic_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 
 #include <algorithm>
@@ -34,6 +35,9 @@ namespace internal {
 /// while none has gone far or grown much, of which `is_outgrown_by()` tells; those are looked after again by
 /// `look_after()`. Ownership does not change: `is_far_from_home()` tells of a bubble that has left the part of its
 /// owner so far that all have to be distributed anew.
+///
+/// For the paper's protocol it can have one width for all instead: then each bubble is known to the ranks whose
+/// parts are nearer than that.
 class Halo_2
 {
 public:
@@ -44,12 +48,15 @@ public:
   static constexpr double needed_reach = 3.5, most_moved = 0.3, farthest_from_home = 1,
                           reach = needed_reach + 2 * (most_moved + Boundary_2::longest_step) + farthest_from_home;
 
-  Halo_2(const Communicator& comm, Sparse_exchange& exchange) : m_comm(comm), m_exchange(exchange) {}
+  Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic)
+    : m_comm(comm), m_exchange(exchange), m_traffic(traffic)
+  {}
 
-  /// starts with bubbles of this rank only
-  void start(const Hilbert_partition_2& partition)
+  /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own
+  void start(const Hilbert_partition_2& partition, double width = 0)
   {
     m_partition = &partition;
+    m_width = width;
     m_places.clear();
     m_holders.clear();
     m_sent.clear();
@@ -83,6 +90,14 @@ public:
 
   /// whether no other rank has to know of a bubble of ours
   bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
+
+  /// whether a bubble of ours cannot have come to another rank's part since it was looked after
+  bool is_surely_home(const Bubbles_2& b, Index i) const
+  {
+    const Place& p = m_places[i];
+    const double x = b.x[i] - p.x, y = b.y[i] - p.y;
+    return x * x + y * y < p.clearance * p.clearance;
+  }
 
   /// whether a bubble has gone so far, or grown so much, that it is to be looked after
   bool is_outgrown_by(const Bubbles_2& b, Index i) const
@@ -118,17 +133,18 @@ public:
     return std::hypot(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
   }
 
-  /// Makes bubbles known to those who need them, and others to those who need them for these. `find_near(x, y, d,
-  /// near, visit)` calls `visit(j)` for all bubbles whose distance from (x, y) is less than `near` times the larger
-  /// size, and perhaps for more; `state(i)` and `add(state, owner)` give away and take in a bubble. Collective.
-  template <class Find_near, class State, class Add>
-  void look_after(const Bubbles_2& b, std::vector<Index> those, const Find_near& find_near, const State& state,
-                  const Add& add)
+  /// Makes bubbles known to those who need them, and others to those who need them for these. `finder` is a
+  /// `Neighbor_sets_2`, or finds bubbles as that does; `state(i)` and `add(state, owner)` give away and take in a
+  /// bubble. Collective.
+  template <class Finder, class State, class Add>
+  void look_after(const Bubbles_2& b, std::vector<Index> those, const Finder& finder,
+                  const State& state, const Add& add)
   {
     for (int turn = 0; turn < 2; ++turn) { // who gets to know a bubble knows what it needs
       Messages<Bubble_state_2> out;
       for (Index i : those)
-        tell(b, i, find_near, state, out);
+        tell(b, i, finder, state, out);
+      m_traffic.add_messages(out);
       those.clear();
       for (const auto& message : m_exchange(out))
         for (const Bubble_state_2& s : message.second) {
@@ -146,13 +162,17 @@ private:
     double x, y, home_x, home_y, clearance, most_moved, largest_disc;
   };
 
-  static constexpr double look_ahead = 4;
+  /// so many times the reach are tried at first, which helps those that come after; then so many
+  static constexpr double look_ahead = 4, look_ahead_at_least = 1.2;
+
+  /// how far away the ranks are that get to know a bubble of ours
+  double reach_of(const Bubbles_2& b, Index i) const { return m_width > 0 ? m_width : reach * b.d[i]; }
 
   /// how far a bubble of ours is from other ranks' parts: by one beside it, or by asking
   void find_clearance(const Bubbles_2& b, Index i, Index beside)
   {
     Place& p = m_places[i];
-    const double far = reach * b.d[i];
+    const double far = reach_of(b, i);
     p.clearance = 0;
     if (beside != no_index) {
       const Place& q = m_places[beside];
@@ -161,8 +181,14 @@ private:
     if (m_comm.size() == 1)
       p.clearance = std::numeric_limits<double>::infinity();
     else if (p.clearance < far)
-      p.clearance = m_partition->owners_in_disc(b.x[i], b.y[i], look_ahead * far) == Ranks(1, m_comm.rank())
-                      ? look_ahead * far : 0;
+      p.clearance = is_clear(b, i, look_ahead * far)            ? look_ahead * far
+                    : is_clear(b, i, look_ahead_at_least * far) ? look_ahead_at_least * far
+                                                                : 0;
+  }
+
+  bool is_clear(const Bubbles_2& b, Index i, double radius) const
+  {
+    return m_partition->owners_in_disc(b.x[i], b.y[i], radius) == Ranks(1, m_comm.rank());
   }
 
   void set_limits(const Bubbles_2& b, Index i)
@@ -174,8 +200,8 @@ private:
                      (most_moved + Boundary_2::longest_step) * b.d[i];
   }
 
-  template <class Find_near, class State>
-  void tell(const Bubbles_2& b, Index i, const Find_near& find_near, const State& state,
+  template <class Finder, class State>
+  void tell(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
             Messages<Bubble_state_2>& out)
   {
     Place& p = m_places[i];
@@ -185,19 +211,44 @@ private:
     if (is_ours)
       find_clearance(b, i, no_index);
     set_limits(b, i);
-    if (p.clearance > 0)
-      return;
     if (is_ours)
-      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
+      tell_of(b, i, finder, state, out);
+    else if (m_width == 0) // else it is the same from the other side
+      tell_owner_of(b, i, finder, state, out);
+  }
+
+  /// tells of a bubble of ours all ranks near it, and the owners of larger ones that reach it
+  template <class Finder, class State>
+  void tell_of(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
+               Messages<Bubble_state_2>& out)
+  {
+    const double clearance = m_places[i].clearance;
+    if (clearance == 0)
+      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach_of(b, i)))
         give(i, rank, state, out);
-    find_near(b.x[i], b.y[i], b.d[i], reach, [&](Index j) {
-      if ((m_owner[j] == m_comm.rank()) == is_ours)
-        return;
-      const Index large = is_ours ? j : i, small = is_ours ? i : j;
-      const double far = reach * b.d[large];
-      if (CGAL::squared_distance(b.point(large), b.point(small)) < far * far)
-        give(small, m_owner[large], state, out);
+    if (m_received.empty() || m_width > 0)
+      return;
+    finder.find_large(b.x[i], b.y[i], (std::max)(b.d[i], clearance / reach), reach, [&](Index j) {
+      if (m_owner[j] != m_comm.rank() && is_reached_by(b, j, i))
+        give(i, m_owner[j], state, out);
     });
+  }
+
+  /// tells the owner of another's bubble of ours that it reaches
+  template <class Finder, class State>
+  void tell_owner_of(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
+                     Messages<Bubble_state_2>& out)
+  {
+    finder.find_within(b.x[i], b.y[i], b.d[i], reach, [&](Index j) {
+      if (m_owner[j] == m_comm.rank() && is_reached_by(b, i, j))
+        give(j, m_owner[i], state, out);
+    });
+  }
+
+  static bool is_reached_by(const Bubbles_2& b, Index i, Index j)
+  {
+    const double far = reach * b.d[i];
+    return CGAL::squared_distance(b.point(i), b.point(j)) < far * far;
   }
 
   /// gives a bubble of ours to a rank that has not got it
@@ -218,7 +269,9 @@ private:
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
+  Traffic_2& m_traffic;
   const Hilbert_partition_2* m_partition = nullptr;
+  double m_width = 0; // of all, or 0
   std::vector<int> m_owner; // of each bubble
   std::vector<char> m_is_at_border;
   std::vector<Place> m_places;

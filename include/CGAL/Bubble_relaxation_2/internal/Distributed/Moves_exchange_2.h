@@ -27,7 +27,7 @@ namespace internal {
 class Moves_exchange_2
 {
 public:
-  explicit Moves_exchange_2(const Communicator& comm) : m_comm(comm) {}
+  Moves_exchange_2(const Communicator& comm, Traffic_2& traffic) : m_comm(comm), m_traffic(traffic) {}
   ~Moves_exchange_2() { free_requests(); }
   Moves_exchange_2(const Moves_exchange_2&) = delete;
   Moves_exchange_2& operator=(const Moves_exchange_2&) = delete;
@@ -77,9 +77,12 @@ public:
       for (const Target& t : m_targets[i])
         m_sends[t.send].moves.push_back(Move{b.x[i], b.y[i], b.d[i], t.position, is_moving[k]});
     }
-    for (std::size_t n = 0; n < m_sends.size(); ++n)
-      check_mpi(MPI_Isend(m_sends[n].moves.data(), static_cast<int>(m_sends[n].moves.size() * sizeof(Move)), MPI_BYTE,
-                          m_sends[n].rank, tag, m_comm.handle(), &m_send_requests[n]));
+    for (std::size_t n = 0; n < m_sends.size(); ++n) {
+      const std::size_t bytes = m_sends[n].moves.size() * sizeof(Move);
+      m_traffic.add_message(bytes);
+      check_mpi(MPI_Isend(m_sends[n].moves.data(), static_cast<int>(bytes), MPI_BYTE, m_sends[n].rank, tag,
+                          m_comm.handle(), &m_send_requests[n]));
+    }
   }
 
   /// ends: moves the bubbles of others, adds them to `moved`, and whether they move on to `is_moving`
@@ -145,6 +148,7 @@ private:
   }
 
   const Communicator& m_comm;
+  Traffic_2& m_traffic;
   std::size_t m_number_of_changes = 0; // of the halo, when it was connected
   std::vector<boost::container::small_vector<Target, 1>> m_targets; // of each bubble
   std::vector<Index> m_at_border;                                   // those with targets

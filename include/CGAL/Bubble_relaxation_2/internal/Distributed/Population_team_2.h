@@ -9,10 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_POPULATION_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_POPULATION_TEAM_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Choice_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hole_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
@@ -37,7 +37,7 @@ public:
   using Triangle = std::array<Index, 3>;
 
   Population_team_2(const Communicator& comm, Sparse_exchange& exchange, const Halo_2& halo)
-    : m_comm(comm), m_exchange(exchange), m_halo(halo), m_choice(comm)
+    : m_comm(comm), m_exchange(exchange), m_halo(halo), m_holes(comm, exchange)
   {}
 
   /// `number`: of all bubbles that ever were
@@ -102,37 +102,13 @@ public:
 
   std::size_t share_holes(std::vector<Hole_2>& holes, double reach)
   {
-    Messages<Hole_2> out;
-    for (const Hole_2& h : holes)
-      out[m_partition->owner(h.x, h.y)].push_back(h);
-    holes.clear();
-    for (const auto& message : m_exchange(out))
-      holes.insert(holes.end(), message.second.begin(), message.second.end());
-    const std::size_t number_of_ours = holes.size();
-    m_choice.start(number_of_ours);
-    std::vector<Hilbert_partition_2::Ranks> told(number_of_ours);
-    std::vector<int> owners(number_of_ours, m_comm.rank());
-    out.clear();
-    for (std::size_t k = 0; k < number_of_ours; ++k)
-      for (int rank : m_partition->owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
-        tell(holes[k], static_cast<Index>(k), rank, told[k], out);
-    receive(out, holes, owners);
-    out.clear();
-    // who was told of a larger one tells of smaller ones near it
-    for (std::size_t l = number_of_ours; l < holes.size(); ++l)
-      for (std::size_t k = 0; k < number_of_ours; ++k) {
-        const double dx = holes[k].x - holes[l].x, dy = holes[k].y - holes[l].y, far = reach * holes[l].d;
-        if (dx * dx + dy * dy < far * far)
-          tell(holes[k], static_cast<Index>(k), owners[l], told[k], out);
-      }
-    receive(out, holes, owners);
-    return number_of_ours;
+    return m_holes.share(*m_partition, holes, reach);
   }
 
   template <class Choice>
   void decide(Choice& choice) const
   {
-    m_choice.decide(choice);
+    m_holes.decide(choice);
   }
 
   bool owns_place(const Point& p) const { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
@@ -190,25 +166,6 @@ private:
     }
   };
 
-  void tell(const Hole_2& hole, Index k, int rank, Hilbert_partition_2::Ranks& told, Messages<Hole_2>& out)
-  {
-    if (rank == m_comm.rank() || std::find(told.begin(), told.end(), rank) != told.end())
-      return;
-    told.push_back(rank);
-    out[rank].push_back(hole);
-    m_choice.sent(rank, k);
-  }
-
-  void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes, std::vector<int>& owners)
-  {
-    for (const auto& message : m_exchange(out))
-      for (const Hole_2& h : message.second) {
-        m_choice.received(message.first, static_cast<Index>(holes.size()));
-        holes.push_back(h);
-        owners.push_back(message.first);
-      }
-  }
-
   /// of bubbles that we have of others, and others of ours
   std::unordered_map<std::int64_t, Index> indices_at_border(const Bubbles_2& b) const
   {
@@ -223,7 +180,7 @@ private:
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   const Halo_2& m_halo;
-  Choice_exchange_2 m_choice;
+  Hole_exchange_2 m_holes;
   const Hilbert_partition_2* m_partition = nullptr;
   std::int64_t m_next_number = 0;
 };

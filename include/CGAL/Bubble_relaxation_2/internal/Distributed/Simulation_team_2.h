@@ -10,10 +10,15 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Checkpoints_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 
 #include <algorithm>
 #include <array>
@@ -34,10 +39,12 @@ class Simulation_team_2
 public:
   static constexpr bool is_alone = false;
 
-  Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, bool may_be_stopped)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_halo(comm, exchange), m_moves(comm),
-      m_population(comm, exchange, m_halo),
-      m_may_be_stopped(comm.any(may_be_stopped))
+  Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                    Checkpoints_2& checkpoints, const Relaxation_options& options)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
+      m_interval(options.exchange_interval), m_halo(comm, exchange, m_traffic), m_moves(comm, m_traffic),
+      m_population(comm, exchange, m_halo), m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
+      m_has_population(options.population != Bubble_population::NONE)
   {}
 
   /// Begins with bubbles that are numbered from 0 on, each on the rank that owns its place, sorted.
@@ -48,32 +55,66 @@ public:
     m_population.start(*m_partition, m_number_of_all);
   }
 
+  /// Begins with bubbles that were simulated before.
+  void start(const Restart_2& restart)
+  {
+    m_partition = std::make_unique<Hilbert_partition_2>(restart.partition);
+    m_number_of_all = restart.header.number_of_all;
+    m_population.start(*m_partition, m_number_of_all);
+  }
+
+  template <class Simulation, class Report>
+  std::size_t resume(Simulation& simulation, Bubbles_2& bubbles, Report& report)
+  {
+    if (!m_checkpoints.is_restart())
+      return 0;
+    const std::size_t rounds = m_checkpoints.resume(simulation, report);
+    surround(simulation, bubbles);
+    return rounds;
+  }
+
+  template <class Simulation, class Report>
+  void end_round(const Simulation& simulation, const Bubbles_2& bubbles, Report& report)
+  {
+    m_checkpoints.end_round(simulation, bubbles, *m_partition, m_population.next_number(), report);
+  }
+
   /// Gives the bubbles of each rank their surroundings before the first step.
   template <class Simulation>
   void surround(Simulation& simulation, Bubbles_2& bubbles)
   {
-    m_halo.start(*m_partition);
-    std::vector<Index> near_others;
-    for (std::size_t k = 0; k < bubbles.size(); ++k) {
-      const Index i = static_cast<Index>(k);
-      m_halo.add(bubbles, i, m_comm.rank());
-      if (!m_halo.is_far_from_others(i))
-        near_others.push_back(i);
-    }
-    look_after(simulation, bubbles, near_others);
+    surround(simulation, bubbles, m_interval.is_used() ? Bubble_force_2::cut_off * largest_size(bubbles) : 0);
+    m_interval.start_stage();
   }
 
   /// Looks after the bubbles that have gone far or grown. If one has gone too far, all are brought to the ranks
-  /// that own their places now.
+  /// that own their places now; and so they are in each exchange of the paper's protocol.
   template <class Simulation>
   void surround_anew(Simulation& simulation, Bubbles_2& bubbles)
   {
-    if (m_is_far_from_home) {
-      migrate(simulation, bubbles);
-      surround(simulation, bubbles);
-    } else
+    if (m_interval.is_used()) {
+      release_marked(simulation, bubbles);
+      migrate_and_surround(simulation, bubbles);
+      wake_around_others(simulation, bubbles);
+    } else if (m_is_far_from_home)
+      migrate_and_surround(simulation, bubbles);
+    else
       look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles));
     m_is_outgrown_here = m_is_outgrown = m_is_far_from_home = false;
+  }
+
+  /// After the steps of a round the paper's protocol ends, and the population is controlled as it always is.
+  template <class Simulation>
+  void end_steps(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    if (!m_interval.is_used())
+      return;
+    release_marked(simulation, bubbles);
+    m_interval.make_due();
+    if (!m_has_population)
+      return;
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles, 0);
   }
 
   /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
@@ -103,15 +144,49 @@ public:
 
   bool is_at_border(Index i) const { return m_halo.is_at_border(i); }
 
+  void share_positions(std::vector<double>& x, std::vector<double>& y) const
+  {
+    if (m_interval.is_used())
+      return;
+    Messages<Position> out, in;
+    for (const auto& list : m_halo.sent())
+      for (Index i : list.second)
+        out[list.first].push_back(Position{x[i], y[i]});
+    for (const auto& list : m_halo.received())
+      in[list.first].resize(list.second.size());
+    exchange_known(m_comm, out, in);
+    for (const auto& list : m_halo.received())
+      for (std::size_t n = 0; n < list.second.size(); ++n) {
+        x[list.second[n]] = in[list.first][n].x;
+        y[list.second[n]] = in[list.first][n].y;
+      }
+  }
+
+  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets)
+  {
+    Numbered_sets messages;
+    for (const auto& list : m_halo.sent())
+      for (Index i : list.second)
+        messages.add(list.first, b, sets, i);
+    messages.exchange(m_exchange);
+    messages.for_each(b, [&sets](Index i, const std::vector<Index>& set) { sets.assign(i, set); });
+  }
+
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving)
   {
-    m_moves.send(b, active, is_moving);
+    count_step();
+    if (!m_interval.is_used())
+      m_moves.send(b, active, is_moving);
   }
 
   const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
                                           std::vector<char>& is_moving)
   {
     m_others.clear();
+    if (m_interval.is_used()) {
+      mark_those_that_left(b, active);
+      return m_others;
+    }
     m_moves.receive(b, m_others, is_moving);
     note_outgrown(b, active);
     note_outgrown(b, m_others);
@@ -120,26 +195,91 @@ public:
 
   Step_sums sum(const Step_sums& sums)
   {
-    std::array<std::int64_t, 5> values{static_cast<std::int64_t>(sums.restless),
+    const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
+    std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
                                        static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
-                                       m_is_outgrown_here, m_is_far_here};
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 5, MPI_INT64_T, MPI_SUM, m_comm.handle()));
+                                       m_is_outgrown_here, m_is_far_here, is_stale};
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 6, MPI_INT64_T, MPI_SUM, m_comm.handle()));
     if (values[2] != 0)
       m_agreement.reach();
     m_is_outgrown = values[3] != 0;
     m_is_far_from_home = values[4] != 0;
     m_is_far_here = false;
+    if (values[0] == 0 && values[5] != 0) { // they rest among others that may have moved
+      m_interval.make_due();
+      values[0] = 1;
+    }
     return Step_sums{static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1])};
   }
 
   bool goes_on(bool here) const { return m_may_be_stopped ? !m_comm.any(!here) : here; }
 
-  /// whether a bubble of any rank has gone so far that the halo is to be made anew
-  bool is_outgrown() const { return m_is_outgrown; }
+  /// whether a bubble of any rank has gone so far that the halo is to be made anew, or it is time for that
+  bool is_outgrown() const { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
 
   const Hilbert_partition_2& partition() const { return *m_partition; }
 
+  const Traffic_2& traffic() const { return m_traffic; }
+
 private:
+  struct Position
+  {
+    double x, y;
+  };
+
+  /// makes the halo, of one width or by the bubbles' sizes
+  template <class Simulation>
+  void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
+  {
+    m_halo.start(*m_partition, width);
+    std::vector<Index> near_others;
+    for (std::size_t k = 0; k < bubbles.size(); ++k) {
+      const Index i = static_cast<Index>(k);
+      m_halo.add(bubbles, i, m_comm.rank());
+      if (!m_halo.is_far_from_others(i))
+        near_others.push_back(i);
+    }
+    look_after(simulation, bubbles, near_others);
+  }
+
+  double largest_size(const Bubbles_2& bubbles) const
+  {
+    return m_comm.largest(bubbles.size() == 0 ? 0. : *std::max_element(bubbles.d.begin(), bubbles.d.end()));
+  }
+
+  void mark_those_that_left(Bubbles_2& b, const std::vector<Index>& active)
+  {
+    for (Index i : active)
+      if (!m_halo.is_surely_home(b, i) && m_partition->owner(b.x[i], b.y[i]) != m_comm.rank()) {
+        m_interval.mark(b, i);
+        ++m_traffic.waits;
+      }
+  }
+
+  template <class Simulation>
+  void release_marked(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    m_interval.release(bubbles, [&simulation](Index i) { simulation.wake_around(i); });
+  }
+
+  /// others may have moved since their neighbours here fell asleep
+  template <class Simulation>
+  static void wake_around_others(Simulation& simulation, const Bubbles_2& bubbles)
+  {
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (!bubbles.is_ours(i))
+        simulation.wake_around(static_cast<Index>(i));
+  }
+
+  void count_step()
+  {
+    m_interval.count_step();
+    ++m_traffic.steps;
+    m_traffic.neighbors += static_cast<std::int64_t>(m_halo.received().size());
+    for (const auto& list : m_halo.received())
+      m_traffic.ghosts += static_cast<std::int64_t>(list.second.size());
+  }
+
   /// how many bubbles all ranks have, and the sum of their numbers
   struct Census
   {
@@ -182,18 +322,84 @@ private:
   template <class Simulation>
   void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
-    m_halo.look_after(
-      bubbles, those,
-      [&](double x, double y, double d, double near, const auto& visit) {
-        simulation.neighbors().find_near(x, y, d, near, visit);
-      },
-      [&](Index i) { return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)}; },
-      [&](const Bubble_state_2& s, int owner) {
-        add(bubbles, s.bubble, true);
-        simulation.add_known(s.memory);
-        m_halo.add(bubbles, static_cast<Index>(bubbles.size()) - 1, owner);
-      });
+    std::unique_ptr<Bubble_buckets_2> here; // bubbles where they are now
+    if (!simulation.keeps_references())
+      here = buckets_of(bubbles);
+    const auto look_after_with = [&](const auto& finder) {
+      m_halo.look_after(
+        bubbles, those, finder,
+        [&](Index i) { return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)}; },
+        [&](const Bubble_state_2& s, int owner) {
+          const Index i = static_cast<Index>(bubbles.size());
+          add(bubbles, s.bubble, true);
+          simulation.add_known(s.memory);
+          m_halo.add(bubbles, i, owner);
+          if (here)
+            here->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+        });
+    };
+    if (here)
+      look_after_with(Bubbles_here_2{*here});
+    else
+      look_after_with(simulation.neighbors());
     m_moves.connect(m_halo, bubbles.size());
+  }
+
+  /// finds bubbles as `Neighbor_sets_2` does, where they are now
+  struct Bubbles_here_2
+  {
+    const Bubble_buckets_2& buckets;
+
+    template <class Visitor>
+    void find_within(double x, double y, double d, double near, const Visitor& visit) const
+    {
+      buckets.for_each_within(x, y, near * d, [&visit](const auto& e, double) { return visit(e.id), true; });
+    }
+
+    template <class Visitor>
+    void find_large(double x, double y, double least, double near, const Visitor& visit) const
+    {
+      buckets.for_each_large(x, y, least, near, [&visit](const auto& e, double) { return visit(e.id), true; });
+    }
+  };
+
+  static std::unique_ptr<Bubble_buckets_2> buckets_of(const Bubbles_2& b)
+  {
+    const bool is_empty = b.size() == 0;
+    auto result = std::make_unique<Bubble_buckets_2>(1., is_empty ? 1. : b.d[0], is_empty ? 0. : b.x[0],
+                                                     is_empty ? 0. : b.y[0], b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!b.is_gone(i))
+        result->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+    return result;
+  }
+
+  template <class Simulation>
+  void migrate_and_surround(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    if (!simulation.keeps_references()) {
+      migrate_with_sets(simulation, bubbles);
+      return;
+    }
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles);
+  }
+
+  /// the same; neighbour sets that are not what references tell go with their bubbles
+  template <class Simulation>
+  void migrate_with_sets(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    Numbered_sets messages;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+        messages.add(m_partition->owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
+                     static_cast<Index>(i));
+    messages.exchange(m_exchange);
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles);
+    std::vector<std::vector<Index>> sets(bubbles.size());
+    messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
+    simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
   }
 
   /// brings each bubble to the rank that owns its place now
@@ -209,6 +415,7 @@ private:
       (owner == m_comm.rank() ? ours : out[owner])
         .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(static_cast<Index>(i))});
     }
+    m_traffic.add_messages(out);
     const Census before = census(ours, out);
     for (const auto& message : m_exchange(out))
       ours.insert(ours.end(), message.second.begin(), message.second.end());
@@ -221,18 +428,21 @@ private:
       add(bubbles, s.bubble, false);
       memories.push_back(s.memory);
     }
-    simulation.restart(memories);
+    simulation.restart(memories, simulation.is_roused());
   }
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   Agreement& m_agreement;
+  Checkpoints_2& m_checkpoints;
   std::unique_ptr<Hilbert_partition_2> m_partition;
+  Exchange_interval_2 m_interval;
+  Traffic_2 m_traffic;
   Halo_2 m_halo;
   Moves_exchange_2 m_moves;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
-  bool m_may_be_stopped, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false,
+  bool m_may_be_stopped, m_has_population, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false,
        m_is_far_from_home = false;
   std::vector<Index> m_others;
 };

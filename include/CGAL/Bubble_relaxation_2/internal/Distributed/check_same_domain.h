@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -56,14 +57,18 @@ inline std::uint64_t hash_of(const Domain_2& domain)
   return hash.value();
 }
 
-/// Collective. \throws std::invalid_argument on all ranks if not all have the same domain
-inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
+/// Collective. \throws std::invalid_argument on all ranks if not all have the same hash of something
+inline void check_same(const Communicator& comm, std::uint64_t hash, const std::string& what)
 {
-  const std::uint64_t hash = hash_of(domain);
   if (comm.smallest(hash) == comm.largest(hash))
     return;
   comm.all_throw();
-  throw std::invalid_argument("Bubble_relaxation_2: the domain is not the same on all ranks");
+  throw std::invalid_argument("Bubble_relaxation_2: " + what + " is not the same on all ranks");
+}
+
+inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
+{
+  check_same(comm, hash_of(domain), "the domain");
 }
 
 } // namespace internal

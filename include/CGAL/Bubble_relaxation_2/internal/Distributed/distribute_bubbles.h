@@ -38,13 +38,14 @@ struct Keyed_record_2
   }
 };
 
-/// brings each bubble to the rank that owns its place, sorted along the curve
-inline std::vector<Keyed_record_2> bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange,
-                                              int rank, const std::vector<Keyed_record_2>& records)
+/// brings each bubble, with its key, to the rank that owns its place, sorted along the curve
+template <class Keyed_record>
+std::vector<Keyed_record> bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
+                                     const std::vector<Keyed_record>& records)
 {
-  std::vector<Keyed_record_2> home;
-  Messages<Keyed_record_2> out;
-  for (const Keyed_record_2& r : records) {
+  std::vector<Keyed_record> home;
+  Messages<Keyed_record> out;
+  for (const Keyed_record& r : records) {
     const int owner = partition.owner(r.key);
     if (owner == rank)
       home.push_back(r);

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_EVEN_PARTITION_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_EVEN_PARTITION_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 
@@ -42,6 +43,18 @@ inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilber
       if (counts[k] <= all * static_cast<std::int64_t>(k + 1) / comm.size())
         first[k] |= half;
   }
+  return Hilbert_partition_2(curve, first);
+}
+
+/// cuts the curve so that all ranks own equally many of some bubbles, which all of them have
+inline Hilbert_partition_2 partition_of_common(const Hilbert_curve_2& curve, const Bubbles_2& common, int ranks)
+{
+  std::vector<Hilbert_curve_2::Key> keys, first;
+  for (std::size_t i = 0; i < common.size(); ++i)
+    keys.push_back(curve.key(common.x[i], common.y[i]));
+  std::sort(keys.begin(), keys.end());
+  for (int rank = 1; rank < ranks; ++rank)
+    first.push_back(keys[keys.size() * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks)]);
   return Hilbert_partition_2(curve, first);
 }
 

@@ -53,26 +53,53 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
   return Placed_part_2{number_without_gaps(comm, exchange, end, std::move(records)), partition};
 }
 
+/// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
+template <class Cdt, class Sizing>
+std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                               const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                               const Relaxation_options& options, const Numbered_bubbles_2& points,
+                               Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
+{
+  if (checkpoints.is_restart()) {
+    const Restart_2& restart = checkpoints.read(Hilbert_curve_2(reading.domain.bbox()), sizing);
+    for (const Bubble_state_2& s : restart.states)
+      add(bubbles, s.bubble, false);
+    team.start(restart);
+    return static_cast<std::size_t>(restart.header.initial_bubbles);
+  }
+  const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options, points);
+  for (std::size_t i = 0; i < part.bubbles.size(); ++i)
+    add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
+  team.start(part);
+  return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
+}
+
 /// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their
-/// numbers are their indices there. What d throws on one rank is thrown on all.
+/// numbers are their indices there. What d throws on one rank is thrown on all. `points`: see `place_distributed()`;
+/// `traffic`: what this rank sent and held, if it is asked for.
 template <class Cdt, class Sizing, class Report>
 Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                                    const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& users,
-                                   const Relaxation_options& options, Progress& progress, Report& report)
+                                   const Relaxation_options& options, Progress& progress, Report& report,
+                                   const Numbered_bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
   const Agreed_sizing_field_2<Sizing> sizing(users, agreement, Hilbert_curve_2(reading.domain.bbox()).side());
-  Simulation_team_2 team(comm, exchange, agreement, static_cast<bool>(options.callback));
+  Checkpoints_2 checkpoints(comm, exchange, agreement, hash_of_places(reading), options);
+  Simulation_team_2 team(comm, exchange, agreement, checkpoints, options);
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
-    const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options);
-    for (std::size_t i = 0; i < part.bubbles.size(); ++i)
-      add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
-    team.start(part);
-    report.number_of_initial_bubbles = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
+    report.number_of_initial_bubbles = find_first_bubbles(comm, exchange, agreement, cdt, reading, sizing, options,
+                                                          points, checkpoints, team, bubbles);
   }
-  relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
-                                                             progress, report);
+  if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)
+    relax<Sequential_tag, Runge_kutta_4<Sequential_tag>>(reading.domain, sizing, options, bubbles, team, progress,
+                                                         report);
+  else
+    relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
+                                                               progress, report);
+  if (traffic)
+    *traffic = team.traffic();
   remove_crowded_of_ours(reading.domain, team.population(), bubbles);
   return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(), bubbles);
 }

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_HOLE_EXCHANGE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_HOLE_EXCHANGE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Choice_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/Population_alone.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Places for new bubbles, among which ranks choose together: each of those in its own part.
+class Hole_exchange_2
+{
+public:
+  Hole_exchange_2(const Communicator& comm, Sparse_exchange& exchange)
+    : m_comm(comm), m_exchange(exchange), m_choice(comm)
+  {}
+
+  /// Collective. See `Population_alone::share_holes()`.
+  std::size_t share(const Hilbert_partition_2& partition, std::vector<Hole_2>& holes, double reach)
+  {
+    Messages<Hole_2> out;
+    for (const Hole_2& h : holes)
+      out[partition.owner(h.x, h.y)].push_back(h);
+    holes.clear();
+    for (const auto& message : m_exchange(out))
+      holes.insert(holes.end(), message.second.begin(), message.second.end());
+    const std::size_t number_of_ours = holes.size();
+    m_choice.start(number_of_ours);
+    std::vector<Hilbert_partition_2::Ranks> told(number_of_ours);
+    std::vector<int> owners(number_of_ours, m_comm.rank());
+    out.clear();
+    for (std::size_t k = 0; k < number_of_ours; ++k)
+      for (int rank : partition.owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
+        tell(holes[k], static_cast<Index>(k), rank, told[k], out);
+    receive(out, holes, owners);
+    out.clear();
+    tell_of_smaller(holes, number_of_ours, owners, reach, told, out);
+    receive(out, holes, owners);
+    return number_of_ours;
+  }
+
+  /// Collective.
+  template <class Choice>
+  void decide(Choice& choice) const
+  {
+    m_choice.decide(choice);
+  }
+
+private:
+  using Told = std::vector<Hilbert_partition_2::Ranks>;
+
+  /// who was told of a larger one tells of smaller ones near it
+  void tell_of_smaller(const std::vector<Hole_2>& holes, std::size_t number_of_ours, const std::vector<int>& owners,
+                       double reach, Told& told, Messages<Hole_2>& out)
+  {
+    if (number_of_ours == 0 || holes.size() == number_of_ours)
+      return;
+    Bubble_buckets_2 ours(2 * reach, holes[0].d, holes[0].x, holes[0].y, number_of_ours);
+    for (std::size_t k = 0; k < number_of_ours; ++k)
+      ours.insert(static_cast<Index>(k), holes[k].x, holes[k].y, holes[k].d);
+    for (std::size_t l = number_of_ours; l < holes.size(); ++l) {
+      const double far = reach * holes[l].d;
+      ours.for_each_near(holes[l].x, holes[l].y, holes[l].d, [&](Index k, double squared, double) {
+        if (squared < far * far)
+          tell(holes[k], k, owners[l], told[k], out);
+        return true;
+      });
+    }
+  }
+
+  void tell(const Hole_2& hole, Index k, int rank, Hilbert_partition_2::Ranks& told, Messages<Hole_2>& out)
+  {
+    if (rank == m_comm.rank() || std::find(told.begin(), told.end(), rank) != told.end())
+      return;
+    told.push_back(rank);
+    out[rank].push_back(hole);
+    m_choice.sent(rank, k);
+  }
+
+  void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes, std::vector<int>& owners)
+  {
+    for (const auto& message : m_exchange(out))
+      for (const Hole_2& h : message.second) {
+        m_choice.received(message.first, static_cast<Index>(holes.size()));
+        holes.push_back(h);
+        owners.push_back(message.first);
+      }
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Choice_exchange_2 m_choice;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_HOLE_EXCHANGE_2_H

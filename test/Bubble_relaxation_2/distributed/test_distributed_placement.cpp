@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// all ways to start, and all ways to go on, by ranks are those of one rank: from points that are given on any rank,
+// from the vertices of the domain's triangulation, and as in the paper
+
+#include "bubbles.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace bubbles;
+using CGAL::Bubble_placement;
+using CDT = paper::CDT;
+using Vertex_handle = CDT::Vertex_handle;
+using Size = std::function<double(const Point&)>;
+
+struct Ranks
+{
+  Communicator comm{MPI_COMM_WORLD};
+  Agreement agreement{comm};
+  Sparse_exchange exchange{comm};
+};
+
+/// the pinned vertices of a triangulation, by their points
+struct Pinned_map
+{
+  using key_type = Vertex_handle;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<Point>* pinned;
+
+  friend bool get(const Pinned_map& map, Vertex_handle v)
+  {
+    return std::find(map.pinned->begin(), map.pinned->end(), v->point()) != map.pinned->end();
+  }
+};
+
+/// the triangulation of the domain of `c` with all its bubbles inserted
+CDT with_bubbles(const Case& c)
+{
+  const Bubbles_2& b = c.bubbles;
+  CDT cdt;
+  for (const Domain_edge_2& piece : cut_edges(c.domain(), b))
+    cdt.insert_constraint(b.point(piece.source), b.point(piece.target));
+  for (std::size_t i = 0; i < b.size(); ++i)
+    cdt.insert(b.point(i));
+  return cdt;
+}
+
+/// some of the bubbles, at random; the last rank has most, and the first has none of those in faces
+Numbered_bubbles_2 scattered(const Ranks& ranks, const Bubbles_2& b)
+{
+  Numbered_bubbles_2 result;
+  std::mt19937 engine(7);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const int rank = (std::min)(static_cast<int>(engine() % 16), ranks.comm.size() - 1);
+    const bool is_for_last = rank == 0 && b.is_in_face(i);
+    if ((is_for_last ? ranks.comm.size() - 1 : rank) == ranks.comm.rank())
+      result.add(record(b, i, no_index));
+  }
+  return result;
+}
+
+Relaxation_options options_with(bool is_given, Bubble_placement placement)
+{
+  Relaxation_options options = read_options(CGAL::parameters::number_of_rounds(3).number_of_iterations(12));
+  options.placement_is_given = is_given;
+  options.placement = placement;
+  return options;
+}
+
+void expect_equal(const Bubble_record_2& a, const Bubble_record_2& b)
+{
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.d, b.d);
+  EXPECT_EQ(a.s, b.s);
+  EXPECT_EQ(a.place, b.place);
+  EXPECT_EQ(a.tag, b.tag);
+  EXPECT_EQ(a.dimension, b.dimension);
+}
+
+void expect_parts_make_the_whole(const Ranks& ranks, const Placed_part_2& placed, const Bubbles_2& whole)
+{
+  const Numbered_bubbles_2& part = placed.bubbles;
+  EXPECT_EQ(ranks.comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.size()));
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const std::size_t number = static_cast<std::size_t>(part.numbers[i]);
+    ASSERT_LT(number, whole.size());
+    EXPECT_EQ(placed.partition.owner(part.bubbles.x[i], part.bubbles.y[i]), ranks.comm.rank());
+    expect_equal(record(part.bubbles, i, 0), record(whole, number, 0));
+    if (testing::Test::HasFailure())
+      return; // one is enough
+  }
+}
+
+/// Simulates on one rank what is read in `whole`, and on all ranks what is read in `bare` and `points`; both by d.
+void expect_same(Ranks& ranks, const Case& whole, const Case& bare, const Numbered_bubbles_2& points,
+                 const Size& d, const Relaxation_options& options)
+{
+  const auto np = CGAL::parameters::sizing_function(d).limit_by_outline(false);
+  const Domain_marks_2<CDT> marks(bare.cdt, np);
+  with_limited_sizing_field(bare.cdt, np, marks, *bare.reading, options, [&](const auto& sizing, const auto&) {
+    CGAL::Bubble_relaxation_report_2<double> first, second;
+    Progress of_first(options.callback, 1), of_second(options.callback, 1);
+    const Bubbles_2 all =
+      simulate_bubbles<CGAL::Sequential_tag>(whole.cdt, *whole.reading, sizing, options, of_first, first);
+    const Placed_part_2 part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, bare.cdt,
+                                                    *bare.reading, sizing, options, of_second, second, points);
+    EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
+    EXPECT_EQ(second.number_of_steps, first.number_of_steps);
+    EXPECT_GT(all.size(), 500u);
+    expect_parts_make_the_whole(ranks, part, all);
+    expect_parts_make_the_whole(
+      ranks,
+      given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, *bare.reading, sizing, points),
+      given_bubbles<CGAL::Sequential_tag>(*whole.reading, sizing));
+  });
+}
+
+/// from the domain alone
+void expect_same(Ranks& ranks, const paper::Domain& domain, const Relaxation_options& options)
+{
+  const Case bare = read(domain);
+  const auto np = CGAL::parameters::sizing_function(domain.d).limit_by_outline(options.limit_by_outline);
+  const Domain_marks_2<CDT> marks(bare.cdt, np);
+  with_limited_sizing_field(bare.cdt, np, marks, *bare.reading, options, [&](const auto& sizing, const auto&) {
+    CGAL::Bubble_relaxation_report_2<double> first, second;
+    Progress of_first(options.callback, 1), of_second(options.callback, 1);
+    const Bubbles_2 all =
+      simulate_bubbles<CGAL::Sequential_tag>(bare.cdt, *bare.reading, sizing, options, of_first, first);
+    const Placed_part_2 part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, bare.cdt,
+                                                    *bare.reading, sizing, options, of_second, second);
+    EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
+    EXPECT_EQ(second.number_of_steps, first.number_of_steps);
+    EXPECT_GT(all.size(), 500u);
+    expect_parts_make_the_whole(ranks, part, all);
+  });
+}
+
+/// a mesh to start from: a domain with bubbles, and its triangulation with them
+struct Given
+{
+  explicit Given(int k) : domain(paper::all_domains(0.8)[k]), bare(relaxed(domain)) { read_mesh(); }
+
+  /// reads the mesh again, where the points `pinned` are pinned
+  void read_mesh(const std::vector<Point>& pinned = {})
+  {
+    mesh.cdt = with_bubbles(bare);
+    const auto np = CGAL::parameters::vertex_is_constrained_map(Pinned_map{&pinned});
+    const Domain_marks_2<CDT> marks(mesh.cdt, np);
+    mesh.reading = read_domain(mesh.cdt, np, marks);
+  }
+
+  const paper::Domain domain;
+  Case bare, mesh;
+};
+
+class Ways_to_start : public testing::TestWithParam<std::pair<bool, Bubble_placement>>
+{};
+
+TEST_P(Ways_to_start, from_points_on_any_rank)
+{
+  Ranks ranks;
+  for (int k : {0, 4}) {
+    SCOPED_TRACE(k);
+    Given given(k);
+    // as fine as the mesh in a part of the domain, finer, and coarser
+    const Size& d = given.domain.d;
+    const CGAL::Bbox_2& box = given.bare.domain().bbox();
+    const double third = (box.xmax() - box.xmin()) / 3, x0 = box.xmin();
+    const Size other = [&](const Point& p) {
+      return d(p) * (p.x() < x0 + third ? 0.7 : p.x() < x0 + 2 * third ? 1. : 1.5);
+    };
+    const auto options = options_with(GetParam().first, GetParam().second);
+    expect_same(ranks, given.mesh, given.bare, scattered(ranks, given.bare.bubbles), other, options);
+    expect_same(ranks, given.mesh, given.mesh, {}, other, options); // of the domain
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Ways_to_start,
+                         testing::Values(std::make_pair(true, Bubble_placement::KEEP),
+                                         std::make_pair(false, Bubble_placement::FRONTAL),
+                                         std::make_pair(true, Bubble_placement::FRONTAL)));
+
+TEST(Ways_to_go_on, as_in_the_paper)
+{
+  Ranks ranks;
+  for (int k : {1, 5}) {
+    SCOPED_TRACE(k);
+    Relaxation_options options = read_options(CGAL::npbs_paper_parameters());
+    options.number_of_rounds = 3;
+    options.number_of_iterations = 35;
+    expect_same(ranks, paper::all_domains(k == 5 ? 0.9 : 0.7)[k], options);
+  }
+}
+
+TEST(Ways_to_go_on, each_for_itself)
+{
+  Ranks ranks;
+  const paper::Domain domain = paper::all_domains(0.8)[3];
+  {
+    SCOPED_TRACE("Runge-Kutta, and all else as by default");
+    Relaxation_options options = read_options(CGAL::parameters::integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4));
+    options.number_of_rounds = 2;
+    expect_same(ranks, domain, options);
+  }
+  {
+    SCOPED_TRACE("cells, the overlapping ratio, and all else as by default");
+    Relaxation_options options = options_with(true, Bubble_placement::RHOMBIC);
+    options.population = CGAL::Bubble_population::OVERLAP_RATIO;
+    expect_same(ranks, domain, options);
+  }
+  {
+    SCOPED_TRACE("renewal at intervals, and all else as by default");
+    Relaxation_options options = options_with(true, Bubble_placement::RHOMBIC);
+    options.renewal_interval = 4;
+    expect_same(ranks, domain, options);
+  }
+}
+
+TEST(Ways_to_go_on, bubbles_that_go_far_take_their_neighbours_along)
+{
+  Ranks ranks;
+  Given given(0);
+  const CGAL::Bbox_2& box = given.bare.domain().bbox();
+  const double middle = (box.xmin() + box.xmax()) / 2;
+  const Size crowded_on_one_side = [&](const Point& p) { return given.domain.d(p) * (p.x() < middle ? 1.8 : 0.6); };
+  Relaxation_options options = options_with(true, Bubble_placement::KEEP);
+  options.population = CGAL::Bubble_population::NONE;
+  options.number_of_iterations = 60;
+  options.renewal_interval = 4;
+  expect_same(ranks, given.mesh, given.bare, scattered(ranks, given.bare.bubbles), crowded_on_one_side, options);
+}
+
+} // namespace
