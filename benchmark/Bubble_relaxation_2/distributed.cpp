@@ -21,8 +21,10 @@
 #include "rank_speed_up.h"
 #include "scaling_model.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -70,12 +72,16 @@ Rank_counts count(const Mpi_session& session, int ranks, const paper::Domain& do
   return counts;
 }
 
-/// what one rank needs for a bubble in a step
+/// what one rank needs for a bubble in a step, in the fastest of some runs
 double seconds_of_move(const paper::Domain& domain)
 {
-  paper::CDT cdt = paper::triangulate(domain);
-  const auto report = CGAL::npbs_relax(cdt, P::sizing_function(domain.d));
-  return (report.seconds.renewal + report.seconds.motion) / double(report.number_of_moves);
+  double seconds = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i) {
+    paper::CDT cdt = paper::triangulate(domain);
+    const auto report = CGAL::npbs_relax(cdt, P::sizing_function(domain.d));
+    seconds = (std::min)(seconds, (report.seconds.renewal + report.seconds.motion) / double(report.number_of_moves));
+  }
+  return seconds;
 }
 
 void count_and_model(const Mpi_session& session, double n, int interval)

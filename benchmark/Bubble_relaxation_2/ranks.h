@@ -25,7 +25,7 @@ inline void wait_asleep(MPI_Comm comm)
   MPI_Request request;
   MPI_Ibarrier(comm, &request);
   for (int is_done = 0; MPI_Test(&request, &is_done, MPI_STATUS_IGNORE), is_done == 0;)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 /// calls `run()` on the first rank while the others sleep

@@ -19,8 +19,9 @@
 /// What the steps of a simulation would cost on many ranks: a model, since no machine at hand has them. Counts of
 /// ghosts and bytes grow with the length of the border of a rank's part, the root of its number of bubbles, and
 /// ranks have as many neighbours as they have in the counts; the time of a move is measured on one rank. Nothing
-/// is taken to overlap. Efficiency is printed as it would be with as many moves on each rank, and with their imbalance
-/// in the counts, where ranks have fewer bubbles. The placement, the control of the population, the treatment and the statistics are left out.
+/// is taken to overlap. Efficiency is printed as it would be with as many moves on each rank, and with their
+/// imbalance in the counts, where ranks have fewer bubbles. The placement, the control of the population, the
+/// treatment and the statistics are left out.
 class Scaling_model
 {
 public:
@@ -42,9 +43,9 @@ public:
   {
     std::cout << "\nmodel of the steps, with assumed latency " << std::setprecision(1) << 1e6 * latency
               << " us, bandwidth " << bytes_per_second / 1e9 << " GB/s for each " << ranks_of_node
-              << " ranks, and no overlap; not measured. Of placement, population, treatment it tells nothing\n"
+              << " ranks, and no overlap; nothing is measured but counts and the time of a move, here in us\n"
               << std::left << std::setw(8) << "domain" << std::right << std::setw(9) << "N" << std::setw(9) << "ranks"
-              << std::setw(10) << "bubbles" << std::setw(13) << "compute, us" << std::setw(9) << "ghosts"
+              << std::setw(10) << "bubbles" << std::setw(8) << "a move" << std::setw(13) << "compute, us" << std::setw(9) << "ghosts"
               << std::setw(13) << "messages, us" << std::setw(11) << "bytes, us" << std::setw(15) << "reduction, us"
               << std::setw(12) << "efficiency" << std::setw(13) << "unbalanced\n";
   }
@@ -59,6 +60,7 @@ public:
     const double others = messages + bytes + reduction;
     std::cout << std::left << std::setw(8) << domain << std::right << std::scientific << std::setprecision(0)
               << std::setw(9) << n << std::setw(9) << ranks << std::setw(10) << own << std::fixed
+              << std::setprecision(3) << std::setw(8) << 1e6 * m_seconds_of_move
               << std::setprecision(1) << std::setw(13) << 1e6 * compute << std::setprecision(0) << std::setw(9)
               << m_counts.ghosts.mean * growth << std::setprecision(1) << std::setw(13) << 1e6 * messages
               << std::setw(11) << 1e6 * bytes << std::setw(15) << 1e6 * reduction << std::setprecision(2)
