@@ -155,8 +155,9 @@ struct Checking_euler
 
   explicit Checking_euler(const Relaxation_options& options) : euler(options) {}
 
+  template <class Share>
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& sets,
-                  const Boundary_2& boundary, Displacements& displacements) const
+                  const Boundary_2& boundary, Displacements& displacements, const Share&) const
   {
     for (std::size_t i = 0; i < b.size(); ++i)
       for (Index j : brute_force(b, i, 1.5)) {

@@ -18,8 +18,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <cstdint>
+#include <functional>
 #include <random>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -160,7 +162,11 @@ void expect_same(Ranks& ranks, const paper::Domain& domain, const Relaxation_opt
 /// a mesh to start from: a domain with bubbles, and its triangulation with them
 struct Given
 {
-  explicit Given(int k) : domain(paper::all_domains(0.8)[k]), bare(relaxed(domain)) { read_mesh(); }
+  explicit Given(int k, double coarseness = 0.8)
+    : domain(paper::all_domains(coarseness)[k]), bare(relaxed(domain))
+  {
+    read_mesh();
+  }
 
   /// reads the mesh again, where the points `pinned` are pinned
   void read_mesh(const std::vector<Point>& pinned = {})
@@ -250,6 +256,81 @@ TEST(Ways_to_go_on, bubbles_that_go_far_take_their_neighbours_along)
   options.number_of_iterations = 60;
   options.renewal_interval = 4;
   expect_same(ranks, given.mesh, given.bare, scattered(ranks, given.bare.bubbles), crowded_on_one_side, options);
+}
+
+TEST_P(Ways_to_start, with_pinned_points)
+{
+  Ranks ranks;
+  Given given(0);
+  Bubbles_2& b = given.bare.bubbles;
+  std::vector<Point> pinned;
+  for (std::size_t i = 0; i < b.size(); i += 40)
+    if (b.is_in_face(i)) {
+      pinned.push_back(b.point(i));
+      b.dimension[i] = Bubbles_2::CORNER;
+      b.place[i] = no_index;
+    }
+  ASSERT_GT(pinned.size(), 5u);
+  given.read_mesh(pinned);
+  const Size finer = [&](const Point& p) { return given.domain.d(p) * (p.x() < p.y() ? 0.7 : 1.); };
+  const auto options = options_with(GetParam().first, GetParam().second);
+  expect_same(ranks, given.mesh, given.bare, scattered(ranks, b), finer, options);
+  expect_same(ranks, given.mesh, given.mesh, {}, finer, options);
+}
+
+struct Same_everywhere
+{
+  double operator()(double, double) const { return 0.05; }
+  double operator()(const Point&) const { return 0.05; }
+  const double expected_number = 1000;
+};
+
+TEST(Given_points, in_one_place_are_refused_on_all_ranks)
+{
+  Ranks ranks;
+  Given given(0);
+  Numbered_bubbles_2 points = scattered(ranks, given.bare.bubbles);
+  const auto place = [&] {
+    given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, *given.bare.reading, Same_everywhere(),
+                              points);
+  };
+  EXPECT_NO_THROW(place());
+  if (ranks.comm.rank() == ranks.comm.size() - 1)
+    points.add(record(points.bubbles, points.size() - 1, no_index));
+  EXPECT_THROW(place(), std::invalid_argument);
+}
+
+/// removes the bubbles in discs beside the lines through the middle of the box, where borders of ranks are about
+void make_holes(Given& given, double radius)
+{
+  Bubbles_2& b = given.bare.bubbles;
+  const CGAL::Bbox_2& box = given.bare.domain().bbox();
+  const double d = given.domain.d(Point(box.xmin(), box.ymin())), x = (box.xmin() + box.xmax()) / 2,
+               y = (box.ymin() + box.ymax()) / 2;
+  double side = 1, gap = 0;
+  for (double along = -40; along < 40; along += 2 * radius + 4, side = -side, gap += 0.3) {
+    const double off = side * (radius + gap);
+    for (const Point& center : {Point(x + off * d, y + along * d), Point(x + along * d, y + off * d)})
+      for (std::size_t i = 0; i < b.size(); ++i)
+        if (b.is_in_face(i) && std::hypot(b.x[i] - center.x(), b.y[i] - center.y()) < radius * d)
+          b.remove(i);
+  }
+  b.forget_gone();
+  given.read_mesh();
+}
+
+/// Beside a wide hole bubbles are neighbours that are farther from each other than others ever look.
+TEST(Wide_holes, are_filled_as_by_one_rank)
+{
+  Ranks ranks;
+  Relaxation_options options = options_with(true, Bubble_placement::KEEP);
+  options.neighbor_radius = 2.9; // beside holes they look three times as far, and this matters to 7 ranks
+  for (const double radius : {2.5, 4.}) {
+    SCOPED_TRACE(radius);
+    Given given(0, 0.5);
+    make_holes(given, radius);
+    expect_same(ranks, given.mesh, given.bare, scattered(ranks, given.bare.bubbles), given.domain.d, options);
+  }
 }
 
 } // namespace

@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -95,7 +96,9 @@ private:
 
   void delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
-    std::vector<Triangle> triangles = mesh.triangles();
+    std::vector<Triangle> triangles;
+    std::copy_if(mesh.triangles().begin(), mesh.triangles().end(), std::back_inserter(triangles),
+                 [&](const Triangle& t) { return is_inside(b, t); });
     m_team.share_triangles(b, triangles);
     const Crowded crowded = find_crowded(b, mesh.touched(), triangles);
     const std::vector<std::vector<Index>> worse = worse_neighbors(b, crowded, triangles);
@@ -112,16 +115,17 @@ private:
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<int> degree(b.size(), 0);
     std::vector<double> nearest(b.size(), infinity); // distance over mean size, least over neighbours
-    for (const Triangle& v : triangles) {
-      if (!is_inside(b, v))
-        continue;
+    for (const Triangle& v : triangles)
       for (int i = 0; i < 3; ++i) {
-        const double w = relative_distance(b, v[ccw(i)], v[cw(i)]);
-        ++degree[v[i]];
-        nearest[v[ccw(i)]] = (std::min)(nearest[v[ccw(i)]], w);
-        nearest[v[cw(i)]] = (std::min)(nearest[v[cw(i)]], w);
+        if (v[i] != no_index)
+          ++degree[v[i]];
+        const Index p = v[ccw(i)], q = v[cw(i)];
+        if (!is_near(b, p, q))
+          continue;
+        const double w = relative_distance(b, p, q);
+        nearest[p] = (std::min)(nearest[p], w);
+        nearest[q] = (std::min)(nearest[q], w);
       }
-    }
     Crowded result;
     result.nearest.assign(b.size(), infinity);
     for (Index i : touched)
@@ -155,9 +159,10 @@ private:
       position[crowded.ours[k]] = static_cast<Index>(k);
     for (const Triangle& v : triangles)
       for (int i = 0; i < 3; ++i)
-        if (position[v[i]] != no_index)
+        if (v[i] != no_index && position[v[i]] != no_index)
           for (Index j : {v[ccw(i)], v[cw(i)]})
-            if (crowded.nearest[j] < std::numeric_limits<double>::infinity() && is_worse(b, crowded, j, v[i]))
+            if (is_near(b, v[i], j) && crowded.nearest[j] < std::numeric_limits<double>::infinity() &&
+                is_worse(b, crowded, j, v[i]))
               result[position[v[i]]].push_back(j);
     return result;
   }
@@ -250,6 +255,13 @@ private:
             CGAL::squared_distance(b.point(*j), middle) < cleared_radius * cleared_radius * d * d)
           m_is_deleted[*j] = 1;
     }
+  }
+
+  /// Whether this rank knows both and they are not on two sides of a hole: then one does not crowd the other.
+  static bool is_near(const Bubbles_2& b, Index i, Index j)
+  {
+    constexpr double far = 3; // ranks know bubbles up to a bit more
+    return i != no_index && j != no_index && relative_distance(b, i, j) < far;
   }
 
   static double relative_distance(const Bubbles_2& b, Index i, Index j)

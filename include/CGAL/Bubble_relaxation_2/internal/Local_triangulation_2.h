@@ -41,6 +41,18 @@ public:
     return result;
   }
 
+  /// Beside holes wider than this, in sizes, all bubbles are looked at that are nearer than the radius of neighbour
+  /// sets times the mean of this times the size and their size: up to about five sizes away.
+  static constexpr double widest_hole = 2.4, far = 5;
+
+  /// whether a bubble lies beside such a hole
+  static bool is_beside_wide_hole(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i)
+  {
+    Delaunay_star_2 star(bubbles, i);
+    Delaunay_star_2::Indices candidates;
+    return !wrap_nearby(bubbles, neighbors, i, star, candidates);
+  }
+
   const std::vector<Index>& touched() const { return m_touched; }
 
   /// those with a touched bubble
@@ -49,12 +61,10 @@ public:
 private:
   explicit Local_triangulation_2(const std::vector<Index>& touched) : m_touched(touched) {}
 
-  /// The forces end at 1.5 d, and pairs farther apart than that may be missing in the sets: circles up to a
-  /// diameter of this are known to be empty. For others the neighbours' neighbours are looked at as well, which
-  /// reach around a hole of up to the second of these. Beside wider ones all bubbles up to about five sizes away
-  /// are looked at.
-  static constexpr double certain_diameter = 1.5, widest_hole = 2.4;
-  static constexpr double far = 5;
+  /// The forces end at 1.5 d, and pairs farther apart than that may be missing in the sets: circles up to this
+  /// diameter are known to be empty. For others the neighbours' neighbours are looked at as well, which reach around
+  /// a hole of up to `widest_hole`.
+  static constexpr double certain_diameter = 1.5;
 
   static constexpr std::size_t block_size = 512;
 
@@ -81,18 +91,9 @@ private:
   static void add_star(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
                        const std::vector<char>& is_touched, Index i, std::vector<Triangle>& triangles)
   {
-    Delaunay_star_2::Indices candidates(neighbors.begin(i), neighbors.end(i));
+    Delaunay_star_2::Indices candidates;
     Delaunay_star_2 star(bubbles, i);
-    star.wrap(candidates);
-    const auto is_within = [&](double diameter) {
-      return !bubbles.is_in_face(i) ||
-             (star.is_closed() && star.largest_circle() <= 0.25 * diameter * diameter);
-    };
-    if (!is_within(certain_diameter)) {
-      add_neighbors_of_neighbors(bubbles, neighbors, i, candidates);
-      star.wrap(candidates);
-    }
-    if (!is_within(widest_hole)) {
+    if (!wrap_nearby(bubbles, neighbors, i, star, candidates)) {
       candidates.clear();
       neighbors.find_around(i, far, [&](Index j) { candidates.push_back(j); });
       sort(bubbles, candidates);
@@ -104,6 +105,23 @@ private:
       if ((!is_touched[u] || bubbles.is_before(i, u)) && (!is_touched[v] || bubbles.is_before(i, v)))
         triangles.push_back({i, u, v});
     }
+  }
+
+  /// wraps a star as far as neighbour sets tell; returns whether that is enough
+  static bool wrap_nearby(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i, Delaunay_star_2& star,
+                          Delaunay_star_2::Indices& candidates)
+  {
+    const auto is_within = [&](double diameter) {
+      return !bubbles.is_in_face(i) ||
+             (star.is_closed() && star.largest_circle() <= 0.25 * diameter * diameter);
+    };
+    candidates.assign(neighbors.begin(i), neighbors.end(i));
+    star.wrap(candidates);
+    if (!is_within(certain_diameter)) {
+      add_neighbors_of_neighbors(bubbles, neighbors, i, candidates);
+      star.wrap(candidates);
+    }
+    return is_within(widest_hole);
   }
 
   static void add_neighbors_of_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i,

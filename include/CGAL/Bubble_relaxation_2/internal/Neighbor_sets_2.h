@@ -227,9 +227,18 @@ public:
   template <class Visitor>
   void find_around(Index i, double times, const Visitor& visit) const
   {
-    m_buckets->for_each_near(m_x[i], m_y[i], times * m_d[i], [&](Index j, double, double) {
+    find_around(m_x[i], m_y[i], times * m_d[i], [&](Index j) {
       if (j != i)
         visit(j);
+    });
+  }
+
+  /// the same around any place, for a size `d`
+  template <class Visitor>
+  void find_around(double x, double y, double d, const Visitor& visit) const
+  {
+    m_buckets->for_each_near(x, y, d, [&](Index j, double, double) {
+      visit(j);
       return true;
     });
   }

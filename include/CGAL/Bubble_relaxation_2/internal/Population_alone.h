@@ -51,7 +51,7 @@ struct Population_alone
   /// adds bubbles of others that may have moved
   const std::vector<Index>& share_touched(const Bubbles_2&, const std::vector<Index>& touched) { return touched; }
 
-  /// adds triangles that others found around bubbles of ours
+  /// adds triangles that others found around bubbles of ours; what we do not know of their corners is `no_index`
   void share_triangles(const Bubbles_2&, std::vector<Triangle>&) {}
 
   /// Puts in the values of bubbles that others own; returns whether any rank got one that it did not have.

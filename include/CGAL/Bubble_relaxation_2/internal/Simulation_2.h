@@ -162,6 +162,10 @@ struct Simulation_alone
   template <class Simulation>
   void end_steps(Simulation&, Bubbles_2&)
   {}
+  /// looks for bubbles of other ranks on the other side of holes that are wider than all is known
+  template <class Simulation>
+  void look_across_holes(Simulation&, Bubbles_2&)
+  {}
   /// tells other ranks of the bubbles from `first` on, which are new, and adds those of others
   template <class Simulation>
   void share_new(Simulation&, Bubbles_2&, Index)
@@ -308,6 +312,8 @@ public:
       build_neighbors();
       ++result.renewals;
     }
+    if (m_options.population == Bubble_population::DELAUNAY)
+      m_team.look_across_holes(*this, m_bubbles);
     return result;
   }
 

@@ -154,6 +154,30 @@ public:
     }
   }
 
+  /// whether it is known that nothing within `radius` of a bubble of ours is in other ranks' parts
+  bool is_ours_within(const Bubbles_2& b, Index i, double radius) const
+  {
+    const Place& p = m_places[i];
+    return p.clearance > 0 && std::hypot(b.x[i] - p.x, b.y[i] - p.y) + radius < p.clearance;
+  }
+
+  /// Gets bubbles that others own at places where this rank asks for them: `asked` are places by ranks, and
+  /// `find(place, visit)` calls `visit(j)` for all that are asked for there. Collective.
+  template <class Asked, class Find, class State, class Add>
+  void fetch(const Messages<Asked>& asked, const Find& find, const State& state, const Add& add)
+  {
+    Messages<Bubble_state_2> out;
+    for (const auto& message : m_exchange(asked))
+      for (const Asked& place : message.second)
+        find(place, [&](Index j) {
+          if (m_owner[j] == m_comm.rank())
+            give(j, message.first, state, out);
+        });
+    for (const auto& message : m_exchange(out))
+      for (const Bubble_state_2& s : message.second)
+        add(s, message.first);
+  }
+
 private:
   /// Where a bubble was when it was last looked after, and when all were distributed; how far it is from other
   /// ranks' parts, if it is known to be as far as this; and how far it may go, and its disc reach.

@@ -75,9 +75,13 @@ public:
           out[owners[k]].push_back(numbers);
     }
     const std::unordered_map<std::int64_t, Index> indices = indices_at_border(b);
+    const auto index = [&indices](std::int64_t number) {
+      const auto found = indices.find(number);
+      return found == indices.end() ? no_index : found->second;
+    };
     for (const auto& message : m_exchange(out))
       for (const Numbers& n : message.second)
-        triangles.push_back(Triangle{indices.at(n[0]), indices.at(n[1]), indices.at(n[2])});
+        triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
   }
 
   template <class T>

@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 
 #include <algorithm>
@@ -115,6 +116,37 @@ public:
       return;
     migrate(simulation, bubbles);
     surround(simulation, bubbles, 0);
+  }
+
+  /// Gets the bubbles that those of ours beside wide holes look at, which are farther away than others ever look.
+  template <class Simulation>
+  void look_across_holes(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    using Triangulation = Local_triangulation_2;
+    const Neighbor_sets_2& neighbors = simulation.neighbors();
+    constexpr double largest_ratio = 4;
+    Messages<Hole_side> asked;
+    for (Index i : simulation.touched()) {
+      // one that is asked for, and not known anyway, is not much larger; it may have left the part of its owner
+      const double size = neighbors.reference_d(i);
+      const double most = (0.5 * neighbors.radius() * (Triangulation::far + largest_ratio) +
+                           largest_ratio * (Halo_2::farthest_from_home + 1)) * size;
+      if (!bubbles.is_ours(i) || bubbles.is_gone(i) || m_halo.is_ours_within(bubbles, i, most) ||
+          !Triangulation::is_beside_wide_hole(bubbles, neighbors, i))
+        continue;
+      const Hole_side side{neighbors.reference_x(i), neighbors.reference_y(i), Triangulation::far * size};
+      for (int rank : m_partition->owners_in_disc(side.x, side.y, most))
+        if (rank != m_comm.rank())
+          asked[rank].push_back(side);
+    }
+    if (!m_comm.any(!asked.empty()))
+      return;
+    m_halo.fetch(
+      asked,
+      [&](const Hole_side& side, const auto& visit) { neighbors.find_around(side.x, side.y, side.d, visit); },
+      [&](Index i) { return state(simulation, bubbles, i); },
+      [&](const Bubble_state_2& s, int owner) { add_of_other(simulation, bubbles, s, owner); });
+    m_moves.connect(m_halo, bubbles.size());
   }
 
   /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
@@ -222,6 +254,12 @@ public:
   const Traffic_2& traffic() const { return m_traffic; }
 
 private:
+  /// where a bubble is that asks for others around it, by its reference, and as how large
+  struct Hole_side
+  {
+    double x, y, d;
+  };
+
   struct Position
   {
     double x, y;
@@ -320,6 +358,22 @@ private:
   }
 
   template <class Simulation>
+  static Bubble_state_2 state(const Simulation& simulation, const Bubbles_2& bubbles, Index i)
+  {
+    return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)};
+  }
+
+  template <class Simulation>
+  Index add_of_other(Simulation& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
+  {
+    const Index i = static_cast<Index>(bubbles.size());
+    add(bubbles, s.bubble, true);
+    simulation.add_known(s.memory);
+    m_halo.add(bubbles, i, owner);
+    return i;
+  }
+
+  template <class Simulation>
   void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
     std::unique_ptr<Bubble_buckets_2> here; // bubbles where they are now
@@ -328,12 +382,9 @@ private:
     const auto look_after_with = [&](const auto& finder) {
       m_halo.look_after(
         bubbles, those, finder,
-        [&](Index i) { return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)}; },
+        [&](Index i) { return state(simulation, bubbles, i); },
         [&](const Bubble_state_2& s, int owner) {
-          const Index i = static_cast<Index>(bubbles.size());
-          add(bubbles, s.bubble, true);
-          simulation.add_known(s.memory);
-          m_halo.add(bubbles, i, owner);
+          const Index i = add_of_other(simulation, bubbles, s, owner);
           if (here)
             here->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
         });
