@@ -3,13 +3,15 @@
 #   benchmark.sh [scaling] [1e7] [--threads 2]    cost, memory and threads over the number of vertices
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
 #   benchmark.sh phases                           nanoseconds a node of each phase
+#   benchmark.sh distributed [speed [1e5 ...]]    two MPI ranks against one: seconds, and whether the bits are equal
+#   benchmark.sh distributed [counts [1e5]]       what up to 64 ranks hold and send, and a model of their efficiency
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
 cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | phases) benchmark=$1; shift ;;
+  scaling | compare | phases | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then
@@ -22,4 +24,20 @@ cmake -S . -B build/benchmark -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAX
 cmake --build build/benchmark --target "$benchmark"
 mkdir -p output
 cd output
-"../build/benchmark/benchmark/Bubble_relaxation_2/$benchmark" "$@"
+program=../build/benchmark/benchmark/Bubble_relaxation_2/$benchmark
+if [ "$benchmark" != distributed ]; then
+  "$program" "$@"
+  exit
+fi
+
+# ranks that are timed have a core each and wait without giving it away; those that are counted share cores
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
+command=${1-all}
+shift $(($# > 0))
+case $command in
+  speed | counts | all) ;;
+  *) echo "distributed: speed or counts, not $command" >&2; exit 2 ;;
+esac
+[ "$command" = counts ] || OMPI_MCA_mpi_yield_when_idle=0 mpirun -n 2 --bind-to core "$program" speed "$@"
+[ "$command" = speed ] ||
+  OMPI_MCA_mpi_yield_when_idle=1 mpirun -n 64 --oversubscribe --bind-to none "$program" counts "$@"

@@ -14,6 +14,8 @@ cd build/figures
 for example in relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values; do
   ../release/examples/Bubble_relaxation_2/$example
 done
+OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe \
+  ../release/examples/Bubble_relaxation_2/distributed_ring
 figures=$here/doc/Bubble_relaxation_2/fig
 ../release/examples/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/examples/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"

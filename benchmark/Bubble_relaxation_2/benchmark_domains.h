@@ -26,6 +26,12 @@ inline paper::Domain disc(double f)
   return {0, "disc", {paper::circle(1, 0.05 * f)}, [f](const paper::Point&) { return 0.05 * f; }, 250, 1};
 }
 
+/// The unit square with the same d everywhere.
+inline paper::Domain square(double f)
+{
+  return {0, "square", {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, [f](const paper::Point&) { return 0.03 * f; }, 250, 1};
+}
+
 /// five graded domains, those of eqs. 1, 4, 5, 6 and 7, then three uniform ones
 inline std::vector<Domain_maker> compared_domains()
 {
@@ -33,9 +39,9 @@ inline std::vector<Domain_maker> compared_domains()
           paper::comb,             paper::octagram,      paper::trunk,         disc};
 }
 
-/// The domain scaled so that `npbs_relax()` gives it about `n` vertices. Vertices are a / f^2 inside and b / f
-/// on the boundary; two coarse meshes tell a and b.
-inline paper::Domain domain_with_vertices(Domain_maker make, double n)
+/// By how much the sizes of a domain are to be scaled for `npbs_relax()` to give it about `n` vertices. Vertices are
+/// a / f^2 inside and b / f on the boundary; two coarse meshes tell a and b.
+inline double scale_for_vertices(Domain_maker make, double n)
 {
   const auto count = [make](double f) {
     const paper::Domain domain = make(f);
@@ -44,7 +50,9 @@ inline paper::Domain domain_with_vertices(Domain_maker make, double n)
   };
   const double coarse = count(1), fine = count(0.5);
   const double a = (fine - 2 * coarse) / 2, b = coarse - a;
-  return make(2 * a / (std::sqrt(b * b + 4 * a * n) - b));
+  return 2 * a / (std::sqrt(b * b + 4 * a * n) - b);
 }
+
+inline paper::Domain domain_with_vertices(Domain_maker make, double n) { return make(scale_for_vertices(make, n)); }
 
 #endif // BUBBLE_RELAXATION_2_BENCHMARK_BENCHMARK_DOMAINS_H

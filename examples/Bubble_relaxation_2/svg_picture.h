@@ -22,10 +22,22 @@
 #include <string>
 #include <vector>
 
-/// A picture of panels side by side: meshes, nodes, bubbles, histograms.
+/// A picture of panels side by side: meshes, nodes, bubbles, histograms, parts of ranks.
 class Svg_picture
 {
 public:
+  /// begins a panel that shows what lies in `box`
+  void start_panel(const std::string& caption, const CGAL::Bbox_2& box)
+  {
+    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    m_scale = m_size / (std::max)(width, height);
+    m_left = m_gap + m_number_of_panels * (m_size + m_gap);
+    m_x0 = m_left + 0.5 * (m_size - m_scale * width) - m_scale * box.xmin();
+    m_y0 = m_top + 0.5 * (m_size + m_scale * height) + m_scale * box.ymin();
+    ++m_number_of_panels;
+    add_text(m_left + 0.5 * m_size, m_top - 15, caption, 16);
+  }
+
   /// triangles of the domain in the colour of their q, constraints in bold
   template <class CDT>
   void add_mesh(const CDT& cdt, const std::string& caption)
@@ -35,9 +47,7 @@ public:
       if (!f->is_in_domain())
         continue;
       const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
-      m_body << "<path d=\"M" << at(p) << 'L' << at(q) << 'L' << at(r) << "Z\" fill=\""
-             << color(CGAL::radius_ratio_2(p, q, r)) << "\" stroke=\"#555\" stroke-width=\""
-             << thin_line(cdt.number_of_vertices()) << "\"/>\n";
+      add_triangle(p, q, r, color(CGAL::radius_ratio_2(p, q, r)), thin_line(cdt.number_of_vertices()));
     }
     add_constraints(cdt);
   }
@@ -94,6 +104,21 @@ public:
     add_text(m_left + 0.35 * m_size, m_top + 20, numbers.str(), 14);
   }
 
+  /// a disc in the colour of a rank
+  template <class Point_2>
+  void add_disc_of_rank(const Point_2& center, double radius, int rank)
+  {
+    add_circle(center, radius * m_scale,
+               "fill=\"" + color_of_rank(rank) + "\" stroke=\"#555\" stroke-width=\"0.3\"");
+  }
+
+  /// a triangle in the colour of a rank
+  template <class Point_2>
+  void add_triangle_of_rank(const Point_2& p, const Point_2& q, const Point_2& r, int rank)
+  {
+    add_triangle(p, q, r, color_of_rank(rank), 0.3);
+  }
+
   void write(const std::string& file_name) const
   {
     const double width = m_number_of_panels * (m_size + m_gap) + m_gap, height = m_size + 2 * m_top;
@@ -115,17 +140,6 @@ private:
     return box;
   }
 
-  void start_panel(const std::string& caption, const CGAL::Bbox_2& box)
-  {
-    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
-    m_scale = m_size / (std::max)(width, height);
-    m_left = m_gap + m_number_of_panels * (m_size + m_gap);
-    m_x0 = m_left + 0.5 * (m_size - m_scale * width) - m_scale * box.xmin();
-    m_y0 = m_top + 0.5 * (m_size + m_scale * height) + m_scale * box.ymin();
-    ++m_number_of_panels;
-    add_text(m_left + 0.5 * m_size, m_top - 15, caption, 16);
-  }
-
   template <class CDT>
   void add_constraints(const CDT& cdt)
   {
@@ -138,7 +152,14 @@ private:
   }
 
   template <class Point_2>
-  void add_circle(const Point_2& p, double radius, const char* style)
+  void add_triangle(const Point_2& p, const Point_2& q, const Point_2& r, const std::string& fill, double line)
+  {
+    m_body << "<path d=\"M" << at(p) << 'L' << at(q) << 'L' << at(r) << "Z\" fill=\"" << fill
+           << "\" stroke=\"#555\" stroke-width=\"" << line << "\"/>\n";
+  }
+
+  template <class Point_2>
+  void add_circle(const Point_2& p, double radius, const std::string& style)
   {
     m_body << "<circle cx=\"" << m_x0 + m_scale * p.x() << "\" cy=\"" << m_y0 - m_scale * p.y()
            << "\" r=\"" << radius << "\" " << style << "/>\n";
@@ -176,6 +197,13 @@ private:
     for (int c = 0; c < 3; ++c)
       text << static_cast<int>((1 - t) * stops[k][c] + t * stops[k + 1][c]) << (c < 2 ? "," : ")");
     return text.str();
+  }
+
+  /// neighbouring numbers look different, and so do any few
+  static std::string color_of_rank(int rank)
+  {
+    const double golden_angle = 137.508;
+    return "hsl(" + std::to_string(static_cast<int>(std::fmod(210 + golden_angle * rank, 360))) + ",60%,70%)";
   }
 
   static constexpr double m_size = 480, m_gap = 30, m_top = 40;

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// What several ranks gain, what they hold and send, and what a model makes of that.
+//
+//   mpirun -n 2 --bind-to core distributed speed [--runs 5] [--interval 10] [1192 1e5 1e6]
+//       seconds of CGAL::Distributed::npbs_relax() on all ranks, and with the paper's protocol and so many steps
+//       between exchanges (0: without), against those of CGAL::npbs_relax() on one, with so many vertices; whether
+//       the meshes are the same
+//   mpirun -n 64 distributed counts [--interval 10] [1e5]
+//       bubbles, ghosts, neighbours, messages and bytes of a rank, on 2, 4, 8, 16, 64 of the ranks, whose number may
+//       be larger than that of cores; and from them a model of the efficiency on up to 1e5 ranks
+
+#include "../../examples/Bubble_relaxation_2/mpi_session.h"
+#include "rank_counts.h"
+#include "rank_speed_up.h"
+#include "scaling_model.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace P = CGAL::parameters;
+
+struct Arguments
+{
+  std::string command;
+  int runs = 5, interval = 10; // a round has 30 steps at most
+  std::vector<double> sizes;
+};
+
+/// the paper's ring, eq. 4, and a uniform square
+const std::vector<Domain_maker> domains{paper::ring, paper::graded_circle, square};
+
+int compare_speed(const Arguments& arguments)
+{
+  const Rank_speed_up compare(arguments.runs, arguments.interval);
+  compare.print_header();
+  bool is_equal = true;
+  for (double n : arguments.sizes)
+    for (Domain_maker make : domains)
+      is_equal = compare(domain_of_all(make, n)) && is_equal;
+  return is_equal ? 0 : 1;
+}
+
+/// the counts of the first `ranks` ranks, on these, while the others sleep
+template <class NamedParameters>
+Rank_counts count(const Mpi_session& session, int ranks, const paper::Domain& domain, const std::string& exchange,
+                  const NamedParameters& np)
+{
+  Rank_counts counts{};
+  MPI_Comm comm;
+  MPI_Comm_split(MPI_COMM_WORLD, session.rank() < ranks ? 0 : MPI_UNDEFINED, session.rank(), &comm);
+  if (comm != MPI_COMM_NULL) {
+    counts = count_of_ranks(comm, domain, np);
+    MPI_Comm_free(&comm);
+    if (session.is_first())
+      print(domain.name, exchange, counts);
+  }
+  wait_asleep(MPI_COMM_WORLD);
+  return counts;
+}
+
+/// what one rank needs for a bubble in a step, in the fastest of some runs
+double seconds_of_move(const paper::Domain& domain)
+{
+  double seconds = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i) {
+    paper::CDT cdt = paper::triangulate(domain);
+    const auto report = CGAL::npbs_relax(cdt, P::sizing_function(domain.d));
+    seconds = (std::min)(seconds, (report.seconds.renewal + report.seconds.motion) / double(report.number_of_moves));
+  }
+  return seconds;
+}
+
+void count_and_model(const Mpi_session& session, double n, int interval)
+{
+  if (session.is_first()) {
+    std::cout << "per rank, and per step of the simulation; control of the population and reductions do not count\n";
+    print_header_of_counts();
+  }
+  std::vector<Scaling_model> models;
+  for (Domain_maker make : domains) {
+    const paper::Domain domain = domain_of_all(make, n);
+    Rank_counts last{};
+    for (int ranks : {2, 4, 8, 16, 64})
+      if (ranks <= session.number_of_ranks()) {
+        last = count(session, ranks, domain, "each step", P::force_coefficient(1.));
+        if (interval > 0)
+          count(session, ranks, domain, "the paper's, s=" + std::to_string(interval), P::exchange_interval(interval));
+      }
+    double seconds = 0;
+    on_first_rank([&] { seconds = seconds_of_move(domain); });
+    models.emplace_back(last, seconds);
+  }
+  if (!session.is_first())
+    return;
+  Scaling_model::print_assumptions();
+  for (std::size_t k = 0; k < domains.size(); ++k)
+    for (double all : {1e8, 1e9, 1e10})
+      for (double ranks : {1e3, 1e4, 1e5})
+        models[k].print(domains[k](1).name, all, ranks);
+}
+
+/// \throws std::invalid_argument with one line for the user
+Arguments read_arguments(int argc, char** argv)
+{
+  Arguments arguments;
+  arguments.command = argc > 1 ? argv[1] : "";
+  const bool is_speed = arguments.command == "speed";
+  bool is_understood = is_speed || arguments.command == "counts";
+  for (int i = 2; i < argc; ++i) {
+    const std::string option = argv[i];
+    const bool is_option = option == "--runs" || option == "--interval";
+    const double value = std::atof(is_option ? argv[i + 1 < argc ? ++i : i] : argv[i]);
+    is_understood = is_understood && value >= (option == "--runs" ? 1 : is_option ? 0 : 100);
+    if (option == "--runs")
+      arguments.runs = static_cast<int>(value);
+    else if (option == "--interval")
+      arguments.interval = static_cast<int>(value);
+    else
+      arguments.sizes.push_back(value);
+  }
+  if (!is_understood || (!is_speed && arguments.sizes.size() > 1))
+    throw std::invalid_argument("usage: distributed speed [--runs N] [--interval S] [VERTICES ...], or "
+                                "distributed counts [--interval S] [VERTICES]");
+  if (arguments.sizes.empty())
+    arguments.sizes = is_speed ? std::vector<double>{1192, 1e5, 1e6} : std::vector<double>{1e5};
+  return arguments;
+}
+
+int run(const Mpi_session& session, int argc, char** argv)
+{
+  const Arguments arguments = read_arguments(argc, argv);
+  if (session.number_of_ranks() < 2)
+    throw std::invalid_argument("needs at least two ranks");
+  if (session.is_first())
+    std::cout << "load " << load_average() << '\n';
+  if (arguments.command == "speed")
+    return compare_speed(arguments);
+  count_and_model(session, arguments.sizes[0], arguments.interval);
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return run_with_mpi(argc, argv, "distributed",
+                      [&](const Mpi_session& session) { return run(session, argc, argv); });
+}

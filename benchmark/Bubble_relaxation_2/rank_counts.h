@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_BENCHMARK_RANK_COUNTS_H
+#define BUBBLE_RELAXATION_2_BENCHMARK_RANK_COUNTS_H
+
+#include "ranks.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
+
+#include <mpi.h>
+
+#include <iomanip>
+#include <iostream>
+#include <string>
+
+/// the mean and the largest of what the ranks have
+struct Mean_and_most
+{
+  double mean, most;
+  double imbalance() const { return mean > 0 ? most / mean : 1; }
+};
+
+/// What the ranks of a simulation hold and send: of each rank, and what is sent in each step.
+struct Rank_counts
+{
+  int number_of_ranks;
+  double steps, all_moves;
+  Mean_and_most bubbles, moves, ghosts, neighbors, messages, bytes;
+  double waits; ///< bubbles of all ranks that had to wait for an exchange (the paper's protocol)
+};
+
+inline Mean_and_most mean_and_most(double value, MPI_Comm comm)
+{
+  double sum = 0, most = 0;
+  int size = 1;
+  MPI_Comm_size(comm, &size);
+  MPI_Allreduce(&value, &sum, 1, MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(&value, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
+  return Mean_and_most{sum / size, most};
+}
+
+/// Collective. Simulates a domain on all ranks of a communicator.
+template <class NamedParameters>
+Rank_counts count_of_ranks(MPI_Comm ranks, const paper::Domain& domain, const NamedParameters& parameters)
+{
+  using namespace CGAL::Bubble_relaxation_2::internal;
+  const Communicator comm(ranks);
+  Agreement agreement(comm);
+  Sparse_exchange exchange(comm);
+  const paper::CDT cdt = paper::triangulate(domain);
+  const auto np = parameters.sizing_function(domain.d);
+  const Domain_marks_2<paper::CDT> is_inside(cdt, np);
+  const auto reading = read_domain(cdt, np, is_inside);
+  const Relaxation_options options = read_options(np);
+  Progress progress(options.callback, options.number_of_rounds);
+  CGAL::Bubble_relaxation_report_2<double> report;
+  Traffic_2 traffic;
+  double bubbles = 0;
+  with_limited_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto&) {
+    bubbles = double(simulate_distributed(comm, exchange, agreement, cdt, *reading, sizing, options, progress, report,
+                                          {}, &traffic)
+                       .bubbles.size());
+  });
+  const auto in_a_step = [&](std::int64_t count) {
+    return mean_and_most(double(count) / double(report.number_of_steps), ranks);
+  };
+  const Mean_and_most moves = mean_and_most(double(report.number_of_moves), ranks);
+  const double waits = mean_and_most(double(traffic.waits), ranks).mean * comm.size();
+  return Rank_counts{comm.size(), double(report.number_of_steps), moves.mean * comm.size(),
+                     mean_and_most(bubbles, ranks), moves, in_a_step(traffic.ghosts), in_a_step(traffic.neighbors),
+                     in_a_step(traffic.messages), in_a_step(traffic.bytes), waits};
+}
+
+inline void print_header_of_counts()
+{
+  std::cout << std::fixed << std::left << std::setw(8) << "domain" << std::setw(18) << "exchange" << std::right
+            << std::setw(6) << "ranks" << std::setw(7) << "steps" << std::setw(18) << "bubbles mean/max"
+            << std::setw(11) << "imbalance" << std::setw(10) << "of moves" << std::setw(16) << "ghosts" << std::setw(14) << "neighbours"
+            << std::setw(10) << "messages" << std::setw(9) << "kB" << std::setw(9) << "waits" << '\n';
+}
+
+inline void print(const std::string& domain, const std::string& exchange, const Rank_counts& c)
+{
+  const auto print_both = [](const Mean_and_most& m, int width, int digits) {
+    std::cout << std::setprecision(digits) << std::setw(width - 7) << m.mean << '/' << std::setprecision(0) << std::left
+              << std::setw(6) << m.most << std::right;
+  };
+  std::cout << std::left << std::setw(8) << domain << std::setw(18) << exchange << std::right << std::setw(6)
+            << c.number_of_ranks << std::setprecision(0) << std::setw(7) << c.steps;
+  print_both(c.bubbles, 18, 0);
+  std::cout << std::setprecision(3) << std::setw(11) << c.bubbles.imbalance() << std::setw(10) << c.moves.imbalance();
+  print_both(c.ghosts, 16, 0);
+  print_both(c.neighbors, 14, 1);
+  std::cout << std::setprecision(2) << std::setw(10) << c.messages.mean << std::setw(9) << c.bytes.mean / 1e3
+            << std::setprecision(0) << std::setw(9) << c.waits << std::endl;
+}
+
+#endif // BUBBLE_RELAXATION_2_BENCHMARK_RANK_COUNTS_H

@@ -1,0 +1,21 @@
+# What programs for several ranks are built with and run by, if MPI is found: a target to link with, and tests.
+find_package(MPI QUIET COMPONENTS CXX)
+if(NOT MPI_CXX_FOUND)
+  return()
+endif()
+
+if(NOT TARGET Bubble_relaxation_2_MPI)
+  add_library(Bubble_relaxation_2_MPI INTERFACE)
+  target_link_libraries(Bubble_relaxation_2_MPI INTERFACE MPI::MPI_CXX)
+  target_compile_definitions(Bubble_relaxation_2_MPI INTERFACE OMPI_SKIP_MPICXX) # MPI's own C++ classes are not used
+endif()
+
+# a test that runs a target by so many ranks: add_mpi_test(NAME RANKS TARGET [ARGUMENT...])
+# waiting ranks yield: there are more of them than cores; and in a container they may not read each other's memory
+function(add_mpi_test name ranks target)
+  add_test(NAME ${name} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} ${MPIEXEC_PREFLAGS}
+                                $<TARGET_FILE:${target}> ${MPIEXEC_POSTFLAGS} ${ARGN})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 60 PROCESSORS 2 ENVIRONMENT
+    "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;\
+OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_btl_vader_single_copy_mechanism=none")
+endfunction()
