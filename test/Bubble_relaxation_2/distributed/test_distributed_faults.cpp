@@ -125,12 +125,6 @@ TEST(Distributed_faults, parameters_out_of_range_on_one_rank)
   expect_failure<std::invalid_argument>("must be positive and finite", c.cdt, parameters::sizing_function(negative));
 }
 
-TEST(Distributed_faults, parameters_for_one_rank)
-{
-  const Case c;
-  const auto np = parameters::sizing_function(c.domain.d);
-}
-
 TEST(Distributed_faults, domains)
 {
   const Case c;
