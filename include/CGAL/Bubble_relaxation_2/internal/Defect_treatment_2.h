@@ -57,8 +57,8 @@ class Defect_treatment_2
 {
 public:
   /// triangles with less are treated
-  double treated_quality = 0.95;
-  int number_of_sweeps = 4;
+  static constexpr double treated_quality = 0.95;
+  static constexpr int number_of_sweeps = 4;
 
   Defect_treatment_2(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles, Team& team)
     : m_domain(domain), m_mesh(mesh), m_bubbles(bubbles), m_team(team), m_coloring(bubbles.size())

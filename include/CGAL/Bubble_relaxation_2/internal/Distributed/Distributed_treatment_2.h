@@ -99,6 +99,8 @@ private:
 
   std::size_t smooth(Distributed_mesh_2& mesh, double& smallest) const
   {
+    if (smallest >= Defect_treatment_2<Sequential_tag>::treated_quality)
+      return 0;
     for (double reach = m_first_reach;; reach *= 2) {
       Mesh_piece_2 piece = widen(mesh, reach);
       Treatment_team_2 team(m_comm, piece);

@@ -10,12 +10,15 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubble_census.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubbles_here_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
@@ -26,8 +29,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -166,6 +167,8 @@ public:
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.number[i] >= first_new && !bubbles.is_ours(i))
         simulation.wake_around(static_cast<Index>(i));
+    if (is_unbalanced(bubbles))
+      m_is_outgrown = m_is_far_from_home = true; // all migrate before the next step
   }
 
   std::size_t number_of_all(const Bubbles_2&) const { return static_cast<std::size_t>(m_number_of_all); }
@@ -318,36 +321,6 @@ private:
       m_traffic.ghosts += static_cast<std::int64_t>(list.second.size());
   }
 
-  /// how many bubbles all ranks have, and the sum of their numbers
-  struct Census
-  {
-    std::int64_t count, sum;
-  };
-
-  Census census(const std::vector<Bubble_state_2>& ours, const Messages<Bubble_state_2>& leaving) const
-  {
-    std::array<std::uint64_t, 2> values{0, 0}; // sums modulo 2^64 will do
-    const auto add = [&values](const std::vector<Bubble_state_2>& states) {
-      values[0] += states.size();
-      for (const Bubble_state_2& s : states)
-        values[1] += static_cast<std::uint64_t>(s.bubble.number);
-    };
-    add(ours);
-    for (const auto& message : leaving)
-      add(message.second);
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 2, MPI_UINT64_T, MPI_SUM, m_comm.handle()));
-    return Census{static_cast<std::int64_t>(values[0]), static_cast<std::int64_t>(values[1])};
-  }
-
-  void check_census(const Census& before, const Census& after)
-  {
-    if (before.count == after.count && before.sum == after.sum)
-      return;
-    m_comm.all_throw(); // all have the same sums
-    throw std::logic_error("Bubble_relaxation_2: of " + std::to_string(before.count) + " bubbles " +
-                           std::to_string(after.count) + " have arrived on other ranks, or not the same");
-  }
-
   void note_outgrown(const Bubbles_2& b, const std::vector<Index>& moved)
   {
     for (Index i : moved)
@@ -376,9 +349,9 @@ private:
   template <class Simulation>
   void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
-    std::unique_ptr<Bubble_buckets_2> here; // bubbles where they are now
+    std::unique_ptr<Bubbles_here_2> here;
     if (!simulation.keeps_references())
-      here = buckets_of(bubbles);
+      here = std::make_unique<Bubbles_here_2>(bubbles);
     const auto look_after_with = [&](const auto& finder) {
       m_halo.look_after(
         bubbles, those, finder,
@@ -386,43 +359,14 @@ private:
         [&](const Bubble_state_2& s, int owner) {
           const Index i = add_of_other(simulation, bubbles, s, owner);
           if (here)
-            here->insert(i, bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+            here->add(bubbles, i);
         });
     };
     if (here)
-      look_after_with(Bubbles_here_2{*here});
+      look_after_with(*here);
     else
       look_after_with(simulation.neighbors());
     m_moves.connect(m_halo, bubbles.size());
-  }
-
-  /// finds bubbles as `Neighbor_sets_2` does, where they are now
-  struct Bubbles_here_2
-  {
-    const Bubble_buckets_2& buckets;
-
-    template <class Visitor>
-    void find_within(double x, double y, double d, double near, const Visitor& visit) const
-    {
-      buckets.for_each_within(x, y, near * d, [&visit](const auto& e, double) { return visit(e.id), true; });
-    }
-
-    template <class Visitor>
-    void find_large(double x, double y, double least, double near, const Visitor& visit) const
-    {
-      buckets.for_each_large(x, y, least, near, [&visit](const auto& e, double) { return visit(e.id), true; });
-    }
-  };
-
-  static std::unique_ptr<Bubble_buckets_2> buckets_of(const Bubbles_2& b)
-  {
-    const bool is_empty = b.size() == 0;
-    auto result = std::make_unique<Bubble_buckets_2>(1., is_empty ? 1. : b.d[0], is_empty ? 0. : b.x[0],
-                                                     is_empty ? 0. : b.y[0], b.size());
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (!b.is_gone(i))
-        result->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
-    return result;
   }
 
   template <class Simulation>
@@ -453,10 +397,33 @@ private:
     simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
   }
 
+  /// Collective. Whether a rank has so many more bubbles than the mean that others wait for it.
+  bool is_unbalanced(const Bubbles_2& bubbles) const
+  {
+    constexpr double most = 1.1, few = 16;
+    std::int64_t n = 0;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      n += bubbles.is_ours(i) && !bubbles.is_gone(i);
+    return double(m_comm.largest(n)) > most * double(m_comm.sum(n)) / m_comm.size() + few;
+  }
+
+  /// cuts the curve anew so that each rank has as many bubbles
+  void balance(const Bubbles_2& bubbles)
+  {
+    std::vector<Hilbert_curve_2::Key> keys;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+        keys.push_back(m_partition->curve().key(bubbles.x[i], bubbles.y[i]));
+    std::sort(keys.begin(), keys.end());
+    *m_partition = even_partition(m_comm, m_partition->curve(), keys);
+  }
+
   /// brings each bubble to the rank that owns its place now
   template <class Simulation>
   void migrate(Simulation& simulation, Bubbles_2& bubbles)
   {
+    if (is_unbalanced(bubbles))
+      balance(bubbles);
     std::vector<Bubble_state_2> ours;
     Messages<Bubble_state_2> out;
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
@@ -467,10 +434,10 @@ private:
         .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(static_cast<Index>(i))});
     }
     m_traffic.add_messages(out);
-    const Census before = census(ours, out);
+    const Bubble_census before(m_comm, ours, out);
     for (const auto& message : m_exchange(out))
       ours.insert(ours.end(), message.second.begin(), message.second.end());
-    check_census(before, census(ours, {}));
+    before.check(Bubble_census(m_comm, ours, {}));
     std::sort(ours.begin(), ours.end());
     bubbles = Bubbles_2();
     bubbles.make_room_for(ours.size());

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -25,15 +24,19 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Replaces distinct numbers below `end`, of which each rank has some, by 0, 1, … in their order. Each rank counts
-/// those of an interval of numbers, which are mostly its own.
+/// those of an interval of numbers, which are mostly its own. \pre they ascend
 inline void compact_numbers(const Communicator& comm, Sparse_exchange& exchange, std::int64_t end,
                             std::vector<std::int64_t>& numbers)
 {
   const std::int64_t ranks = comm.size();
   const auto counting_rank = [&](std::int64_t number) { return static_cast<int>(number * ranks / end); };
   Messages<std::int64_t> out, replies;
-  for (std::int64_t number : numbers)
-    out[counting_rank(number)].push_back(number);
+  for (auto first = numbers.begin(); first != numbers.end();) { // they ascend, and so do the ranks
+    const int rank = counting_rank(*first);
+    const auto last = std::find_if(first, numbers.end(), [&](std::int64_t n) { return counting_rank(n) != rank; });
+    out[rank].assign(first, last);
+    first = last;
+  }
   const Messages<std::int64_t> in = exchange(out);
   std::vector<std::int64_t> all;
   for (const auto& message : in)
@@ -47,11 +50,9 @@ inline void compact_numbers(const Communicator& comm, Sparse_exchange& exchange,
   for (const auto& message : out)
     answers[message.first].resize(message.second.size());
   exchange_known(comm, replies, answers);
-  std::map<int, std::size_t> next; // answers come in the order of the questions
-  for (std::int64_t& number : numbers) {
-    const int rank = counting_rank(number);
-    number = answers[rank][next[rank]++];
-  }
+  numbers.clear();
+  for (const auto& message : answers)
+    numbers.insert(numbers.end(), message.second.begin(), message.second.end());
 }
 
 /// The bubbles of a rank in the order of their numbers, which are less than `end`, with numbers without gaps.
@@ -59,15 +60,15 @@ inline void compact_numbers(const Communicator& comm, Sparse_exchange& exchange,
 inline Numbered_bubbles_2 number_without_gaps(const Communicator& comm, Sparse_exchange& exchange, std::int64_t end,
                                               std::vector<Keyed_record_2> records)
 {
+  std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
+    return r.bubble.number < s.bubble.number;
+  });
   std::vector<std::int64_t> numbers;
   for (const Keyed_record_2& r : records)
     numbers.push_back(r.bubble.number);
   compact_numbers(comm, exchange, end, numbers);
   for (std::size_t k = 0; k < records.size(); ++k)
     records[k].bubble.number = numbers[k];
-  std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
-    return r.bubble.number < s.bubble.number;
-  });
   Numbered_bubbles_2 result;
   for (const Keyed_record_2& r : records)
     result.add(r.bubble);
