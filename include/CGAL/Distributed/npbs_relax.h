@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/check_given_points.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/add_up_report.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/evaluate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/own_bubbles.h>
@@ -52,8 +53,12 @@ another points on edges may differ by a rounding.
 \tparam CDT as in `CGAL::npbs_relax()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param points must have no points, on any rank. It gets those of this rank, in the order of their ids, with these
-properties, which are added if they are not there:
+\param points the points to start from, any part of all on any rank, or none. They take the place of the vertices of
+`domain` that are inside of it: what `CGAL::npbs_relax()` makes of a triangulation with these points is made here. The
+properties `dimension`, `edge` and `position` are used if they are there; a point with dimension 0 that is no vertex of
+the domain is pinned (but makes no bubbles around it smaller, as pinned vertices of `domain` do with `limit_by_outline`).
+On return it has the points of this rank, in the order of their ids, with these properties, which are added if they
+are not there:
 - `global_id` (`std::int64_t`): 0, 1, 2, … over all ranks; near ids are near to each other.
 - `size` (`double`): the wanted distance d at the point.
 - `dimension` (`int`): 0 for vertices of the domain and pinned ones, 1 for points on an edge, 2 for points in a face.
@@ -76,26 +81,46 @@ same values on all ranks. Those listed below differ from there.
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{as in `CGAL::npbs_relax()`}
   \cgalParamNEnd
-  \cgalParamNBegin{initial_placement}
-    \cgalParamDescription{where the bubbles of the faces start. All ranks place all of them, before each keeps its
-                          own, with `RHOMBIC`, and where `domain` has free vertices}
-    \cgalParamType{`Bubble_placement`}
-    \cgalParamDefault{as in `CGAL::npbs_relax()`}
+  \cgalParamNBegin{checkpoint}
+    \cgalParamDescription{`checkpoint(path, every)` has the ranks write the state of the simulation to the file `path`
+                          after every `every` rounds, when bubbles have been inserted and deleted; not after the last
+                          round. The file has the same bytes for any number of ranks. It is written beside, as
+                          `path` + ".part", and takes the place of the last one only when all of it is on the disk:
+                          whenever the ranks are stopped, one of both is there and whole. All ranks must be able to
+                          write the file, and must give the same path}
+    \cgalParamType{`std::string` and a positive number}
+    \cgalParamDefault{no checkpoint is written}
+    \cgalParamExtra{Throws `std::invalid_argument` on all ranks, before anything is done, if no file can be written
+                    there; and `std::runtime_error` on all ranks if one cannot be written later, for example because
+                    the disk is full. The last checkpoint stays.}
   \cgalParamNEnd
-  \cgalParamNBegin{population_control}
-    \cgalParamDescription{how the number of bubbles is adjusted between two rounds}
-    \cgalParamType{`Bubble_population`, but not `OVERLAP_RATIO`}
-    \cgalParamDefault{`DELAUNAY`}
+  \cgalParamNBegin{restart_from}
+    \cgalParamDescription{the path of a checkpoint. No bubbles are placed; the simulation goes on from the file, on any
+                          number of ranks, to the bits that it would have had without the interruption: points, ids
+                          and the counts of the report. Its seconds start from zero. With `exchange_interval()` this
+                          holds on one rank. The domain, the sizing function and the parameters must be those of the
+                          simulation that wrote it, but for `number_of_rounds`, `callback`, `checkpoint`,
+                          `defect_treatment` and `maximum_number_of_bubbles`; with another `number_of_rounds` it is
+                          not the same simulation from here on}
+    \cgalParamType{`std::string`}
+    \cgalParamDefault{the simulation starts anew}
+    \cgalParamExtra{Throws on all ranks, before anything is done: `std::invalid_argument` if the file is no checkpoint,
+                    or of another version or byte order, or was written for another domain, sizing function or
+                    parameter (the message names it), or if no round is left; `std::runtime_error` if it cannot be read,
+                    is truncated or was altered.}
   \cgalParamNEnd
-  \cgalParamNBegin{integrator}
-    \cgalParamDescription{how the equation of motion is integrated}
-    \cgalParamType{`Bubble_integrator`, but not `RUNGE_KUTTA_4`}
-    \cgalParamDefault{`SEMI_IMPLICIT_EULER`}
-  \cgalParamNEnd
-  \cgalParamNBegin{renewal_interval}
-    \cgalParamDescription{steps between two renewals of the neighbour sets}
-    \cgalParamType{an integer, which must be 0}
-    \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
+  \cgalParamNBegin{exchange_interval}
+    \cgalParamDescription{`0`: ranks tell each other after each step where their bubbles are, and the result does not
+                          depend on the number of ranks. `s` > 0: the protocol of the paper, for comparison. Ranks
+                          tell each other every `s` steps, or when all bubbles rest; in between the bubbles of others
+                          stay where they were, and one that moves into another rank's part waits there for the next
+                          exchange. Each rank knows the bubbles within 1.5 max d of its part. Between rounds the population is
+                          controlled as always. Then the result depends on the number of ranks; on one rank it is the
+                          same as with `0`. The more ranks and the larger `s`, the more steps it takes until all
+                          bubbles rest, if they do before the limit}
+    \cgalParamType{a number}
+    \cgalParamDefault{`0`}
+    \cgalParamExtra{Ranks still add up after each step how many bubbles move, so that they stop together.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{is called with the progress, between 0 and 1, at every step. It may be another one on
@@ -116,8 +141,9 @@ same values on all ranks. Those listed below differ from there.
 this rank. After a callback has returned `false` it tells only what was done until then.
 
 \throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a parameter is out of its range,
-or not the same as on others, if there is no domain on one, if the domain is not the same on all, or if there are
-points on one
+or not the same as on others, if there is no domain on one, if the domain is not the same on all, or if a point is not
+finite, not in the domain, or in one place with another; if points are given but no `sizing_function`, or points that
+would not be used beside `restart_from`
 \throws std::length_error on all ranks if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the
 bubbles on them
@@ -144,27 +170,29 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
   auto& report = result.report;
   Phase_timer reading_time(report.seconds.reading);
   const Relaxation_options options = read_same_options(np, ranks, agreement);
+  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value, options);
   Progress progress(options.callback, options.number_of_rounds);
   const Same_domain_2<CDT> same = read_same_domain(domain, np, ranks, agreement);
   const Domain_reading_2<CDT>& reading = *same.reading;
   check_same_vertices(ranks, reading);
   with_same_sizing_field(domain, np, same, options, ranks, agreement, [&](const auto& sizing, const auto& wanted) {
-    Numbered_bubbles_2 bubbles;
-    agreement.reach_after([&] { bubbles = read_bubbles(points, reading.domain, sizing); });
-    refuse_given(ranks, bubbles);
+    Numbered_bubbles_2 given;
+    agreement.reach_after([&] { given = read_bubbles(points, reading.domain, sizing); });
     reading_time.stop();
 
     const Placed_part_2 part = simulate_distributed(ranks, exchange, agreement, domain, reading, sizing, options,
-                                                    progress, report);
+                                                    progress, report, given);
     agreement.reach(); // the callback may have thrown, or d after the last step
     add_up_report(ranks, report);
     if (report.stop_reason == Bubble_stop_reason::STOPPED_BY_CALLBACK)
       return;
-    const Distributed_mesh_2 mesh = treat_distributed(reading, options, part, ranks, agreement, exchange, report);
+    const Distributed_mesh_2 mesh = treat_distributed(reading, sizing, options, given, part, ranks, agreement,
+                                                      exchange, report);
     evaluate_distributed(mesh, wanted, ranks, agreement, report);
 
     Phase_timer writing_time(report.seconds.writing);
     Point_replacement_2<PointSet> replacement(points);
+    Numbered_bubbles_2 bubbles;
     agreement.reach_after([&] { bubbles = own_bubbles(mesh, ranks.rank(), sizing); });
     const Known_bubbles_2 known = with_neighbors(bubbles, part.partition, options.neighbor_radius, ranks, agreement,
                                                  exchange);

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <set>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -94,6 +95,7 @@ TEST(Distributed_faults, parameters_that_are_not_the_same)
   expect("maximum_number_of_bubbles = 90000 on rank 0, but 90001",
          np.maximum_number_of_bubbles(l ? 90001 : 90000));
   expect("renewal_interval = 0 on rank 0, but 10", np.renewal_interval(l ? 10 : 0));
+  expect("exchange_interval = 0 on rank 0, but 10", np.exchange_interval(l ? 10 : 0));
   expect("defect_treatment = true on rank 0, but false", np.defect_treatment(!l));
   expect("limit_by_outline = false on rank 0, but true", np.limit_by_outline(l));
   expect("population_control = DELAUNAY on rank 0, but NONE",
@@ -123,17 +125,6 @@ TEST(Distributed_faults, parameters_out_of_range_on_one_rank)
   expect_failure<std::invalid_argument>("must be positive and finite", c.cdt, parameters::sizing_function(negative));
 }
 
-TEST(Distributed_faults, parameters_for_one_rank)
-{
-  const Case c;
-  const auto np = parameters::sizing_function(c.domain.d);
-  expect_failure<std::invalid_argument>("integrator = RUNGE_KUTTA_4 must be", c.cdt,
-                                        np.integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4));
-  expect_failure<std::invalid_argument>("population_control = OVERLAP_RATIO must be", c.cdt,
-                                        np.population_control(CGAL::Bubble_population::OVERLAP_RATIO));
-  expect_failure<std::invalid_argument>("renewal_interval = 10 must be", c.cdt, np.renewal_interval(10));
-}
-
 TEST(Distributed_faults, domains)
 {
   const Case c;
@@ -149,17 +140,30 @@ TEST(Distributed_faults, domains)
   expect_failure<std::invalid_argument>("not the same vertices on all ranks", is_last() ? with_vertex : c.cdt, np);
 }
 
-TEST(Distributed_faults, points_on_one_rank)
+/// `p` is given on the last rank only
+template <class NamedParameters>
+void expect_point_is_refused(const std::string& message, const Point& p, const NamedParameters& np)
 {
   const Case c;
   Points points;
   if (is_last())
-    points.insert(Point(0.75, 0.75));
-  expect_same_exception<std::invalid_argument>("points has 1 points on all ranks together and must be empty", [&] {
-    CGAL::Distributed::npbs_relax(points, c.cdt, MPI_COMM_WORLD, parameters::sizing_function(c.domain.d));
-  });
+    points.insert(p);
+  expect_same_exception<std::invalid_argument>(
+    message, [&] { CGAL::Distributed::npbs_relax(points, c.cdt, MPI_COMM_WORLD, np); });
   EXPECT_EQ(points.size(), is_last() ? 1u : 0u);
   EXPECT_FALSE(points.has_property_map<double>("size"));
+}
+
+TEST(Distributed_faults, points_on_one_rank)
+{
+  const auto np = parameters::sizing_function(0.2);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_point_is_refused("1 points on all ranks together, but there is no sizing_function", Point(0.75, 0.75),
+                          parameters::mass(1.));
+  expect_point_is_refused("1 points on all ranks together, but the simulation starts from the file", Point(0.75, 0.75),
+                          np.restart_from("some file"));
+  expect_point_is_refused("(100, 0.75) is not in the domain", Point(100, 0.75), np);
+  expect_point_is_refused("must be finite", Point(nan, 0.75), np);
 }
 
 /// d of the domain, which counts how often it is called on the last rank, and fails there once it has been called

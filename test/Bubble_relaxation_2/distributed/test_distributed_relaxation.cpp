@@ -20,8 +20,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <iterator>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
@@ -120,18 +122,24 @@ void expect_consistent(const Part& part, const All_parts& all)
   }
 }
 
-/// One rank of all makes the whole as well.
+/// One rank of all makes the whole as well. `points`: of the ranks, which that one has in its triangulation.
 template <class NamedParameters>
-Part expect_as_one_rank(const paper::CDT& domain, const NamedParameters& np)
+Part expect_as_one_rank(paper::CDT domain, const NamedParameters& np, const std::vector<Point>& points = {})
 {
+  int number_of_ranks = 0;
+  MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
   Part part;
+  int this_rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &this_rank);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (7 * k % 10 % static_cast<std::size_t>(number_of_ranks) == static_cast<std::size_t>(this_rank))
+      part.points.insert(points[k]);
   part.relaxation = CGAL::Distributed::npbs_relax(part.points, domain, MPI_COMM_WORLD, np);
   const All_parts all = gather(part);
   expect_consistent(part, all);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank != 0)
+  if (this_rank != 0)
     return part;
+  domain.insert(points.begin(), points.end());
   paper::CDT mesh = domain;
   expect_equal(part.relaxation.report, CGAL::npbs_relax(mesh, np));
   expect_vertices(all, mesh);
@@ -232,6 +240,62 @@ TEST(Distributed_relaxation, other_starts_and_ends)
   paper::CDT mesh = cdt; // whose free vertices are bubbles to begin with
   CGAL::npbs_relax(mesh, np.number_of_rounds(1));
   expect_as_one_rank(mesh, parameters::sizing_function(0.1));
+}
+
+/// the vertices of a mesh that are no corners of its domain
+std::vector<Point> free_vertices(const paper::CDT& domain, const paper::CDT& mesh)
+{
+  std::vector<Point> result;
+  for (const auto v : mesh.finite_vertex_handles()) {
+    paper::CDT::Locate_type type;
+    int i;
+    domain.locate(v->point(), type, i);
+    if (type != paper::CDT::VERTEX)
+      result.push_back(v->point());
+  }
+  return result;
+}
+
+TEST(Distributed_relaxation, from_given_points)
+{
+  const paper::Domain d = paper::square_with_hole(1.5);
+  const paper::CDT cdt = paper::triangulate(d);
+  paper::CDT mesh = cdt;
+  CGAL::npbs_relax(mesh, parameters::sizing_function(d.d));
+  const std::vector<Point> good = free_vertices(cdt, mesh);
+  for (const double factor : {1., 1.4}) {
+    const auto np = parameters::sizing_function([&](const Point& p) { return factor * d.d(p); });
+    SCOPED_TRACE(factor);
+    expect_as_one_rank(cdt, np, good);
+    // what is given is better than what comes of it
+    expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP), good);
+    expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::FRONTAL), good);
+  }
+}
+
+TEST(Distributed_relaxation, paper_parameters)
+{
+  const paper::Domain d = paper::square_with_hole(1.5);
+  expect_as_one_rank(paper::triangulate(d),
+                     CGAL::npbs_paper_parameters().sizing_function(d.d).number_of_rounds(3).number_of_iterations(40));
+}
+
+TEST(Distributed_relaxation, from_a_checkpoint)
+{
+  const paper::Domain d = paper::square_with_hole(1.5);
+  const paper::CDT cdt = paper::triangulate(d);
+  const auto np = parameters::sizing_function(d.d);
+  const std::string path = "relaxation.checkpoint";
+  Part whole, part;
+  whole.relaxation = CGAL::Distributed::npbs_relax(whole.points, cdt, MPI_COMM_WORLD, np.checkpoint(path, 2));
+  part.relaxation = CGAL::Distributed::npbs_relax(part.points, cdt, MPI_COMM_WORLD, np.restart_from(path));
+  expect_equal(part.relaxation.report, whole.relaxation.report);
+  ASSERT_EQ(part.points.size(), whole.points.size());
+  for (std::size_t i = 0; i < part.points.size(); ++i)
+    EXPECT_EQ(part.points.point(i), whole.points.point(i));
+  EXPECT_EQ(part.relaxation.neighbors, whole.relaxation.neighbors);
+  MPI_Barrier(MPI_COMM_WORLD);
+  std::remove(path.c_str());
 }
 
 TEST(Distributed_relaxation, properties_of_users_stay)

@@ -91,17 +91,22 @@ Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_options&
   return counts;
 }
 
+/// whether a mesh with `after` vertices may be compared with one that has `before`
+inline bool is_about_as_many(std::size_t before, std::size_t after)
+{
+  constexpr double same_number = 0.05;
+  return std::abs(double(after) - double(before)) <= same_number * double(before);
+}
+
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is
 /// larger, treated too, unless d asked for more or fewer bubbles.
 template <class Concurrency_tag, class Cdt, class Sizing>
 void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
                      const Relaxation_options& options, Bubble_mesh_2& mesh, Treatment_counts& counts)
 {
-  constexpr double same_number = 0.05;
   Bubble_mesh_2 given;
   given.bubbles = given_bubbles<Concurrency_tag>(reading, sizing);
-  const double before = double(given.bubbles.size()), after = double(mesh.bubbles.size());
-  if (std::abs(after - before) > same_number * before)
+  if (!is_about_as_many(given.bubbles.size(), mesh.bubbles.size()))
     return;
   given.triangulation = triangulate(reading.domain, given.bubbles);
   if (smallest_quality<Concurrency_tag>(given.triangulation) <=

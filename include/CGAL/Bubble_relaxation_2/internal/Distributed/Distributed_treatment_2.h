@@ -73,6 +73,12 @@ public:
     return counts;
   }
 
+  /// Collective.
+  std::int64_t number_of_bubbles(const Distributed_mesh_2& mesh) const
+  {
+    return m_comm.sum(std::count(mesh.known.owners.begin(), mesh.known.owners.end(), m_comm.rank()));
+  }
+
   /// Collective. The bubbles of a mesh, brought home.
   Numbered_bubbles_2 bubbles(const Distributed_mesh_2& mesh) const
   {
@@ -171,11 +177,6 @@ private:
       counts.deleted = static_cast<std::size_t>(surgery.number_of_deletions);
       return changed;
     }
-  }
-
-  std::int64_t number_of_bubbles(const Distributed_mesh_2& mesh) const
-  {
-    return m_comm.sum(std::count(mesh.known.owners.begin(), mesh.known.owners.end(), m_comm.rank()));
   }
 
   /// brings bubbles to the ranks that own their places, and numbers them without gaps

@@ -91,22 +91,8 @@ inline void check_same_options(const Communicator& comm, const Relaxation_option
     parameter_value("renewal_interval", o.renewal_interval),
     parameter_value("defect_treatment", o.defect_treatment),
     parameter_value("limit_by_outline", o.limit_by_outline),
-    parameter_value("maximum_number_of_bubbles", o.maximum_number_of_bubbles)});
-}
-
-/// \throws std::invalid_argument if an option is one that only one rank has
-inline void check_is_for_ranks(const Relaxation_options& o)
-{
-  const auto refuse = [](const Parameter_value& p, const char* requirement) {
-    throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + p.name + " = " + p.text(p.bits) +
-                                " must be " + requirement + " for the ranks of a communicator");
-  };
-  if (o.integrator != Bubble_integrator::SEMI_IMPLICIT_EULER)
-    refuse(parameter_value("integrator", o.integrator), "SEMI_IMPLICIT_EULER");
-  if (o.population == Bubble_population::OVERLAP_RATIO)
-    refuse(parameter_value("population_control", o.population), "DELAUNAY or NONE");
-  if (o.renewal_interval != 0)
-    refuse(parameter_value("renewal_interval", o.renewal_interval), "0");
+    parameter_value("maximum_number_of_bubbles", o.maximum_number_of_bubbles),
+    parameter_value("exchange_interval", o.exchange_interval)});
 }
 
 } // namespace internal

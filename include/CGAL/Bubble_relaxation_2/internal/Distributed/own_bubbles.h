@@ -22,17 +22,6 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Collective. \throws std::invalid_argument on all ranks if there are bubbles on any
-inline void refuse_given(const Communicator& comm, const Numbered_bubbles_2& given)
-{
-  const std::int64_t n = comm.sum(static_cast<std::int64_t>(given.size()));
-  if (n == 0)
-    return;
-  comm.all_throw();
-  throw std::invalid_argument("Bubble_relaxation_2: parameter points has " + std::to_string(n) +
-                              " points on all ranks together and must be empty");
-}
-
 /// The bubbles of a mesh that a rank owns, in the order of their numbers. d is asked anew where they are: neither
 /// the simulation nor the treatment asks it again for every little displacement.
 template <class Sizing>

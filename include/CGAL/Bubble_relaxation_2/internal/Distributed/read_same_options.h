@@ -42,10 +42,7 @@ Relaxation_options read_same_options(const NamedParameters& np, const Communicat
   Relaxation_options options;
   agreement.reach_after([&] { options = read_options(np); });
   check_same_options(comm, options);
-  agreement.reach_after([&] {
-    check_is_for_ranks(options);
-    options.callback = agreed_callback(options.callback, agreement);
-  });
+  agreement.reach_after([&] { options.callback = agreed_callback(options.callback, agreement); });
   return options;
 }
 
