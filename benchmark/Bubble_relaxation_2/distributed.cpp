@@ -8,10 +8,11 @@
 
 // What several ranks gain, what they hold and send, and what a model makes of that.
 //
-//   mpirun -n 2 --bind-to core distributed speed [--runs 5] [--interval 10] [1192 1e5 1e6]
+//   mpirun -n 2 --bind-to core distributed speed [--runs 5] [--interval 10] [--paper] [1192 1e5 1e6]
 //       seconds of CGAL::Distributed::npbs_relax() on all ranks, and with the paper's protocol and so many steps
 //       between exchanges (0: without), against those of CGAL::npbs_relax() on one, with so many vertices; whether
-//       the meshes are the same
+//       the meshes are the same. With the defaults, or all with the paper's parameters, as in its example of a ring:
+//       distributed speed --paper --interval 50 1192
 //   mpirun -n 64 distributed counts [--interval 10] [1e5]
 //       bubbles, ghosts, neighbours, messages and bytes of a rank, on 2, 4, 8, 16, 64 of the ranks, whose number may
 //       be larger than that of cores; and from them a model of the efficiency on up to 1e5 ranks
@@ -37,6 +38,7 @@ struct Arguments
 {
   std::string command;
   int runs = 5, interval = 10; // a round has 30 steps at most
+  bool is_paper = false;
   std::vector<double> sizes;
 };
 
@@ -49,8 +51,12 @@ int compare_speed(const Arguments& arguments)
   compare.print_header();
   bool is_equal = true;
   for (double n : arguments.sizes)
-    for (Domain_maker make : domains)
-      is_equal = compare(domain_of_all(make, n)) && is_equal;
+    for (Domain_maker make : domains) {
+      const paper::Domain d = domain_of_all(make, n);
+      const auto papers = CGAL::npbs_paper_parameters().number_of_iterations(d.iterations).number_of_rounds(d.rounds);
+      const bool is_same = arguments.is_paper ? compare(d, papers) : compare(d, P::force_coefficient(1.));
+      is_equal = is_equal && is_same;
+    }
   return is_equal ? 0 : 1;
 }
 
@@ -122,6 +128,10 @@ Arguments read_arguments(int argc, char** argv)
   bool is_understood = is_speed || arguments.command == "counts";
   for (int i = 2; i < argc; ++i) {
     const std::string option = argv[i];
+    if (is_speed && option == "--paper") {
+      arguments.is_paper = true;
+      continue;
+    }
     const bool is_option = option == "--runs" || option == "--interval";
     const double value = std::atof(is_option ? argv[i + 1 < argc ? ++i : i] : argv[i]);
     is_understood = is_understood && value >= (option == "--runs" ? 1 : is_option ? 0 : 100);
@@ -133,7 +143,7 @@ Arguments read_arguments(int argc, char** argv)
       arguments.sizes.push_back(value);
   }
   if (!is_understood || (!is_speed && arguments.sizes.size() > 1))
-    throw std::invalid_argument("usage: distributed speed [--runs N] [--interval S] [VERTICES ...], or "
+    throw std::invalid_argument("usage: distributed speed [--runs N] [--interval S] [--paper] [VERTICES ...], or "
                                 "distributed counts [--interval S] [VERTICES]");
   if (arguments.sizes.empty())
     arguments.sizes = is_speed ? std::vector<double>{1192, 1e5, 1e6} : std::vector<double>{1e5};
@@ -143,8 +153,8 @@ Arguments read_arguments(int argc, char** argv)
 int run(const Mpi_session& session, int argc, char** argv)
 {
   const Arguments arguments = read_arguments(argc, argv);
-  if (session.number_of_ranks() < 2)
-    throw std::invalid_argument("needs at least two ranks");
+  if (arguments.command == "counts" && session.number_of_ranks() < 2)
+    throw std::invalid_argument("counts needs at least two ranks");
   if (session.is_first())
     std::cout << "load " << load_average() << '\n';
   if (arguments.command == "speed")

@@ -82,7 +82,8 @@ inline void print_header_of_counts()
 {
   std::cout << std::fixed << std::left << std::setw(8) << "domain" << std::setw(18) << "exchange" << std::right
             << std::setw(6) << "ranks" << std::setw(7) << "steps" << std::setw(18) << "bubbles mean/max"
-            << std::setw(11) << "imbalance" << std::setw(10) << "of moves" << std::setw(16) << "ghosts" << std::setw(14) << "neighbours"
+            << std::setw(11) << "imbalance" << std::setw(10) << "of moves" << std::setw(16) << "ghosts"
+            << std::setw(14) << "neighbours"
             << std::setw(10) << "messages" << std::setw(9) << "kB" << std::setw(9) << "waits" << '\n';
 }
 

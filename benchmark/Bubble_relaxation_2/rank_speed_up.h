@@ -49,12 +49,13 @@ public:
   }
 
   /// \returns whether the ranks make what one makes
-  bool operator()(const paper::Domain& domain) const
+  template <class NamedParameters>
+  bool operator()(const paper::Domain& domain, const NamedParameters& parameters) const
   {
-    const auto np = CGAL::parameters::sizing_function(domain.d);
+    const auto np = parameters.sizing_function(domain.d);
     Run sequential, all, papers;
     for (int i = 0; i < m_number_of_runs; ++i) {
-      keep_faster(run_alone(domain), sequential, i);
+      keep_faster(run_alone(domain, np), sequential, i);
       keep_faster(run_by_all(domain, np), all, i);
       if (m_interval > 0)
         keep_faster(run_by_all(domain, np.exchange_interval(m_interval)), papers, i);
@@ -87,13 +88,14 @@ private:
       fastest = std::move(run);
   }
 
-  static Run run_alone(const paper::Domain& domain)
+  template <class NamedParameters>
+  static Run run_alone(const paper::Domain& domain, const NamedParameters& np)
   {
     Run run;
     on_first_rank([&] {
       paper::CDT cdt = paper::triangulate(domain);
       const double start = MPI_Wtime();
-      run.report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(domain.d));
+      run.report = CGAL::npbs_relax(cdt, np);
       run.seconds = MPI_Wtime() - start;
     });
     MPI_Bcast(&run.seconds, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);

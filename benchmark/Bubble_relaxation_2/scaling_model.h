@@ -45,8 +45,9 @@ public:
               << " us, bandwidth " << bytes_per_second / 1e9 << " GB/s for each " << ranks_of_node
               << " ranks, and no overlap; nothing is measured but counts and the time of a move, here in us\n"
               << std::left << std::setw(8) << "domain" << std::right << std::setw(9) << "N" << std::setw(9) << "ranks"
-              << std::setw(10) << "bubbles" << std::setw(8) << "a move" << std::setw(13) << "compute, us" << std::setw(9) << "ghosts"
-              << std::setw(13) << "messages, us" << std::setw(11) << "bytes, us" << std::setw(15) << "reduction, us"
+              << std::setw(10) << "bubbles" << std::setw(8) << "a move" << std::setw(13) << "compute, us"
+              << std::setw(9) << "ghosts" << std::setw(13) << "messages, us" << std::setw(11) << "bytes, us"
+              << std::setw(15) << "reduction, us"
               << std::setw(12) << "efficiency" << std::setw(13) << "unbalanced\n";
   }
 
