@@ -30,7 +30,6 @@
 
 #include <mpi.h>
 
-#include <stdexcept>
 
 namespace CGAL {
 namespace Distributed {
@@ -160,8 +159,6 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  if (comm == MPI_COMM_NULL)
-    throw std::invalid_argument("Bubble_relaxation_2: the communicator is MPI_COMM_NULL");
   const Communicator ranks(comm);
   Agreement agreement(ranks);
   Sparse_exchange exchange(ranks);

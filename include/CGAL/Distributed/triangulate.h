@@ -25,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL {
@@ -109,8 +108,6 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
                  const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  if (comm == MPI_COMM_NULL)
-    throw std::invalid_argument("Bubble_relaxation_2: the communicator is MPI_COMM_NULL");
   const Communicator ranks(comm);
   Agreement agreement(ranks);
   Sparse_exchange exchange(ranks);

@@ -10,6 +10,7 @@
 // from the vertices of the domain's triangulation, and as in the paper
 
 #include "bubbles.h"
+#include "equal_bubbles.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
 
@@ -88,17 +89,6 @@ Relaxation_options options_with(bool is_given, Bubble_placement placement)
   options.placement_is_given = is_given;
   options.placement = placement;
   return options;
-}
-
-void expect_equal(const Bubble_record_2& a, const Bubble_record_2& b)
-{
-  EXPECT_EQ(a.x, b.x);
-  EXPECT_EQ(a.y, b.y);
-  EXPECT_EQ(a.d, b.d);
-  EXPECT_EQ(a.s, b.s);
-  EXPECT_EQ(a.place, b.place);
-  EXPECT_EQ(a.tag, b.tag);
-  EXPECT_EQ(a.dimension, b.dimension);
 }
 
 void expect_parts_make_the_whole(const Ranks& ranks, const Placed_part_2& placed, const Bubbles_2& whole)

@@ -9,6 +9,7 @@
 // what ranks place and simulate together is what one places and simulates
 
 #include "bubbles.h"
+#include "equal_bubbles.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
@@ -55,17 +56,6 @@ Result simulate(Ranks& ranks, const paper::Domain& domain, const Size& size, con
                                        options, second, result.of_part);
   });
   return result;
-}
-
-void expect_equal(const Bubble_record_2& a, const Bubble_record_2& b)
-{
-  EXPECT_EQ(a.x, b.x);
-  EXPECT_EQ(a.y, b.y);
-  EXPECT_EQ(a.d, b.d);
-  EXPECT_EQ(a.s, b.s);
-  EXPECT_EQ(a.place, b.place);
-  EXPECT_EQ(a.tag, b.tag);
-  EXPECT_EQ(a.dimension, b.dimension);
 }
 
 void expect_parts_make_the_whole(Ranks& ranks, const Result& result)

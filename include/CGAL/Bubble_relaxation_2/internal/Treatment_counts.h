@@ -27,6 +27,14 @@ struct Treatment_counts
     deleted += c.deleted;
     return *this;
   }
+
+  template <class Report>
+  void add_to(Report& report) const
+  {
+    report.number_of_treated_vertices += treated;
+    report.number_of_insertions += inserted;
+    report.number_of_deletions += deleted;
+  }
 };
 
 /// Triangles with less than the first are operated on at first, and so on: angles of 38 degrees and less are in

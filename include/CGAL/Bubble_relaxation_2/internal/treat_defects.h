@@ -137,9 +137,7 @@ Bubble_mesh_2 make_mesh(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
   Treatment_counts counts = treat_defects<Concurrency_tag>(reading.domain, options, mesh);
   if (keeps_given_bubbles(options))
     keep_the_better<Concurrency_tag>(reading, sizing, options, mesh, counts);
-  report.number_of_treated_vertices = counts.treated;
-  report.number_of_insertions += counts.inserted;
-  report.number_of_deletions += counts.deleted;
+  counts.add_to(report);
   return mesh;
 }
 

@@ -46,9 +46,12 @@ inline void check_mpi(int result)
 class Communicator
 {
 public:
-  /// collective
+  /// Collective.
+  /// \throws std::invalid_argument if there is no communicator
   explicit Communicator(MPI_Comm users)
   {
+    if (users == MPI_COMM_NULL)
+      throw std::invalid_argument("Bubble_relaxation_2: the communicator is MPI_COMM_NULL");
     check_mpi(MPI_Comm_dup(users, &m_comm));
     MPI_Comm_set_errhandler(m_comm, MPI_ERRORS_RETURN);
     MPI_Comm_rank(m_comm, &m_rank);

@@ -58,9 +58,7 @@ Distributed_mesh_2 treat_distributed(const Domain_reading_2<Cdt>& reading, const
   Treatment_counts counts = treat(mesh, may_operate);
   if (keeps_given_bubbles(options))
     keep_the_better_of_all(reading, sizing, points, may_operate, comm, agreement, exchange, mesh, counts);
-  report.number_of_treated_vertices = counts.treated;
-  report.number_of_insertions += counts.inserted;
-  report.number_of_deletions += counts.deleted;
+  counts.add_to(report);
   return mesh;
 }
 
