@@ -108,12 +108,10 @@ inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
   }
 }
 
-/// Removes bubbles that cannot be told apart in the triangulation: those above, and of those in one place all
-/// but one of the lowest dimension.
+/// Of bubbles in one place removes all but one of the lowest dimension.
 template <class Concurrency_tag = Sequential_tag>
-void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+void remove_those_in_one_place(Bubbles_2& b)
 {
-  remove_crowded_on_edges(domain, b);
   struct Place
   {
     double x, y;
@@ -133,6 +131,14 @@ void remove_coincident(const Domain_2& domain, Bubbles_2& b)
       b.remove(places[k].i);
     else
       last = k;
+}
+
+/// Removes bubbles that cannot be told apart in the triangulation: those above.
+template <class Concurrency_tag = Sequential_tag>
+void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+{
+  remove_crowded_on_edges(domain, b);
+  remove_those_in_one_place<Concurrency_tag>(b);
   b.forget_gone();
 }
 

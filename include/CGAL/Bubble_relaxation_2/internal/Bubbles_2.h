@@ -88,15 +88,22 @@ struct Bubbles_2
   /// deletes a bubble; the others keep their indices until `forget_gone()`
   void remove(std::size_t i) { dimension[i] = GONE; }
 
-  void forget_gone()
+  /// those that are not deleted
+  std::vector<Index> left() const
   {
-    std::vector<Index> left;
-    left.reserve(size());
+    std::vector<Index> result;
+    result.reserve(size());
     for (std::size_t i = 0; i < size(); ++i)
       if (!is_gone(i))
-        left.push_back(static_cast<Index>(i));
-    if (left.size() < size())
-      select(left);
+        result.push_back(static_cast<Index>(i));
+    return result;
+  }
+
+  void forget_gone()
+  {
+    const std::vector<Index> those = left();
+    if (those.size() < size())
+      select(those);
   }
 
   /// keeps the bubbles `order[0], order[1], …` in this order and forgets the others
@@ -113,9 +120,14 @@ struct Bubbles_2
       select(is_foreign, order);
   }
 
-  void stop(std::size_t i) { vx[i] = vy[i] = 0; }
+  /// all are here now
+  void forget_parts()
+  {
+    number.clear();
+    is_foreign.clear();
+  }
 
-private:
+  /// the same, of what is known of bubbles beside this
   template <class T>
   static void select(std::vector<T>& array, const std::vector<Index>& order)
   {
@@ -125,6 +137,8 @@ private:
       selected.push_back(array[i]);
     array.swap(selected);
   }
+
+  void stop(std::size_t i) { vx[i] = vy[i] = 0; }
 };
 
 } // namespace internal

@@ -83,10 +83,11 @@ public:
   Numbered_bubbles_2 bubbles(const Distributed_mesh_2& mesh) const
   {
     Numbered_bubbles_2 own;
+    own.make_room_for(mesh.known.size());
     for (std::size_t i = 0; i < mesh.known.size(); ++i)
       if (mesh.known.owners[i] == m_comm.rank())
         own.add(record(mesh.known.bubbles, i, mesh.known.numbers[i]));
-    return at_home(own);
+    return at_home(std::move(own));
   }
 
 private:
@@ -149,12 +150,12 @@ private:
       if (smallest >= bad_quality)
         break;
       Treatment_counts changes;
-      const Numbered_bubbles_2 changed_bubbles = operate_once(mesh, bad_quality, changes);
+      Numbered_bubbles_2 changed_bubbles = operate_once(mesh, bad_quality, changes);
       if (changes.inserted + changes.deleted == 0)
         break;
       // rounding can make a mess of a change; then what was there is good
       Distributed_mesh_2 changed;
-      const bool is_valid = try_to_triangulate(at_home(changed_bubbles), changed);
+      const bool is_valid = try_to_triangulate(at_home(std::move(changed_bubbles)), changed);
       double smallest_now = is_valid ? smallest_quality(changed) : 0.;
       changes.treated = is_valid ? smooth(changed, smallest_now) : 0;
       if (!is_valid || smallest_now < smallest)
@@ -174,7 +175,7 @@ private:
       Distributed_surgery_2 surgery(m_domain, piece, m_partition, m_comm, m_agreement, m_exchange);
       if (!surgery.find_patches(bad_quality, most_operations(static_cast<std::size_t>(end))))
         continue;
-      const Numbered_bubbles_2 changed = surgery.operate(end);
+      Numbered_bubbles_2 changed = surgery.operate(end);
       counts.inserted = static_cast<std::size_t>(surgery.number_of_insertions);
       counts.deleted = static_cast<std::size_t>(surgery.number_of_deletions);
       return changed;
@@ -182,17 +183,14 @@ private:
   }
 
   /// brings bubbles to the ranks that own their places, and numbers them without gaps
-  Numbered_bubbles_2 at_home(const Numbered_bubbles_2& bubbles) const
+  Numbered_bubbles_2 at_home(Numbered_bubbles_2 bubbles) const
   {
-    std::vector<Keyed_record_2> records;
-    std::int64_t last = -1;
-    for (std::size_t i = 0; i < bubbles.size(); ++i) {
-      const Bubble_record_2 r = record(bubbles.bubbles, i, bubbles.numbers[i]);
-      records.push_back(Keyed_record_2{m_partition.curve().key(r.x, r.y), r});
-      last = (std::max)(last, r.number);
-    }
-    return number_without_gaps(m_comm, m_exchange, m_comm.largest(last) + 1,
-                               bring_home(m_partition, m_exchange, m_comm.rank(), records));
+    const std::vector<std::int64_t>& numbers = bubbles.numbers;
+    const std::int64_t last = numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
+    const std::int64_t end = m_comm.largest(last) + 1;
+    Numbered_bubbles_2 home = bring_home(m_partition, m_exchange, m_comm.rank(), std::move(bubbles));
+    compact_numbers(m_comm, m_exchange, end, home.numbers);
+    return home;
   }
 
   /// on all ranks or on none

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Boundary_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Traffic_2.h>
@@ -19,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -56,6 +57,7 @@ public:
   void start(const Hilbert_partition_2& partition, double width = 0)
   {
     m_partition = &partition;
+    m_clearance.emplace(partition, m_comm.rank());
     m_width = width;
     m_places.clear();
     m_holders.clear();
@@ -73,7 +75,7 @@ public:
     m_is_at_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
     if (owner == m_comm.rank())
-      find_clearance(b, i, i > 0 && m_owner[i - 1] == owner ? i - 1 : no_index);
+      find_clearance(b, i);
     else {
       m_received[owner].push_back(i);
       ++m_number_of_changes;
@@ -186,33 +188,12 @@ private:
     double x, y, home_x, home_y, clearance, most_moved, largest_disc;
   };
 
-  /// so many times the reach are tried at first, which helps those that come after; then so many
-  static constexpr double look_ahead = 4, look_ahead_at_least = 1.2;
-
   /// how far away the ranks are that get to know a bubble of ours
   double reach_of(const Bubbles_2& b, Index i) const { return m_width > 0 ? m_width : reach * b.d[i]; }
 
-  /// how far a bubble of ours is from other ranks' parts: by one beside it, or by asking
-  void find_clearance(const Bubbles_2& b, Index i, Index beside)
+  void find_clearance(const Bubbles_2& b, Index i)
   {
-    Place& p = m_places[i];
-    const double far = reach_of(b, i);
-    p.clearance = 0;
-    if (beside != no_index) {
-      const Place& q = m_places[beside];
-      p.clearance = (std::max)(0., (1 - 1e-9) * q.clearance - std::hypot(b.x[i] - q.x, b.y[i] - q.y));
-    }
-    if (m_comm.size() == 1)
-      p.clearance = std::numeric_limits<double>::infinity();
-    else if (p.clearance < far)
-      p.clearance = is_clear(b, i, look_ahead * far)            ? look_ahead * far
-                    : is_clear(b, i, look_ahead_at_least * far) ? look_ahead_at_least * far
-                                                                : 0;
-  }
-
-  bool is_clear(const Bubbles_2& b, Index i, double radius) const
-  {
-    return m_partition->owners_in_disc(b.x[i], b.y[i], radius) == Ranks(1, m_comm.rank());
+    m_places[i].clearance = (*m_clearance)(b.x[i], b.y[i], reach_of(b, i));
   }
 
   void set_limits(const Bubbles_2& b, Index i)
@@ -233,7 +214,7 @@ private:
     p.y = b.y[i];
     const bool is_ours = m_owner[i] == m_comm.rank();
     if (is_ours)
-      find_clearance(b, i, no_index);
+      find_clearance(b, i);
     set_limits(b, i);
     if (is_ours)
       tell_of(b, i, finder, state, out);
@@ -295,6 +276,7 @@ private:
   Sparse_exchange& m_exchange;
   Traffic_2& m_traffic;
   const Hilbert_partition_2* m_partition = nullptr;
+  std::optional<Clearance_2> m_clearance;
   double m_width = 0; // of all, or 0
   std::vector<int> m_owner; // of each bubble
   std::vector<char> m_is_at_border;

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -52,28 +51,27 @@ struct Known_bubbles_2
     owners.push_back(owner);
   }
 
+  /// makes room for `n` more
+  void make_room_for(std::size_t n)
+  {
+    bubbles.make_room_for(n);
+    internal::make_room_for(n, numbers);
+    internal::make_room_for(n, owners);
+  }
+
   void sort()
   {
-    if (std::is_sorted(numbers.begin(), numbers.end()))
-      return;
-    std::vector<Index> order(size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::sort(order.begin(), order.end(), [this](Index i, Index j) { return numbers[i] < numbers[j]; });
-    select(order);
+    const std::vector<Index> order = ascending_order(numbers);
+    if (!order.empty())
+      select(order);
   }
 
   /// keeps the bubbles `order[0], order[1], …` in this order and forgets the others
   void select(const std::vector<Index>& order)
   {
     bubbles.select(order);
-    std::vector<std::int64_t> selected_numbers;
-    std::vector<std::int32_t> selected_owners;
-    for (Index i : order) {
-      selected_numbers.push_back(numbers[i]);
-      selected_owners.push_back(owners[i]);
-    }
-    numbers.swap(selected_numbers);
-    owners.swap(selected_owners);
+    Bubbles_2::select(numbers, order);
+    Bubbles_2::select(owners, order);
   }
 };
 

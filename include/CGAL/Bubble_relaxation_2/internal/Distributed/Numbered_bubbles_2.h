@@ -11,8 +11,10 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -42,6 +44,22 @@ inline void add(Bubbles_2& bubbles, const Bubble_record_2& r)
   bubbles.vy.back() = r.vy;
 }
 
+/// The order in which numbers ascend, if they do not yet. Mostly few were added to those that do.
+inline std::vector<Index> ascending_order(const std::vector<std::int64_t>& numbers)
+{
+  std::vector<Index> order;
+  const auto sorted_end = std::is_sorted_until(numbers.begin(), numbers.end());
+  if (sorted_end == numbers.end())
+    return order;
+  order.resize(numbers.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  const auto middle = order.begin() + (sorted_end - numbers.begin());
+  const auto is_before = [&numbers](Index i, Index j) { return numbers[i] < numbers[j]; };
+  std::sort(middle, order.end(), is_before);
+  std::inplace_merge(order.begin(), middle, order.end(), is_before);
+  return order;
+}
+
 /// Bubbles of one rank, and their places in the sequence of the bubbles of all ranks, which one rank alone would
 /// hold.
 struct Numbered_bubbles_2
@@ -55,6 +73,33 @@ struct Numbered_bubbles_2
   {
     internal::add(bubbles, r);
     numbers.push_back(r.number);
+  }
+
+  void make_room_for(std::size_t n)
+  {
+    bubbles.make_room_for(n);
+    internal::make_room_for(n, numbers);
+  }
+
+  void sort()
+  {
+    const std::vector<Index> order = ascending_order(numbers);
+    if (!order.empty())
+      select(order);
+  }
+
+  void forget_gone()
+  {
+    const std::vector<Index> left = bubbles.left();
+    if (left.size() < size())
+      select(left);
+  }
+
+  /// keeps the bubbles `order[0], order[1], …` in this order and forgets the others
+  void select(const std::vector<Index>& order)
+  {
+    bubbles.select(order);
+    Bubbles_2::select(numbers, order);
   }
 };
 

@@ -10,12 +10,10 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_COMPACT_NUMBERS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,9 +41,14 @@ inline void compact_numbers(const Communicator& comm, Sparse_exchange& exchange,
     all.insert(all.end(), message.second.begin(), message.second.end());
   std::sort(all.begin(), all.end());
   const std::int64_t before = comm.sum_before(static_cast<std::int64_t>(all.size()));
-  for (const auto& message : in)
-    for (std::int64_t number : message.second)
-      replies[message.first].push_back(before + (std::lower_bound(all.begin(), all.end(), number) - all.begin()));
+  for (const auto& message : in) {
+    auto place = all.begin();
+    for (std::int64_t number : message.second) {
+      while (*place != number)
+        ++place;
+      replies[message.first].push_back(before + (place - all.begin()));
+    }
+  }
   Messages<std::int64_t> answers;
   for (const auto& message : out)
     answers[message.first].resize(message.second.size());
@@ -53,26 +56,6 @@ inline void compact_numbers(const Communicator& comm, Sparse_exchange& exchange,
   numbers.clear();
   for (const auto& message : answers)
     numbers.insert(numbers.end(), message.second.begin(), message.second.end());
-}
-
-/// The bubbles of a rank in the order of their numbers, which are less than `end`, with numbers without gaps.
-/// Collective.
-inline Numbered_bubbles_2 number_without_gaps(const Communicator& comm, Sparse_exchange& exchange, std::int64_t end,
-                                              std::vector<Keyed_record_2> records)
-{
-  std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
-    return r.bubble.number < s.bubble.number;
-  });
-  std::vector<std::int64_t> numbers;
-  for (const Keyed_record_2& r : records)
-    numbers.push_back(r.bubble.number);
-  compact_numbers(comm, exchange, end, numbers);
-  for (std::size_t k = 0; k < records.size(); ++k)
-    records[k].bubble.number = numbers[k];
-  Numbered_bubbles_2 result;
-  for (const Keyed_record_2& r : records)
-    result.add(r.bubble);
-  return result;
 }
 
 } // namespace internal

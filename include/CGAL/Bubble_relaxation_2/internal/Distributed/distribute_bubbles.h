@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTE_BUBBLES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTE_BUBBLES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
@@ -18,7 +19,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,12 +41,29 @@ struct Keyed_record_2
   }
 };
 
+/// sorts large records, each of which is moved once only
+template <class Record>
+void sort_large(std::vector<Record>& records)
+{
+  if (std::is_sorted(records.begin(), records.end()))
+    return;
+  std::vector<std::size_t> order(records.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return records[i] < records[j]; });
+  std::vector<Record> sorted;
+  sorted.reserve(records.size());
+  for (std::size_t i : order)
+    sorted.push_back(records[i]);
+  records.swap(sorted);
+}
+
 /// brings each bubble, with its key, to the rank that owns its place, sorted along the curve
 template <class Keyed_record>
 std::vector<Keyed_record> bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
                                      const std::vector<Keyed_record>& records)
 {
   std::vector<Keyed_record> home;
+  home.reserve(records.size());
   Messages<Keyed_record> out;
   for (const Keyed_record& r : records) {
     const int owner = partition.owner(r.key);
@@ -54,8 +74,33 @@ std::vector<Keyed_record> bring_home(const Hilbert_partition_2& partition, Spars
   }
   for (const auto& message : exchange(out))
     home.insert(home.end(), message.second.begin(), message.second.end());
-  std::sort(home.begin(), home.end());
+  sort_large(home);
   return home;
+}
+
+/// brings each bubble to the rank that owns its place, in the order of their numbers
+inline Numbered_bubbles_2 bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
+                                     Numbered_bubbles_2 bubbles)
+{
+  const Bubbles_2& b = bubbles.bubbles;
+  std::vector<Index> home;
+  home.reserve(b.size());
+  Messages<Bubble_record_2> out;
+  Clearance_2 clearance(partition, rank);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const int owner = clearance(b.x[i], b.y[i], b.d[i]) > 0 ? rank : partition.owner(b.x[i], b.y[i]);
+    if (owner == rank)
+      home.push_back(static_cast<Index>(i));
+    else
+      out[owner].push_back(record(b, i, bubbles.numbers[i]));
+  }
+  if (home.size() < b.size())
+    bubbles.select(home);
+  for (const auto& message : exchange(out))
+    for (const Bubble_record_2& r : message.second)
+      bubbles.add(r);
+  bubbles.sort();
+  return bubbles;
 }
 
 /// cuts the curve so that all ranks own equally many of the bubbles, whichever rank has them now
@@ -63,6 +108,7 @@ inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilber
                                           const std::vector<Keyed_record_2>& records)
 {
   std::vector<Hilbert_curve_2::Key> keys;
+  keys.reserve(records.size());
   for (const Keyed_record_2& r : records)
     keys.push_back(r.key);
   std::sort(keys.begin(), keys.end());
@@ -85,7 +131,7 @@ inline Numbered_bubbles_2 number_along_curve(const Communicator& comm, const std
 {
   std::int64_t number = comm.sum_before(static_cast<std::int64_t>(records.size()));
   Numbered_bubbles_2 result;
-  result.bubbles.make_room_for(records.size());
+  result.make_room_for(records.size());
   for (Keyed_record_2 r : records) {
     r.bubble.number = number++;
     result.add(r.bubble);

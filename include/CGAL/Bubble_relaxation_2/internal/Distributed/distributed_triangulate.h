@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubble_answers_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
@@ -102,8 +103,12 @@ private:
     m_agreement.reach_after([&] {
       const Bubbles_2& b = m_own.bubbles;
       m_free_radius.assign(m_own.size(), 0);
+      Clearance_2 clearance(m_partition, m_comm.rank());
       for (std::size_t i = 0; i < m_own.size(); ++i) {
         const double radius = reach * b.d[i];
+        m_free_radius[i] = clearance(b.x[i], b.y[i], radius);
+        if (m_free_radius[i] > 0)
+          continue;
         const auto ranks = m_partition.owners_in_disc(b.x[i], b.y[i], radius);
         if (ranks.size() == 1 && ranks.front() == m_comm.rank())
           m_free_radius[i] = radius;

@@ -29,6 +29,7 @@ Numbered_bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank, const S
 {
   const Known_bubbles_2& known = mesh.known;
   Numbered_bubbles_2 result;
+  result.make_room_for(known.size());
   for (std::size_t i = 0; i < known.size(); ++i)
     if (known.owners[i] == rank) {
       result.add(record(known.bubbles, i, known.numbers[i]));

@@ -40,17 +40,21 @@ inline void remove_crowded_of_ours(const Domain_2& domain, const Population_team
 
 /// The bubbles that are left, each on the rank that owns its place and numbered from 0 on.
 inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exchange& exchange,
-                                           const Hilbert_partition_2& partition, std::int64_t end,
-                                           const Bubbles_2& bubbles)
+                                           const Hilbert_partition_2& partition, std::int64_t end, Bubbles_2 bubbles)
 {
-  std::vector<Keyed_record_2> records;
+  std::vector<Index> left;
+  left.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-      records.push_back(Keyed_record_2{partition.curve().key(bubbles.x[i], bubbles.y[i]),
-                                       record(bubbles, i, bubbles.number[i])});
-  records = bring_home(partition, exchange, comm.rank(), records);
-  forget_coincident(records);
-  return Placed_part_2{number_without_gaps(comm, exchange, end, std::move(records)), partition};
+      left.push_back(static_cast<Index>(i));
+  bubbles.select(left);
+  std::vector<std::int64_t> numbers = std::move(bubbles.number);
+  bubbles.forget_parts();
+  Numbered_bubbles_2 home = bring_home(partition, exchange, comm.rank(), {std::move(bubbles), std::move(numbers)});
+  remove_those_in_one_place(home.bubbles);
+  home.forget_gone();
+  compact_numbers(comm, exchange, end, home.numbers);
+  return Placed_part_2{std::move(home), partition};
 }
 
 /// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
@@ -68,6 +72,7 @@ std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchan
     return static_cast<std::size_t>(restart.header.initial_bubbles);
   }
   const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options, points);
+  bubbles.make_room_for(part.bubbles.size());
   for (std::size_t i = 0; i < part.bubbles.size(); ++i)
     add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
   team.start(part);
@@ -101,7 +106,8 @@ Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& ex
   if (traffic)
     *traffic = team.traffic();
   remove_crowded_of_ours(reading.domain, team.population(), bubbles);
-  return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(), bubbles);
+  return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(),
+                               std::move(bubbles));
 }
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WIDEN_MESH_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
@@ -89,49 +90,77 @@ private:
 
   bool is_own(Index v) const { return m_mesh.known.owners[v] == m_comm.rank(); }
 
-  /// the other ranks that have to know each own bubble
+  /// an own bubble that other ranks have to know
+  struct Border_bubble
+  {
+    Index index;
+    Hilbert_partition_2::Ranks takers;
+  };
+
   void find_takers(double reach)
   {
     const Bubbles_2& b = m_mesh.known.bubbles;
-    m_takers.resize(m_mesh.known.size());
+    m_position.assign(m_mesh.known.size(), no_index);
+    Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < m_mesh.known.size(); ++i)
-      if (is_own(static_cast<Index>(i)))
+      if (is_own(static_cast<Index>(i)) && clearance(b.x[i], b.y[i], reach * b.d[i]) == 0)
         for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
           add_taker(static_cast<Index>(i), rank);
     for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
       if (m_mesh.is_final[t])
-        for (Index v : m_mesh.triangulation.tr.vertices[t])
-          for (Index w : m_mesh.triangulation.tr.vertices[t])
-            if (is_own(v) && !is_own(w))
-              add_taker(v, m_mesh.known.owners[w]);
+        find_takers_beside(m_mesh.triangulation.tr.vertices[t]);
+    std::sort(m_border.begin(), m_border.end(),
+              [](const Border_bubble& c, const Border_bubble& d) { return c.index < d.index; });
+    for (std::size_t k = 0; k < m_border.size(); ++k)
+      m_position[m_border[k].index] = static_cast<Index>(k);
+  }
+
+  /// own vertices of a triangle with others
+  void find_takers_beside(const std::array<Index, 3>& vertices)
+  {
+    const std::vector<std::int32_t>& owners = m_mesh.known.owners;
+    if (owners[vertices[0]] == owners[vertices[1]] && owners[vertices[0]] == owners[vertices[2]])
+      return;
+    for (Index v : vertices)
+      for (Index w : vertices)
+        if (is_own(v) && !is_own(w))
+          add_taker(v, owners[w]);
   }
 
   void add_taker(Index i, int rank)
   {
-    Hilbert_partition_2::Ranks& takers = m_takers[i];
-    if (rank != m_comm.rank() && std::find(takers.begin(), takers.end(), rank) == takers.end())
+    if (rank == m_comm.rank())
+      return;
+    if (m_position[i] == no_index) {
+      m_position[i] = static_cast<Index>(m_border.size());
+      m_border.push_back(Border_bubble{i, {}});
+    }
+    Hilbert_partition_2::Ranks& takers = m_border[m_position[i]].takers;
+    if (std::find(takers.begin(), takers.end(), rank) == takers.end())
       takers.push_back(rank);
   }
 
   void tell(Messages<Bubble_record_2>& bubbles, Messages<Triangle>& triangles) const
   {
     const Known_bubbles_2& known = m_mesh.known;
-    for (std::size_t i = 0; i < known.size(); ++i)
-      for (int rank : m_takers[i])
-        bubbles[rank].push_back(record(known.bubbles, i, known.numbers[i]));
-    for (std::size_t t = 0; t < m_mesh.is_owned.size(); ++t)
-      if (m_mesh.is_owned[t])
-        for (int rank : m_takers[m_mesh.first_vertex(t)]) {
-          const std::array<Index, 3>& v = m_mesh.triangulation.tr.vertices[t];
-          triangles[rank].push_back(
-            Triangle{{known.numbers[v[0]], known.numbers[v[1]], known.numbers[v[2]]},
-                     m_mesh.triangulation.edges[t]});
-        }
+    for (const Border_bubble& b : m_border)
+      for (int rank : b.takers)
+        bubbles[rank].push_back(record(known.bubbles, static_cast<std::size_t>(b.index), known.numbers[b.index]));
+    for (std::size_t t = 0; t < m_mesh.is_owned.size(); ++t) {
+      const Index position = m_mesh.is_owned[t] ? m_position[m_mesh.first_vertex(t)] : no_index;
+      if (position == no_index)
+        continue;
+      const std::array<Index, 3>& v = m_mesh.triangulation.tr.vertices[t];
+      for (int rank : m_border[position].takers)
+        triangles[rank].push_back(Triangle{{known.numbers[v[0]], known.numbers[v[1]], known.numbers[v[2]]},
+                                           m_mesh.triangulation.edges[t]});
+    }
   }
 
   void collect_bubbles(const Messages<Bubble_record_2>& sent, const Messages<Bubble_record_2>& received)
   {
     Known_bubbles_2& known = m_piece.mesh.known;
+    known.make_room_for(m_mesh.known.size());
     for (std::size_t i = 0; i < m_mesh.known.size(); ++i)
       if (is_own(static_cast<Index>(i)))
         known.add(record(m_mesh.known.bubbles, i, m_mesh.known.numbers[i]), m_comm.rank());
@@ -140,12 +169,14 @@ private:
         known.add(r, message.first);
     known.sort();
     known.bubbles.number = known.numbers;
+    known.bubbles.is_foreign.reserve(known.size());
     for (std::int32_t owner : known.owners)
       known.bubbles.is_foreign.push_back(owner != m_comm.rank());
     for (const auto* side : {&sent, &received})
       for (const auto& message : *side)
         for (const Bubble_record_2& r : message.second)
           (side == &sent ? m_piece.sent : m_piece.received)[message.first].push_back(known.index(r.number));
+    m_piece.mesh.triangulation.tr.points.reserve(known.size());
     for (std::size_t i = 0; i < known.size(); ++i)
       m_piece.mesh.triangulation.tr.points.push_back(known.bubbles.point(i));
   }
@@ -168,21 +199,42 @@ private:
     for (std::size_t t = 0; t < number.size(); ++t)
       if (m_mesh.is_final[t])
         number[t] = next++;
-    std::vector<Index> index(m_mesh.known.size(), no_index);
+    make_room_for_triangles(static_cast<std::size_t>(next));
+    const std::vector<Index> index = indices_in_piece();
     for (std::size_t t = 0; t < number.size(); ++t) {
       if (number[t] == no_index)
         continue;
       std::array<Index, 3> vertices, neighbors;
       for (int i = 0; i < 3; ++i) {
-        Index& v = index[m.tr.vertices[t][i]];
-        if (v == no_index)
-          v = m_piece.mesh.known.index(m_mesh.known.numbers[m.tr.vertices[t][i]]);
-        vertices[i] = v;
+        vertices[i] = index[m.tr.vertices[t][i]];
         const Index n = m.tr.neighbors[t][i];
         neighbors[i] = n == no_index ? no_index : number[n];
       }
       add(vertices, neighbors, m.edges[t]);
     }
+  }
+
+  void make_room_for_triangles(std::size_t n)
+  {
+    Marked_triangulation_2& m = m_piece.mesh.triangulation;
+    m.tr.vertices.reserve(n);
+    m.tr.neighbors.reserve(n);
+    m.edges.reserve(n);
+    m.inside.reserve(n);
+  }
+
+  /// of the bubbles of the mesh, as far as the piece has them
+  std::vector<Index> indices_in_piece() const
+  {
+    const std::vector<std::int64_t>&from = m_mesh.known.numbers, &to = m_piece.mesh.known.numbers;
+    std::vector<Index> index(from.size(), no_index);
+    for (std::size_t i = 0, k = 0; i < from.size() && k < to.size(); ++i) {
+      while (k < to.size() && to[k] < from[i])
+        ++k;
+      if (k < to.size() && to[k] == from[i])
+        index[i] = static_cast<Index>(k);
+    }
+    return index;
   }
 
   void add_triangles(const Messages<Triangle>& received)
@@ -226,7 +278,8 @@ private:
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
-  std::vector<Hilbert_partition_2::Ranks> m_takers;
+  std::vector<Border_bubble> m_border;
+  std::vector<Index> m_position; // in these, of each bubble
   Mesh_piece_2 m_piece;
 };
 

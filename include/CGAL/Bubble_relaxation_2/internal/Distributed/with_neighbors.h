@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Known_bubbles_2.h>
@@ -73,9 +74,11 @@ private:
   {
     constexpr double slack = 1 + 1e-9; // coordinates are rounded to cells of the curve
     const Bubbles_2& b = m_known.bubbles;
+    Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < m_number_of_own; ++i)
-      for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], slack * m_radius * b.d[i]))
-        tell(static_cast<Index>(i), rank, out);
+      if (clearance(b.x[i], b.y[i], slack * m_radius * b.d[i]) == 0)
+        for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], slack * m_radius * b.d[i]))
+          tell(static_cast<Index>(i), rank, out);
   }
 
   void tell_of_pairs(Messages<Owned_record>& out)

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CLEARANCE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CLEARANCE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// How far places are from other ranks' parts of the plane. It is asked of one place after the other, each near the
+/// last one: what was found there answers most questions.
+class Clearance_2
+{
+public:
+  Clearance_2(const Hilbert_partition_2& partition, int rank) : m_partition(&partition), m_rank(rank)
+  {
+    if (partition.number_of_ranks() == 1)
+      m_clearance = std::numeric_limits<double>::infinity();
+  }
+
+  /// The radius of a disc around a place that lies in our part, at least as large as `radius`. 0 if it is not known
+  /// that there is such a disc: then there is none that is much larger.
+  double operator()(double x, double y, double radius)
+  {
+    const double left = (1 - 1e-9) * m_clearance - std::hypot(x - m_x, y - m_y);
+    if (left >= radius)
+      return left;
+    for (double factor : {look_ahead, look_ahead_at_least})
+      if (is_ours(x, y, factor * radius)) {
+        m_x = x;
+        m_y = y;
+        return m_clearance = factor * radius;
+      }
+    return 0;
+  }
+
+private:
+  /// so many times the radius are tried at first, which helps those that come after; then so many
+  static constexpr double look_ahead = 4, look_ahead_at_least = 1.2;
+
+  bool is_ours(double x, double y, double radius) const
+  {
+    return m_partition->owners_in_disc(x, y, radius) == Hilbert_partition_2::Ranks(1, m_rank);
+  }
+
+  const Hilbert_partition_2* m_partition;
+  int m_rank;
+  double m_x = 0, m_y = 0, m_clearance = 0; // the last one that was found
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CLEARANCE_2_H
