@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -48,6 +49,8 @@ public:
   /// whether a bubble lies beside such a hole
   static bool is_beside_wide_hole(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i)
   {
+    if (!bubbles.is_in_face(i) || is_surrounded(bubbles, neighbors, i))
+      return false;
     Delaunay_star_2 star(bubbles, i);
     Delaunay_star_2::Indices candidates;
     return !wrap_nearby(bubbles, neighbors, i, star, candidates);
@@ -122,6 +125,29 @@ private:
       star.wrap(candidates);
     }
     return is_within(widest_hole);
+  }
+
+  /// Whether it is clear without a star that no circle is wider than `widest_hole`. One through the bubble with diameter
+  /// w contains all that is nearer than w cos(a) in directions up to an angle a from its centre. If of 16 sectors no
+  /// four in a row are empty of neighbours, one is in a direction up to 56.25 degrees from each other one.
+  static bool is_surrounded(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i)
+  {
+    constexpr double cosine = 0.555, tangent_of_sector = 0.41421356;
+    const double far_enough = widest_hole * cosine * bubbles.d[i];
+    unsigned sectors = 0;
+    for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j) {
+      const double dx = bubbles.x[*j] - bubbles.x[i], dy = bubbles.y[*j] - bubbles.y[i];
+      if (dx * dx + dy * dy > far_enough * far_enough)
+        continue;
+      // turned back into the first quarter, then below its diagonal
+      const unsigned quarter = dy >= 0 ? (dx > 0 ? 0 : 1) : (dx < 0 ? 2 : 3);
+      const double x = quarter % 2 == 0 ? std::abs(dx) : std::abs(dy);
+      const double y = quarter % 2 == 0 ? std::abs(dy) : std::abs(dx);
+      const unsigned in_quarter = y < x ? (y < tangent_of_sector * x ? 0 : 1) : (x < tangent_of_sector * y ? 3 : 2);
+      sectors |= 1u << (4 * quarter + in_quarter);
+    }
+    const unsigned empty = (~sectors & 0xffffu) | (~sectors & 0xffffu) << 16; // twice around
+    return (empty & empty >> 1 & empty >> 2 & empty >> 3) == 0;
   }
 
   static void add_neighbors_of_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i,

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,23 +37,23 @@ public:
     const double left = (1 - 1e-9) * m_clearance - std::hypot(x - m_x, y - m_y);
     if (left >= radius)
       return left;
-    for (double factor : {look_ahead, look_ahead_at_least})
-      if (is_ours(x, y, factor * radius)) {
-        m_x = x;
-        m_y = y;
-        return m_clearance = factor * radius;
-      }
-    return 0;
+    double found = 0;
+    for (double factor : look_ahead) {
+      if (!m_partition->owns_disc(m_rank, x, y, factor * radius))
+        break;
+      found = factor * radius;
+    }
+    if (found > 0) {
+      m_x = x;
+      m_y = y;
+      m_clearance = found;
+    }
+    return found;
   }
 
 private:
-  /// so many times the radius are tried at first, which helps those that come after; then so many
-  static constexpr double look_ahead = 4, look_ahead_at_least = 1.2;
-
-  bool is_ours(double x, double y, double radius) const
-  {
-    return m_partition->owners_in_disc(x, y, radius) == Hilbert_partition_2::Ranks(1, m_rank);
-  }
+  /// so many times the radius are tried, for those that come after
+  static constexpr std::array<double, 4> look_ahead = {1.2, 2, 4, 8};
 
   const Hilbert_partition_2* m_partition;
   int m_rank;

@@ -57,23 +57,21 @@ public:
   Ranks owners_in_disc(double x, double y, double radius) const
   {
     Ranks result;
-    if (m_first_keys.empty()) {
-      result.push_back(0);
-      return result;
-    }
-    const Box disc{m_curve.column(x - radius), m_curve.column(x + radius), m_curve.row(y - radius),
-                   m_curve.row(y + radius)};
-    // at most four cells of this level cover the disc
-    const std::uint32_t widest = (std::max)(disc.last_column - disc.first_column, disc.last_row - disc.first_row);
-    int level = 1; // of the last cell of level 0 there is no next
-    while (level < Hilbert_curve_2::levels && (widest >> level) > 0)
-      ++level;
-    for (std::uint32_t row = at(disc.first_row, level); row <= at(disc.last_row, level); ++row)
-      for (std::uint32_t column = at(disc.first_column, level); column <= at(disc.last_column, level); ++column)
-        add_owners(disc, column, row, level, (std::max)(0, level - finest), result);
+    visit_disc(x, y, radius, [&result](int first, int last) {
+      for (int rank = first; rank <= last; ++rank)
+        if (result.empty() || result.back() != rank)
+          result.push_back(rank);
+      return true;
+    });
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
+  }
+
+  /// Whether a rank owns the whole disc, or a little more even.
+  bool owns_disc(int rank, double x, double y, double radius) const
+  {
+    return visit_disc(x, y, radius, [rank](int first, int last) { return first == rank && last == rank; });
   }
 
 private:
@@ -91,32 +89,48 @@ private:
     return level < Hilbert_curve_2::levels ? cell >> level : 0;
   }
 
-  /// the owners of what lies in a square of 2^level cells in a row, as far as it is in the box
-  void add_owners(const Box& box, std::uint32_t column, std::uint32_t row, int level, int last_level,
-                  Ranks& result) const
+  /// Calls `visit(first, last)` for intervals of ranks, all of which own something in the disc or beside it, until it
+  /// returns false; then this does so too.
+  template <class Visit>
+  bool visit_disc(double x, double y, double radius, const Visit& visit) const
+  {
+    if (m_first_keys.empty())
+      return visit(0, 0);
+    const Box disc{m_curve.column(x - radius), m_curve.column(x + radius), m_curve.row(y - radius),
+                   m_curve.row(y + radius)};
+    // at most four cells of this level cover the disc
+    const std::uint32_t widest = (std::max)(disc.last_column - disc.first_column, disc.last_row - disc.first_row);
+    int level = 1; // of the last cell of level 0 there is no next
+    while (level < Hilbert_curve_2::levels && (widest >> level) > 0)
+      ++level;
+    for (std::uint32_t row = at(disc.first_row, level); row <= at(disc.last_row, level); ++row)
+      for (std::uint32_t column = at(disc.first_column, level); column <= at(disc.last_column, level); ++column)
+        if (!visit_square(disc, column, row, level, (std::max)(0, level - finest), visit))
+          return false;
+    return true;
+  }
+
+  /// the same for what lies in a square of 2^level cells in a row, as far as it is in the box
+  template <class Visit>
+  bool visit_square(const Box& box, std::uint32_t column, std::uint32_t row, int level, int last_level,
+                    const Visit& visit) const
   {
     if (column > at(box.last_column, level) || column < at(box.first_column, level) ||
         row > at(box.last_row, level) || row < at(box.first_row, level))
-      return;
+      return true;
     const bool is_all = level == Hilbert_curve_2::levels;
     const Key cells = is_all ? ~Key(0) : (Key(1) << 2 * level) - 1;
     const Key first = is_all ? 0
                              : Hilbert_curve_2::key_of_cell(column, row, Hilbert_curve_2::levels - level)
                                  << 2 * level;
     const int low = owner(first), high = owner(first | cells);
-    if (low == high) {
-      if (result.empty() || result.back() != low)
-        result.push_back(low);
-      return;
-    }
-    if (level == last_level) {
-      for (int rank = low; rank <= high; ++rank)
-        result.push_back(rank);
-      return;
-    }
+    if (low == high || level == last_level)
+      return visit(low, high);
     for (int quarter = 0; quarter < 4; ++quarter)
-      add_owners(box, 2 * column + static_cast<std::uint32_t>(quarter & 1),
-                 2 * row + static_cast<std::uint32_t>(quarter >> 1), level - 1, last_level, result);
+      if (!visit_square(box, 2 * column + static_cast<std::uint32_t>(quarter & 1),
+                        2 * row + static_cast<std::uint32_t>(quarter >> 1), level - 1, last_level, visit))
+        return false;
+    return true;
   }
 
   Hilbert_curve_2 m_curve;
