@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -27,9 +28,11 @@ namespace internal {
 ///   sum over cells w (grad psi_i . grad p + phi_i laplace p) = sum over the boundary w phi_i dp/dn
 /// holds exactly for the polynomials p of the basis, as it does for integrals. Then a solution that is such a
 /// polynomial is found exactly, whatever the rule. The correction is
-///   grad psi_i = grad phi_i + phi_i sum over a (c_ia grad p_a),
-/// where p_a are the polynomials without the constant, about node i, so that a node's coefficients c solve a
-/// system of Gram's kind with as many equations as there are polynomials: 2 (linear) or 5 (quadratic).
+///   grad psi_i = grad phi_i + b_i sum over a (c_ia grad p_a),
+/// where p_a are the polynomials without the constant, about node i, and b_i is a bump, (1 - q^2)^2, over its support.
+/// So a node's coefficients c solve a system with Gram's matrix: 2 equations (linear) or 5 (quadratic). The source has
+/// phi_i for b_i, which does as well with the linear basis; with the quadratic one phi_i changes its sign, and near
+/// singular systems made the error worse than without correction.
 class Consistent_gradients_2
 {
 public:
@@ -63,7 +66,7 @@ public:
       for (int a = 0; a < m_number; ++a) {
         sums.defect[a] -= w * (block.dx(q, k) * g.x[a] + block.dy(q, k) * g.y[a] + phi * g.laplacian[a]);
         for (int b = 0; b < m_number; ++b)
-          sums.gram[a][b] += w * phi * (g.x[a] * g.x[b] + g.y[a] * g.y[b]);
+          sums.gram[a][b] += w * g.bump * (g.x[a] * g.x[b] + g.y[a] * g.y[b]);
       }
     });
   }
@@ -123,8 +126,8 @@ public:
       for (Eigen::Index q = 0; q < dx.rows(); ++q) {
         const Gradients g = gradients(block, nodes, q, node);
         for (int a = 0; a < m_number; ++a) {
-          dx(q, k) += block.phi(q, k) * c[a] * g.x[a];
-          dy(q, k) += block.phi(q, k) * c[a] * g.y[a];
+          dx(q, k) += g.bump * c[a] * g.x[a];
+          dy(q, k) += g.bump * c[a] * g.y[a];
         }
       }
     }
@@ -135,6 +138,7 @@ private:
   struct Gradients
   {
     std::array<double, 5> x, y, laplacian;
+    double bump; // of the node
   };
 
   /// calls `add(point, column, gradients, sums)` for the points and nodes of a block
@@ -156,7 +160,8 @@ private:
     const auto point = static_cast<std::size_t>(q), node = static_cast<std::size_t>(i);
     const double r = nodes.radius[node];
     const double x = (block.x[point] - nodes.x[node]) / r, y = (block.y[point] - nodes.y[node]) / r;
-    return Gradients{{1, 0, x, y, 0}, {0, 1, 0, x, y}, {0, 0, 1 / r, 0, 1 / r}};
+    const double inside = (std::max)(0., 1 - x * x - y * y);
+    return Gradients{{1, 0, x, y, 0}, {0, 1, 0, x, y}, {0, 0, 1 / r, 0, 1 / r}, inside * inside};
   }
 
   int m_number;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -57,13 +58,15 @@ struct Shape_block_2
   void evaluate(const Moving_least_squares& mls)
   {
     weights = Eigen::Map<const Eigen::VectorXd>(m_weights.data(), static_cast<Eigen::Index>(size()));
+    if (!m_query)
+      m_query.emplace(mls.influence());
     m_shapes.resize((std::max)(m_shapes.size(), size()));
     nodes.clear();
     number_of_enlarged_points = 0;
     largest_enlargement = 1;
     for (std::size_t q = 0; q < size(); ++q) {
       Shape_functions& s = m_shapes[q];
-      mls(point(q), 1, s);
+      mls(point(q), 1, *m_query, s);
       nodes.insert(nodes.end(), s.nodes.begin(), s.nodes.end());
       if (s.enlargement > 1)
         ++number_of_enlarged_points;
@@ -92,6 +95,7 @@ private:
 
   std::vector<double> m_weights;
   std::vector<Shape_functions> m_shapes;
+  std::optional<typename Moving_least_squares::Query> m_query;
 };
 
 } // namespace internal
