@@ -93,15 +93,17 @@ public:
 
   Vector solve(const Vector& b) const { return m_cholesky.solve(b); }
 
-  /// the least of all solutions that come nearest: parts that hardly matter to the matrix are left out
-  Vector pseudo_solve(const Vector& b) const
+  /// The least of all solutions that come nearest: parts that hardly matter to the matrix are left out. What is
+  /// least depends on the unit of length; here it is `unit` times that of the nodes.
+  Vector pseudo_solve(const Vector& b, double unit) const
   {
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m_matrix);
+    const Vector scale = monomials<degree>(1 / unit, 1 / unit);
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(scale.asDiagonal() * m_matrix * scale.asDiagonal()));
     const auto& values = eigen.eigenvalues();
-    Vector parts = eigen.eigenvectors().transpose() * b;
+    Vector parts = eigen.eigenvectors().transpose() * scale.cwiseProduct(b);
     for (int i = 0; i < size; ++i)
       parts[i] = values[i] > 1e-12 * values[size - 1] ? parts[i] / values[i] : 0;
-    return eigen.eigenvectors() * parts;
+    return scale.cwiseProduct(eigen.eigenvectors() * parts);
   }
 
 private:
