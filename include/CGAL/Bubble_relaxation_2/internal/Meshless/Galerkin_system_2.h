@@ -89,8 +89,8 @@ public:
   Eigen::SparseMatrix<double> matrix() const { return m_rows->matrix(); }
   const Eigen::VectorXd& load() const { return m_rows->load(); }
 
-  /// whether the matrix is symmetric and definite
-  bool is_definite() const { return !m_gradients.is_needed() && number_of_unknowns() == m.nodes.number(); }
+  /// whether the matrix is symmetric and definite but for what consistent integration adds
+  bool is_nearly_definite() const { return number_of_unknowns() == m.nodes.number(); }
 
 private:
   struct Consistent_part
