@@ -71,13 +71,13 @@ inline void show_convergence(int levels)
 {
   using CGAL::Moving_least_squares_basis;
   constexpr double d = 0.1;
-  std::cout << "\nConvergence: nodes are the vertices of a mesh that npbs_relax() makes of the square, with the defaults\n"
+  std::cout << "\nConvergence: nodes are the vertices of a mesh that npbs_relax() makes of the square, by default\n"
             << std::right << std::setw(10) << "d" << std::setw(8) << "nodes" << "  error in L2, order   in H1, order\n";
-  const Convergence linear = converge("linear basis, the defaults", d, levels, CGAL::parameters::default_values());
-  const Convergence quadratic = converge("quadratic basis, the defaults", d, levels,
+  const Convergence linear = converge("linear basis, defaults", d, levels, CGAL::parameters::default_values());
+  const Convergence quadratic = converge("quadratic basis, defaults", d, levels,
                                          CGAL::parameters::mls_basis(Moving_least_squares_basis::QUADRATIC));
-  // the paper's settings on its own nodes: radius, cells and penalty factor follow d
-  const Convergence paper = converge("linear basis, 1.65 d, 2 x 2 Gauss points without correction", d, levels,
+  // as near to the paper as triangles allow; its radius in units of the distance on a grid of 144 nodes
+  const Convergence paper = converge("linear, 1.65 d, 2 x 2 points, no correction", d, levels,
                                      CGAL::parameters::support_factor(1.65).number_of_gauss_points(2)
                                        .consistent_integration(false));
   Log_log_plot plot("Element-free Galerkin method: error over d");

@@ -51,7 +51,8 @@ public:
   /// the sequence of Halton with the bases 2 and 3
   Nodes halton() const
   {
-    return with_boundary(take([](std::size_t k) { return Point(radical_inverse(k + 1, 2), radical_inverse(k + 1, 3)); }));
+    return with_boundary(
+      take([](std::size_t k) { return Point(radical_inverse(k + 1, 2), radical_inverse(k + 1, 3)); }));
   }
 
   /// a square grid; none of its nodes is nearer to the boundary than half of its width

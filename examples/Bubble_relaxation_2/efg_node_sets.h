@@ -71,7 +71,8 @@ inline std::vector<Point> square_outline(int parts = 1)
   for (int side = 0; side < 4; ++side)
     for (int k = 0; k < parts; ++k) {
       const double s = static_cast<double>(k) / parts;
-      points.push_back(side == 0 ? Point(s, 0) : side == 1 ? Point(1, s) : side == 2 ? Point(1 - s, 1) : Point(0, 1 - s));
+      const Point on_sides[] = {Point(s, 0), Point(1, s), Point(1 - s, 1), Point(0, 1 - s)};
+      points.push_back(on_sides[side]);
     }
   return points;
 }

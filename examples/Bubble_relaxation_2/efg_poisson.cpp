@@ -30,11 +30,11 @@ namespace {
 void draw_figure_17()
 {
   Svg_picture picture;
-  const std::vector<std::pair<std::size_t, std::size_t>> no_segments;
   for (std::size_t steps : {0, 250, 500, 1000}) {
     const efg::Nodes nodes = efg::paper_nodes(1000, efg::large_then_less(steps));
-    picture.add_bubbles(nodes.points, nodes.sizes, no_segments,
-                        steps == 0 ? "at random" : "after " + std::to_string(steps) + " steps");
+    efg::CDT cdt = efg::triangulate(efg::square_outline());
+    cdt.insert(nodes.points.begin(), nodes.points.end());
+    picture.add_nodes(cdt, steps == 0 ? "at random" : "after " + std::to_string(steps) + " steps");
   }
   picture.write("figure_17.svg");
 }
@@ -47,7 +47,7 @@ void show_equal_nodes(const std::string& domain, const std::vector<paper::Outlin
   const double distance = efg::median(bubbles.sizes);
   const efg::Equal_nodes equal(outlines, bubbles, distance);
   const auto np = CGAL::parameters::support_radius(2.5 * distance);
-  efg::print_header(std::to_string(bubbles.size()) + " nodes of " + domain + ", radius 2.5 times their distance, the defaults");
+  efg::print_header(std::to_string(bubbles.size()) + " nodes of " + domain + ", radius 2.5 times their distance, else defaults");
   const auto show = [&](const std::string& name, std::size_t number, const efg::Make_nodes& nodes) {
     efg::Error_sample errors;
     for (std::uint64_t seed = 0; seed < number; ++seed)
