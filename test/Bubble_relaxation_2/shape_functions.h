@@ -29,6 +29,7 @@ using Shapes = Mls::Shape_functions;
 using Basis = CGAL::Moving_least_squares_basis;
 using Weight = CGAL::Moving_least_squares_weight;
 using CGAL::Deficient_support;
+using CGAL::Bubble_relaxation_2::internal::number_of_monomials;
 
 constexpr std::array<Basis, 3> bases{Basis::CONSTANT, Basis::LINEAR, Basis::QUADRATIC};
 constexpr std::array<Weight, 3> weights{Weight::QUARTIC_SPLINE, Weight::CUBIC_SPLINE, Weight::GAUSSIAN};
@@ -51,7 +52,7 @@ inline double unit(const Influence& influence, const Shapes& s)
 /// the point and in its unit of lengths. With `relative` each error is in units of the sum of the magnitudes of
 /// what is summed up, if that is more than 1: large terms have large rounding errors.
 inline double reproduction_error(const Influence& influence, const Point& p, const Shapes& s, Basis basis,
-                                 bool relative = false)
+                                 bool relative = false, int number_of_derivatives = 2)
 {
   const double h = unit(influence, s);
   // the value, dx, dy, dxx, dxy and dyy at the point itself of x^a y^b
@@ -62,7 +63,7 @@ inline double reproduction_error(const Influence& influence, const Point& p, con
   double worst = 0;
   for (int a = 0; a <= static_cast<int>(basis); ++a)
     for (int b = 0; a + b <= static_cast<int>(basis); ++b)
-      for (int k = 0; k < 6; ++k) {
+      for (int k = 0; k < number_of_monomials(number_of_derivatives); ++k) {
         const std::vector<double>& shape = *arrays(s)[k];
         const double length = k == 0 ? 1 : k < 3 ? h : h * h;
         long double sum = 0, magnitude = 1;
