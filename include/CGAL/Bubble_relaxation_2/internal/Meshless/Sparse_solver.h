@@ -136,10 +136,10 @@ private:
   {
     constexpr double largest_condition_number = 1e14; // beyond, a solution has no digit
     std::minstd_rand random(1);
-    Vector signs(m_b.size());
-    for (Eigen::Index i = 0; i < signs.size(); ++i)
-      signs[i] = random() % 2 == 0 ? 1. : -1.;
-    const Vector grown = factorization.solve(signs);
+    Vector vector(m_b.size()); // of numbers in [-1, 1]
+    for (Eigen::Index i = 0; i < vector.size(); ++i)
+      vector[i] = 2 * static_cast<double>(random()) / static_cast<double>(random.max()) - 1;
+    const Vector grown = factorization.solve(vector);
     m_solution.condition_number = m_norm * grown.cwiseAbs().maxCoeff();
     if (!(m_solution.condition_number < largest_condition_number))
       throw_singular("its condition number is at least " + in_words(m_solution.condition_number));
