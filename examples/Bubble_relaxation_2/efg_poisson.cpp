@@ -47,7 +47,8 @@ void show_equal_nodes(const std::string& domain, const std::vector<paper::Outlin
   const double distance = efg::median(bubbles.sizes);
   const efg::Equal_nodes equal(outlines, bubbles, distance);
   const auto np = CGAL::parameters::support_radius(2.5 * distance);
-  efg::print_header(std::to_string(bubbles.size()) + " nodes of " + domain + ", radius 2.5 times their distance, else defaults");
+  efg::print_header(std::to_string(bubbles.size()) + " nodes of " + domain +
+                    ", radius 2.5 times their distance, else the defaults");
   const auto show = [&](const std::string& name, std::size_t number, const efg::Make_nodes& nodes) {
     efg::Error_sample errors;
     for (std::uint64_t seed = 0; seed < number; ++seed)

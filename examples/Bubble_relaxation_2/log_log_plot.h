@@ -205,7 +205,8 @@ private:
   /// colours are told apart with the common colour-vision deficiencies too, and so are shapes without colour
   void add_mark(double x, double y, std::size_t number)
   {
-    const std::string style = std::string("\" fill=\"") + color(number) + "\" stroke=\"white\" stroke-width=\"0.8\"/>\n";
+    const std::string style =
+      std::string("\" fill=\"") + color(number) + "\" stroke=\"white\" stroke-width=\"0.8\"/>\n";
     switch (number % 4) {
     case 0:
       m_body << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"5" << style;

@@ -133,8 +133,8 @@ public:
     \cgalParamNBegin{penalty_factor}
       \cgalParamDescription{the factor of `PENALTY`, in units of one over length}
       \cgalParamType{`double`, positive}
-      \cgalParamDefault{80 L/d<sup>2</sup>, where L is the root of the area and d the size of the nodes: 10<sup>4</sup> on
-                        a grid of 12 x 12 nodes in the unit square. The paper does not tell its own}
+      \cgalParamDefault{80 L/d<sup>2</sup>, where L is the root of the area and d the size of the nodes: about
+                        10<sup>4</sup> for 12 x 12 nodes in the unit square. The paper does not tell its own}
     \cgalParamNEnd
     \cgalParamNBegin{residual_tolerance}
       \cgalParamDescription{the largest |b - A x| / (|A| |x| + |b|), in the maximum norm, of the equations' solution}

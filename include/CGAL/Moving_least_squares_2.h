@@ -318,12 +318,12 @@ private:
 
   /// Enlarges the supports until the nodes suffice. Once they have all nodes, twice as far from their rims than
   /// when they had just got them, there is nothing to gain: weights hardly differ, and only lengths in units
-  /// of the radii go on to shrink.
+  /// of the radii go on to shrink. From 1e15 radii away nodes cannot be told from each other.
   template <class Search>
   bool enlarge(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
   {
     int steps_with_all_nodes = 0;
-    while (steps_with_all_nodes < 8 && std::isfinite(r.enlargement)) {
+    while (steps_with_all_nodes < 8 && r.enlargement < 1e15) {
       r.enlargement *= 1.1;
       if (suffices(p, number_of_derivatives, search, r))
         return true;

@@ -67,6 +67,7 @@ private:
   {
     Eigen::BiCGSTAB<Matrix, Symmetric_part_preconditioner<Incomplete_cholesky>> iteration(m_a);
     iteration.setMaxIterations(1000);
+    iteration.setTolerance((std::max)(m_tolerance, 1e-14));
     return iterate(iteration);
   }
 
@@ -78,6 +79,7 @@ private:
       return false;
     check_condition(iteration.preconditioner());
     iteration.setMaxIterations(50);
+    iteration.setTolerance(1e-14); // a step is cheap
     return iterate(iteration);
   }
 
@@ -94,6 +96,9 @@ private:
       if (is_good_enough())
         return;
     }
+    constexpr double largest_residual = 1e-6; // of a system that is only badly conditioned
+    if (!(m_solution.residual < largest_residual))
+      throw_singular("its factorization leaves a residual of " + in_words(m_solution.residual));
     throw std::runtime_error("Bubble_relaxation_2: the residual of the system of " + std::to_string(m_a.rows()) +
                              " equations is " + in_words(m_solution.residual) + " after " +
                              std::to_string(most_improvements) + " improvements and does not reach " +
@@ -106,7 +111,6 @@ private:
   {
     if (iteration.preconditioner().info() != Eigen::Success)
       return false;
-    iteration.setTolerance((std::max)(m_tolerance, 1e-14));
     m_solution.x = Vector::Zero(m_b.size());
     for (int k = 0; k < most_improvements; ++k) {
       m_solution.x += iteration.solve(m_b - m_a * m_solution.x);
@@ -132,10 +136,10 @@ private:
   {
     constexpr double largest_condition_number = 1e14; // beyond, a solution has no digit
     std::minstd_rand random(1);
-    Vector signs(m_b.size());
-    for (Eigen::Index i = 0; i < signs.size(); ++i)
-      signs[i] = random() % 2 == 0 ? 1. : -1.;
-    const Vector grown = factorization.solve(signs);
+    Vector vector(m_b.size()); // of numbers in [-1, 1]
+    for (Eigen::Index i = 0; i < vector.size(); ++i)
+      vector[i] = 2 * static_cast<double>(random()) / static_cast<double>(random.max()) - 1;
+    const Vector grown = factorization.solve(vector);
     m_solution.condition_number = m_norm * grown.cwiseAbs().maxCoeff();
     if (!(m_solution.condition_number < largest_condition_number))
       throw_singular("its condition number is at least " + in_words(m_solution.condition_number));
