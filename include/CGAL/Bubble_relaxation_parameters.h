@@ -56,6 +56,13 @@ struct Checkpoint_request
   Count every;
 };
 
+/// what `grid_cells(nx, ny)` asks for, and `grid_cells(n)` with n for both
+template <class Count>
+struct Grid_cells_request
+{
+  Count nx, ny;
+};
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 
@@ -98,11 +105,17 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 
-  /// the one setter with two arguments
+  // the setters with two arguments
   template <class Count>
   auto checkpoint(const std::string& path, const Count& every) const
   {
     return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
+  }
+
+  template <class Count>
+  auto grid_cells(const Count& nx, const Count& ny) const
+  {
+    return grid_cells(Bubble_relaxation_2::internal::Grid_cells_request<Count>{nx, ny});
   }
 
   /// a literal is no value that could be kept
@@ -151,6 +164,12 @@ template <class Count>
 auto checkpoint(const std::string& path, const Count& every)
 {
   return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
+}
+
+template <class Count>
+auto grid_cells(const Count& nx, const Count& ny)
+{
+  return grid_cells(Bubble_relaxation_2::internal::Grid_cells_request<Count>{nx, ny});
 }
 
 template <std::size_t n>
