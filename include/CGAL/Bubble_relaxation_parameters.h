@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_enums.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 #include <CGAL/version.h>
 
 #include <cstddef>
@@ -47,6 +48,11 @@ struct Is_given
                                                    internal_np::Param_not_found>::type,
       internal_np::Param_not_found>::value>
 {};
+
+/// `Sequential_tag` unless the user asks for threads
+template <class NamedParameters>
+using Concurrency = std::decay_t<typename internal_np::Lookup_named_param_def<
+  internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type>;
 
 /// what `checkpoint(path, every)` asks for; counts are given as any number
 template <class Count>

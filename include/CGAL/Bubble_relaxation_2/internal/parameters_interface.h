@@ -43,6 +43,7 @@ CGAL_add_named_parameter(integration_cells_t, integration_cells, integration_cel
 CGAL_add_named_parameter(grid_cells_t, grid_cells, grid_cells)
 CGAL_add_named_parameter(number_of_gauss_points_t, number_of_gauss_points, number_of_gauss_points)
 CGAL_add_named_parameter(consistent_integration_t, consistent_integration, consistent_integration)
+CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
 
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000

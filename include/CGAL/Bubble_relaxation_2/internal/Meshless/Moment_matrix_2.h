@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MOMENT_MATRIX_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MOMENT_MATRIX_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Weighted_node_2.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// the number of monomials in x and y up to a degree
+constexpr int number_of_monomials(int degree)
+{
+  return (degree + 1) * (degree + 2) / 2;
+}
+
+/// 1, x, y, x^2, xy, y^2, x^3 ...: x^a y^b has the index number_of_monomials(a + b - 1) + b
+template <int degree>
+Eigen::Matrix<double, number_of_monomials(degree), 1> monomials(double x, double y)
+{
+  Eigen::Matrix<double, number_of_monomials(degree), 1> m;
+  m[0] = 1;
+  int i = 1;
+  for (int d = 1; d <= degree; ++d) {
+    m[i] = m[i - d] * x;
+    for (int b = 1; b <= d; ++b)
+      m[i + b] = m[i - d + b - 1] * y;
+    i += d + 1;
+  }
+  return m;
+}
+
+/// The moment matrix A = sum of w_i p_i p_i^T of moving least squares, where p_i are the monomials up to
+/// `degree` at the i-th node, centred at the point of evaluation and scaled.
+template <int degree>
+class Moment_matrix_2
+{
+public:
+  static constexpr int size = number_of_monomials(degree);
+  using Vector = Eigen::Matrix<double, size, 1>;
+
+  explicit Moment_matrix_2(const std::vector<Weighted_node_2>& nodes)
+  {
+    // products of two monomials are monomials: their sums are all that is needed
+    using Moments = Eigen::Matrix<double, number_of_monomials(2 * degree), 1>;
+    Moments moments = Moments::Zero();
+    for (const Weighted_node_2& n : nodes)
+      moments += n.w * monomials<2 * degree>(n.x, n.y);
+    for (int d = 0, i = 0; d <= degree; ++d)
+      for (int b = 0; b <= d; ++b, ++i)
+        for (int e = 0, j = 0; e <= degree; ++e)
+          for (int c = 0; c <= e; ++c, ++j)
+            m_matrix(i, j) = moments[number_of_monomials(d + e - 1) + b + c];
+    m_cholesky.compute(m_matrix);
+  }
+
+  /// The condition number if it exceeds `limit`, else a bound for it that does not either.
+  double condition_number(double limit) const
+  {
+    const double bound = condition_bound();
+    if (bound <= limit)
+      return bound;
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m_matrix, Eigen::EigenvaluesOnly);
+    const double smallest = eigen.eigenvalues()[0];
+    const double largest = eigen.eigenvalues()[size - 1];
+    return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity();
+  }
+
+  Vector solve(const Vector& b) const { return m_cholesky.solve(b); }
+
+  /// the least of all solutions that come nearest: parts that hardly matter to the matrix are left out
+  Vector pseudo_solve(const Vector& b) const
+  {
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m_matrix);
+    const auto& values = eigen.eigenvalues();
+    Vector parts = eigen.eigenvectors().transpose() * b;
+    for (int i = 0; i < size; ++i)
+      parts[i] = values[i] > 1e-12 * values[size - 1] ? parts[i] / values[i] : 0;
+    return eigen.eigenvectors() * parts;
+  }
+
+private:
+  using Matrix = Eigen::Matrix<double, size, size>;
+
+  /// A bound from the determinant and the trace alone. With eigenvalues l_1 >= ... >= l_n, c = l_1 / l_n and
+  /// the mean m of all, l_1 l_n = 4 c / (1 + c)^2 ((l_1 + l_n)/2)^2, hence by the inequality of the means
+  /// D = det / m^n <= 4 c / (1 + c)^2, which says c <= (1 + sqrt(1 - D))^2 / D.
+  double condition_bound() const
+  {
+    if (m_cholesky.info() != Eigen::Success)
+      return std::numeric_limits<double>::infinity();
+    const double mean = m_matrix.trace() / size;
+    double d = 1;
+    for (int i = 0; i < size; ++i)
+      d *= m_cholesky.matrixLLT()(i, i) * m_cholesky.matrixLLT()(i, i) / mean;
+    const double root = 1 + std::sqrt((std::max)(1 - d, 0.));
+    return d > 0 ? root * root / d : std::numeric_limits<double>::infinity();
+  }
+
+  Matrix m_matrix;
+  Eigen::LLT<Matrix> m_cholesky;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MOMENT_MATRIX_2_H
