@@ -96,19 +96,22 @@ public:
 private:
   using Matrix = Eigen::Matrix<double, size, size>;
 
-  /// A bound from the determinant and the trace alone. With eigenvalues l_1 >= ... >= l_n, c = l_1 / l_n and
-  /// the mean m of all, l_1 l_n = 4 c / (1 + c)^2 ((l_1 + l_n)/2)^2, hence by the inequality of the means
-  /// D = det / m^n <= 4 c / (1 + c)^2, which says c <= (1 + sqrt(1 - D))^2 / D.
+  /// A bound from what is at hand. Divided by the roots of its diagonal the matrix has ones there, hence the
+  /// trace n, and a determinant D; if l is its least eigenvalue, the inequality of the means for the others
+  /// says D <= l ((n - l)/(n - 1))^(n - 1) <= l (n/(n - 1))^(n - 1). The least eigenvalue of the matrix itself is
+  /// at least l times the least element of the diagonal, and the largest at most the trace.
   double condition_bound() const
   {
     if (m_cholesky.info() != Eigen::Success)
       return std::numeric_limits<double>::infinity();
-    const double mean = m_matrix.trace() / size;
     double d = 1;
     for (int i = 0; i < size; ++i)
-      d *= m_cholesky.matrixLLT()(i, i) * m_cholesky.matrixLLT()(i, i) / mean;
-    const double root = 1 + std::sqrt((std::max)(1 - d, 0.));
-    return d > 0 ? root * root / d : std::numeric_limits<double>::infinity();
+      d *= m_cholesky.matrixLLT()(i, i) * m_cholesky.matrixLLT()(i, i) / m_matrix(i, i);
+    double least = d;
+    for (int i = 1; i < size; ++i)
+      least *= (size - 1.) / size;
+    return least > 0 ? m_matrix.trace() / (least * m_matrix.diagonal().minCoeff())
+                     : std::numeric_limits<double>::infinity();
   }
 
   Matrix m_matrix;

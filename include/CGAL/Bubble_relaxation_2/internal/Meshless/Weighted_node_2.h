@@ -29,7 +29,8 @@ struct Weighted_node_2
   double w;             ///< weight
   double wx, wy;        ///< its derivatives by the point of evaluation
   double wxx, wxy, wyy;
-  double s, sx, sy;     ///< the factor that makes a shape function of the weight, and its derivatives
+  double s, sx, sy;     ///< the factor that makes the shape function of the weight, and its derivatives
+  double sxx, sxy, syy;
 };
 
 /// Fills in weights and the derivatives that are asked for.
