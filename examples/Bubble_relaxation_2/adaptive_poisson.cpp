@@ -18,7 +18,9 @@
 #include "svg_picture.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Element_free_Galerkin_2.h>
 #include <CGAL/Poisson_problem_2.h>
+#include <CGAL/node_set_2.h>
 
 #include <cmath>
 #include <cstddef>
@@ -81,6 +83,21 @@ Solved by_finite_elements(const CDT&, const Triangle_arrays<CDT>& mesh)
 {
   const Eigen::VectorXd values = solve_by_linear_elements(mesh, problem());
   return Solved{values, [&mesh, values] { return error_of_linear_elements<Exact>(mesh, values); }};
+}
+
+Solved by_element_free_galerkin(const CDT& cdt, const Triangle_arrays<CDT>& mesh)
+{
+  const CGAL::Element_free_Galerkin_2<CDT> method(cdt, CGAL::node_set_2(cdt));
+  const auto solution = method.solve(problem());
+  Eigen::VectorXd values(static_cast<Eigen::Index>(mesh.points.size()));
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    values[static_cast<Eigen::Index>(v)] = solution.value(mesh.points[v]);
+  return Solved{values, [&mesh, solution] {
+    return integrate_error(mesh, Exact::corner(), 4, [&](std::size_t, const Point& p, const Eigen::Vector3d&) {
+      const auto gradient = solution.gradient(p), exact = Exact::gradient(p);
+      return Eigen::Vector3d(solution.value(p) - Exact::value(p), gradient.x() - exact.x(), gradient.y() - exact.y());
+    });
+  }};
 }
 
 void print_head(const std::string& title)
@@ -214,6 +231,12 @@ try {
   pictures.write();
   study("finite elements, equal errors of the values", Refinement::EQUAL_VALUE, arguments, arguments.nodes,
         &by_finite_elements, no_look);
+  studies.push_back({"element-free Galerkin, uniform",
+                     study("element-free Galerkin, d the same everywhere", Refinement::UNIFORM, arguments,
+                           arguments.efg_nodes, &by_element_free_galerkin, no_look)});
+  studies.push_back({"element-free Galerkin, adapted",
+                     study("element-free Galerkin, equal errors of the gradient", Refinement::EQUAL_GRADIENT,
+                           arguments, arguments.efg_nodes, &by_element_free_galerkin, no_look)});
   plot(studies);
 } catch (const std::exception& e) {
   std::cerr << "adaptive_poisson: " << e.what() << '\n';

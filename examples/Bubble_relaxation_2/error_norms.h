@@ -57,13 +57,16 @@ public:
     double a, b, c, weight;
   };
 
+  /// `n` points in each direction, and two more around a corner with a singularity: the squared difference of a
+  /// linear function and r^(2/3), with the elements of area, has the degree 11 in s
   explicit Triangle_quadrature(int n)
   {
     for (const auto& s : gauss_points(n))
-      for (const auto& t : gauss_points(n)) {
+      for (const auto& t : gauss_points(n))
         add(m_regular, s[0], t[0], s[1] * t[1]);
+    for (const auto& s : gauss_points(n + 2))
+      for (const auto& t : gauss_points(n + 2))
         add(m_singular, s[0] * s[0] * s[0], t[0], 3 * s[0] * s[0] * s[1] * t[1]);
-      }
   }
 
   const std::vector<Node>& nodes(bool is_singular_at_first_corner) const
