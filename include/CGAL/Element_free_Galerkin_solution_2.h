@@ -145,8 +145,8 @@ private:
       const Vector_2 exact = gradient_of_u(b.point(q));
       const double e = value[k] - u(b.point(q));
       const double ex = dx[k] - CGAL::to_double(exact.x()), ey = dy[k] - CGAL::to_double(exact.y());
-      values += b.weights[q] * e * e;
-      gradients += b.weights[q] * (ex * ex + ey * ey);
+      values += b.weights[k] * e * e;
+      gradients += b.weights[k] * (ex * ex + ey * ey);
     }
   }
 

@@ -10,14 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_CONSISTENT_GRADIENTS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
+#include <Eigen/LU>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -29,87 +28,91 @@ namespace internal {
 ///   sum over cells w (grad psi_i . grad p + phi_i laplace p) = sum over the boundary w phi_i dp/dn
 /// holds exactly for the polynomials p of the basis, as it does for integrals. Then a solution that is such a
 /// polynomial is found exactly, whatever the rule. The correction is
-///   grad psi_i = grad phi_i + phi_i sum over a (c_ia grad p_a),
-/// where p_a are the polynomials without the constant, about node i, so that a node's coefficients c solve a
-/// system of Gram's kind with as many equations as there are polynomials: 2 (linear) or 5 (quadratic).
+///   grad psi_i = grad phi_i + b_i sum over a (c_ia grad p_a),
+/// where p_a are the polynomials without the constant, about node i, and b_i is a bump, (1 - q^2)^2, over its support.
+/// So a node's coefficients c solve a system with Gram's matrix: 2 equations (linear) or 5 (quadratic). The source has
+/// phi_i for b_i, which does as well with the linear basis; with the quadratic one phi_i changes its sign, and near
+/// singular systems made the error worse than without correction.
 class Consistent_gradients_2
 {
 public:
   /// \param number of polynomials: 0 (no correction), 2 or 5
   Consistent_gradients_2(std::size_t number_of_nodes, int number)
-    : m_number(number), m_coefficients(number, static_cast<Eigen::Index>(number_of_nodes)),
-      m_defect(number, static_cast<Eigen::Index>(number_of_nodes)),
-      m_gram(number * number, static_cast<Eigen::Index>(number_of_nodes))
-  {
-    m_coefficients.setZero();
-    m_defect.setZero();
-    m_gram.setZero();
-  }
+    : m_number(number), m_sums(number > 0 ? number_of_nodes : 0), m_coefficients(m_sums.size())
+  {}
 
   bool is_needed() const { return m_number > 0; }
 
-  /// The part of a cell, or of a segment of the boundary, in the sums of its nodes: a column a node, first
-  /// what is missing in the condition of each polynomial, then the matrix.
+  /// the sums of a node: what is missing in the condition of each polynomial, and the matrix
+  struct Sums
+  {
+    std::array<double, 5> defect{};
+    std::array<std::array<double, 5>, 5> gram{};
+  };
+
+  /// the part of a cell, or of a segment of the boundary, in the sums of its nodes
   struct Part
   {
     std::vector<Index> nodes;
-    Eigen::MatrixXd sums;
+    std::vector<Sums> sums;
   };
 
   /// \param nodes about what the polynomials are, and in what unit of length
   template <class Block, class Nodes>
   void compute_in_cell(const Block& block, const Nodes& nodes, Part& part) const
   {
-    start(block, part);
-    for (Eigen::Index k = 0; k < block.phi.cols(); ++k) {
-      auto defect = part.sums.col(k).head(m_number);
-      Eigen::Map<Eigen::MatrixXd> gram(part.sums.col(k).data() + m_number, m_number, m_number);
-      for (Eigen::Index q = 0; q < block.phi.rows(); ++q) {
-        if (block.phi(q, k) == 0)
-          continue;
-        const Gradients g = gradients(block, nodes, q, k);
-        const double w = block.weights[static_cast<std::size_t>(q)], phi = block.phi(q, k);
-        defect -= w * (block.dx(q, k) * g.x + block.dy(q, k) * g.y + phi * g.laplacian).head(m_number);
-        gram += w * phi * (g.x * g.x.transpose() + g.y * g.y.transpose()).topLeftCorner(m_number, m_number);
+    for_each_pair(block, nodes, part, [&](Eigen::Index q, Eigen::Index k, const Gradients& g, Sums& sums) {
+      const double w = block.weights[q], phi = block.phi(q, k);
+      for (int a = 0; a < m_number; ++a) {
+        sums.defect[a] -= w * (block.dx(q, k) * g.x[a] + block.dy(q, k) * g.y[a] + phi * g.laplacian[a]);
+        for (int b = 0; b < m_number; ++b)
+          sums.gram[a][b] += w * g.bump * (g.x[a] * g.x[b] + g.y[a] * g.y[b]);
       }
-    }
+    });
   }
 
   template <class Block, class Nodes>
-  void compute_on_boundary(const Block& block, const Nodes& nodes, const Direction& normal,
-                           Part& part) const
+  void compute_on_boundary(const Block& block, const Nodes& nodes, const Direction& normal, Part& part) const
   {
-    start(block, part);
-    for (Eigen::Index k = 0; k < block.phi.cols(); ++k)
-      for (Eigen::Index q = 0; q < block.phi.rows(); ++q) {
-        if (block.phi(q, k) == 0)
-          continue;
-        const Gradients g = gradients(block, nodes, q, k);
-        const double w = block.weights[static_cast<std::size_t>(q)];
-        part.sums.col(k).head(m_number) +=
-          w * block.phi(q, k) * (normal.x * g.x + normal.y * g.y).head(m_number);
-      }
+    for_each_pair(block, nodes, part, [&](Eigen::Index q, Eigen::Index k, const Gradients& g, Sums& sums) {
+      for (int a = 0; a < m_number; ++a)
+        sums.defect[a] += block.weights[q] * block.phi(q, k) * (normal.x * g.x[a] + normal.y * g.y[a]);
+    });
   }
 
   void add(const Part& part)
   {
     for (std::size_t k = 0; k < part.nodes.size(); ++k) {
-      const Eigen::Index i = part.nodes[k], column = static_cast<Eigen::Index>(k);
-      m_defect.col(i) += part.sums.col(column).head(m_number);
-      m_gram.col(i) += part.sums.col(column).tail(m_number * m_number);
+      Sums& sums = m_sums[static_cast<std::size_t>(part.nodes[k])];
+      for (int a = 0; a < m_number; ++a) {
+        sums.defect[a] += part.sums[k].defect[a];
+        for (int b = 0; b < m_number; ++b)
+          sums.gram[a][b] += part.sums[k].gram[a][b];
+      }
     }
   }
 
   /// solves for the coefficients, after all parts
   void solve()
   {
-    for (Eigen::Index i = 0; i < m_coefficients.cols(); ++i) {
-      const Eigen::Map<const Eigen::MatrixXd> gram(m_gram.col(i).data(), m_number, m_number);
-      m_coefficients.col(i) = gram.completeOrthogonalDecomposition().solve(m_defect.col(i));
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 5, 5>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 5, 1>;
+    Matrix gram(m_number, m_number);
+    Vector defect(m_number);
+    for (std::size_t i = 0; i < m_sums.size(); ++i) {
+      for (int a = 0; a < m_number; ++a) {
+        defect[a] = m_sums[i].defect[a];
+        for (int b = 0; b < m_number; ++b)
+          gram(a, b) = m_sums[i].gram[a][b];
+      }
+      const Vector c = gram.fullPivLu().solve(defect);
+      for (int a = 0; a < m_number; ++a)
+        m_coefficients[i][a] = c[a];
     }
+    m_sums.clear();
   }
 
-  /// the gradients of the test functions of a block
+  /// computes the gradients of the test functions of a block
   template <class Block, class Nodes>
   void correct(const Block& block, const Nodes& nodes, Eigen::MatrixXd& dx, Eigen::MatrixXd& dy) const
   {
@@ -118,49 +121,52 @@ public:
     if (!is_needed())
       return;
     for (Eigen::Index k = 0; k < dx.cols(); ++k) {
-      const auto c = m_coefficients.col(block.nodes[static_cast<std::size_t>(k)]);
+      const Index node = block.nodes[static_cast<std::size_t>(k)];
+      const std::array<double, 5>& c = m_coefficients[static_cast<std::size_t>(node)];
       for (Eigen::Index q = 0; q < dx.rows(); ++q) {
-        if (block.phi(q, k) == 0)
-          continue;
-        const Gradients g = gradients(block, nodes, q, k);
-        dx(q, k) += block.phi(q, k) * c.dot(g.x.head(m_number));
-        dy(q, k) += block.phi(q, k) * c.dot(g.y.head(m_number));
+        const Gradients g = gradients(block, nodes, q, node);
+        for (int a = 0; a < m_number; ++a) {
+          dx(q, k) += g.bump * c[a] * g.x[a];
+          dy(q, k) += g.bump * c[a] * g.y[a];
+        }
       }
     }
   }
 
 private:
-  using Vector = Eigen::Matrix<double, 5, 1>;
-
   /// of x, y, x^2 / 2, x y, y^2 / 2
   struct Gradients
   {
-    Vector x, y, laplacian;
+    std::array<double, 5> x, y, laplacian;
+    double bump; // of the node
   };
 
-  template <class Block>
-  void start(const Block& block, Part& part) const
+  /// calls `add(point, column, gradients, sums)` for the points and nodes of a block
+  template <class Block, class Nodes, class Add>
+  void for_each_pair(const Block& block, const Nodes& nodes, Part& part, const Add& add) const
   {
     part.nodes = block.nodes;
-    part.sums.setZero(m_number * (m_number + 1), block.phi.cols());
+    part.sums.assign(block.nodes.size(), Sums());
+    for (Eigen::Index k = 0; k < block.phi.cols(); ++k)
+      for (Eigen::Index q = 0; q < block.phi.rows(); ++q)
+        if (block.phi(q, k) != 0 || block.dx(q, k) != 0 || block.dy(q, k) != 0)
+          add(q, k, gradients(block, nodes, q, block.nodes[static_cast<std::size_t>(k)]),
+              part.sums[static_cast<std::size_t>(k)]);
   }
 
   template <class Block, class Nodes>
-  static Gradients gradients(const Block& block, const Nodes& nodes, Eigen::Index q, Eigen::Index k)
+  static Gradients gradients(const Block& block, const Nodes& nodes, Eigen::Index q, Index i)
   {
-    const auto point = static_cast<std::size_t>(q);
-    const auto node = static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(k)]);
+    const auto point = static_cast<std::size_t>(q), node = static_cast<std::size_t>(i);
     const double r = nodes.radius[node];
     const double x = (block.x[point] - nodes.x[node]) / r, y = (block.y[point] - nodes.y[node]) / r;
-    Gradients g;
-    g.x << 1, 0, x, y, 0;
-    g.y << 0, 1, 0, x, y;
-    g.laplacian << 0, 0, 1 / r, 0, 1 / r;
-    return g;
+    const double inside = (std::max)(0., 1 - x * x - y * y);
+    return Gradients{{1, 0, x, y, 0}, {0, 1, 0, x, y}, {0, 0, 1 / r, 0, 1 / r}, inside * inside};
   }
 
   int m_number;
-  Eigen::MatrixXd m_coefficients, m_defect, m_gram; // a column a node
+  std::vector<Sums> m_sums;                            // of each node
+  std::vector<std::array<double, 5>> m_coefficients; // of each node
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Galerkin_discretization_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Multiplier_space_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Sparse_rows.h>
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/weighted_sums.h>
 #include <CGAL/Bubble_relaxation_2/internal/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 #include <CGAL/Element_free_Galerkin_report_2.h>
@@ -173,11 +174,6 @@ private:
       integrate_dirichlet(m.edge(segment), part);
   }
 
-  static auto as_vector(const std::vector<double>& v)
-  {
-    return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
-  }
-
   /// the values of a function of the data at the points of a block
   template <class Function>
   static Eigen::VectorXd values(const Block& block, const char* name, const Function& f)
@@ -198,15 +194,13 @@ private:
   void integrate_cell(Galerkin_cell& part) const
   {
     const Block& b = part.block;
-    const auto w = as_vector(b.weights);
     m_gradients.correct(b, m.nodes, part.dx, part.dy);
     part.unknowns = b.nodes;
-    part.matrix = part.dx.transpose() * w.asDiagonal() * b.dx + part.dy.transpose() * w.asDiagonal() * b.dy;
+    part.matrix = weighted_sums(part.dx, b.weights, b.dx);
+    part.matrix += weighted_sums(part.dy, b.weights, b.dy);
     add_load(part, "source", m_problem.source);
-    if (m_is_neumann_problem) { // the mean of u is zero
-      const Eigen::VectorXd phi = b.phi.transpose() * w;
-      border(part, phi);
-    }
+    if (m_is_neumann_problem) // the mean of u is zero
+      border(part, weighted_sums(b.phi, b.weights));
   }
 
   template <class Function>
@@ -216,8 +210,8 @@ private:
     part.load = Eigen::VectorXd::Zero(b.phi.cols());
     if (!f)
       return;
-    const Eigen::VectorXd weighted = as_vector(b.weights).cwiseProduct(values(b, name, f));
-    part.load = b.phi.transpose() * weighted;
+    const Eigen::VectorXd weighted = b.weights.cwiseProduct(values(b, name, f));
+    part.load = weighted_sums(b.phi, weighted);
     part.total = weighted.sum();
     part.total_size = weighted.cwiseAbs().sum();
   }
@@ -260,18 +254,17 @@ private:
   void integrate_dirichlet(const Boundary_edge_2& edge, Galerkin_cell& part) const
   {
     const Block& b = part.block;
-    const auto w = as_vector(b.weights);
-    const Eigen::VectorXd g = given_values(b), factor = penalty(b).cwiseProduct(w);
+    const Eigen::VectorXd g = given_values(b), factor = penalty(b).cwiseProduct(b.weights);
     part.unknowns = b.nodes;
-    part.matrix = b.phi.transpose() * factor.asDiagonal() * b.phi;
-    part.load = b.phi.transpose() * factor.cwiseProduct(g);
+    part.matrix = weighted_sums(b.phi, factor, b.phi);
+    part.load = weighted_sums(b.phi, factor.cwiseProduct(g));
     if (m.options.dirichlet == Dirichlet_condition::PENALTY)
       return;
     const Direction n = edge.outer_normal();
     const Eigen::MatrixXd normal = n.x * b.dx + n.y * b.dy;
-    const Eigen::MatrixXd flow = b.phi.transpose() * w.asDiagonal() * normal;
-    part.matrix -= flow + flow.transpose();
-    part.load -= normal.transpose() * w.cwiseProduct(g);
+    part.matrix -= weighted_sums(b.phi, b.weights, normal);
+    part.matrix -= weighted_sums(normal, b.weights, b.phi);
+    part.load -= weighted_sums(normal, b.weights.cwiseProduct(g));
   }
 
   /// the factor of the penalty at each point
@@ -290,7 +283,6 @@ private:
   void integrate_multipliers(const Boundary_segment_2& segment, Galerkin_cell& part) const
   {
     const Block& b = part.block;
-    const auto w = as_vector(b.weights);
     std::vector<std::size_t> hats;
     Eigen::MatrixXd mu = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(b.size()), 0);
     Eigen::Index q = 0;
@@ -307,12 +299,12 @@ private:
       ++q;
     });
     const Eigen::Index n = b.phi.cols(), all = n + mu.cols();
-    const Eigen::MatrixXd coupling = b.phi.transpose() * w.asDiagonal() * mu;
+    const Eigen::MatrixXd coupling = weighted_sums(b.phi, b.weights, mu);
     part.matrix.setZero(all, all);
     part.matrix.topRightCorner(n, mu.cols()) = coupling;
     part.matrix.bottomLeftCorner(mu.cols(), n) = coupling.transpose();
     part.load = Eigen::VectorXd::Zero(all);
-    part.load.tail(mu.cols()) = mu.transpose() * w.cwiseProduct(given_values(b));
+    part.load.tail(mu.cols()) = weighted_sums(mu, b.weights.cwiseProduct(given_values(b)));
     part.unknowns = b.nodes;
     for (std::size_t hat : hats)
       part.unknowns.push_back(static_cast<Index>(m.nodes.number() + hat));

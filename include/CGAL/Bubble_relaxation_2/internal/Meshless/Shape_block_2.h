@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +31,7 @@ struct Shape_block_2
   using Shape_functions = typename Moving_least_squares::Shape_functions;
 
   std::vector<double> x, y;      ///< of the points
-  std::vector<double> weights;   ///< of integration, of each point
+  Eigen::VectorXd weights;       ///< of integration, of each point
   std::vector<Index> nodes;      ///< of each column, ascending
   Eigen::MatrixXd phi, dx, dy;
   std::size_t number_of_enlarged_points = 0;
@@ -40,34 +41,32 @@ struct Shape_block_2
   {
     x.clear();
     y.clear();
-    weights.clear();
+    m_weights.clear();
   }
 
   void add_point(double px, double py, double weight)
   {
     x.push_back(px);
     y.push_back(py);
-    weights.push_back(weight);
+    m_weights.push_back(weight);
   }
 
   std::size_t size() const { return x.size(); }
   Point_2 point(std::size_t q) const { return Point_2(x[q], y[q]); }
 
-  Eigen::Map<const Eigen::VectorXd> weight_vector() const
-  {
-    return Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
-  }
-
   /// evaluates the shape functions at the points
   void evaluate(const Moving_least_squares& mls)
   {
+    weights = Eigen::Map<const Eigen::VectorXd>(m_weights.data(), static_cast<Eigen::Index>(size()));
+    if (!m_query)
+      m_query.emplace(mls.influence());
     m_shapes.resize((std::max)(m_shapes.size(), size()));
     nodes.clear();
     number_of_enlarged_points = 0;
     largest_enlargement = 1;
     for (std::size_t q = 0; q < size(); ++q) {
       Shape_functions& s = m_shapes[q];
-      mls(point(q), 1, s);
+      mls(point(q), 1, *m_query, s);
       nodes.insert(nodes.end(), s.nodes.begin(), s.nodes.end());
       if (s.enlargement > 1)
         ++number_of_enlarged_points;
@@ -94,7 +93,9 @@ private:
     }
   }
 
+  std::vector<double> m_weights;
   std::vector<Shape_functions> m_shapes;
+  std::optional<typename Moving_least_squares::Query> m_query;
 };
 
 } // namespace internal
