@@ -37,13 +37,14 @@ public:
     m_unit = 0;
     for (auto i : nodes)
       m_unit = (std::max)(m_unit, influence.radius(i) * enlargement / 3);
+    const double scale = 1 / m_unit;
     const double px = CGAL::to_double(p.x()), py = CGAL::to_double(p.y());
     m_nodes.resize(nodes.size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const auto& node = influence.point(nodes[k]);
-      m_nodes[k].x = (CGAL::to_double(node.x()) - px) / m_unit;
-      m_nodes[k].y = (CGAL::to_double(node.y()) - py) / m_unit;
-      m_nodes[k].radius = influence.radius(nodes[k]) * enlargement / m_unit;
+      m_nodes[k].x = (CGAL::to_double(node.x()) - px) * scale;
+      m_nodes[k].y = (CGAL::to_double(node.y()) - py) * scale;
+      m_nodes[k].radius = influence.radius(nodes[k]) * enlargement * scale;
     }
   }
 
@@ -109,7 +110,7 @@ private:
   }
 
   std::vector<Weighted_node_2> m_nodes;
-  double m_unit = 1; // of lengths
+  double m_unit = 1; // of lengths: in thirds of the largest radius all monomials have moments of like size
   double m_condition_number = 0;
 };
 

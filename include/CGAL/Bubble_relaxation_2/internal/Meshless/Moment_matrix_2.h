@@ -28,19 +28,30 @@ constexpr int number_of_monomials(int degree)
   return (degree + 1) * (degree + 2) / 2;
 }
 
+/// the monomials of degree d in x and y after those of lower degree in m
+template <int d, class Vector>
+void add_monomials(double x, double y, Vector& m)
+{
+  constexpr int i = number_of_monomials(d - 1);
+  m[i] = m[i - d] * x;
+  for (int b = 0; b < d; ++b)
+    m[i + 1 + b] = m[i - d + b] * y;
+}
+
 /// 1, x, y, x^2, xy, y^2, x^3 ...: x^a y^b has the index number_of_monomials(a + b - 1) + b
 template <int degree>
 Eigen::Matrix<double, number_of_monomials(degree), 1> monomials(double x, double y)
 {
   Eigen::Matrix<double, number_of_monomials(degree), 1> m;
   m[0] = 1;
-  int i = 1;
-  for (int d = 1; d <= degree; ++d) {
-    m[i] = m[i - d] * x;
-    for (int b = 1; b <= d; ++b)
-      m[i + b] = m[i - d + b - 1] * y;
-    i += d + 1;
-  }
+  if constexpr (degree > 0)
+    add_monomials<1>(x, y, m);
+  if constexpr (degree > 1)
+    add_monomials<2>(x, y, m);
+  if constexpr (degree > 2)
+    add_monomials<3>(x, y, m);
+  if constexpr (degree > 3)
+    add_monomials<4>(x, y, m);
   return m;
 }
 
