@@ -54,13 +54,15 @@ public:
       return;
     const Cell& cell = m_cells[cell_of(x, y)];
     result.resize(cell.size);
-    const std::int32_t* i = m_lists.data() + cell.first;
-    std::int32_t* end = result.data();
-    for (const std::int32_t* last = i + cell.size; i != last; ++i) {
-      *end = *i;
-      end += discs[static_cast<std::size_t>(*i)].contains(x, y, factor); // no branch: it would be hard to foretell
+    const std::int32_t* list = m_lists.data() + cell.first;
+    std::int32_t* found = result.data();
+    std::size_t n = 0;
+    for (std::size_t k = 0, size = cell.size; k < size; ++k) {
+      const std::int32_t i = list[k];
+      found[n] = i;
+      n += discs[static_cast<std::size_t>(i)].contains(x, y, factor); // no branch: it would be hard to foretell
     }
-    result.resize(static_cast<std::size_t>(end - result.data()));
+    result.resize(n);
   }
 
   std::size_t number_of_cells() const { return m_cells.size(); }

@@ -68,9 +68,8 @@ public:
     const Influence_extent_2 extent(discs);
     m_is_uniform = extent.smallest == extent.largest;
     find_clearances();
-    m_largest_radii.assign(m_is_uniform ? 0 : discs.size(), 0);
-    for (std::size_t i = 0; i < m_largest_radii.size(); ++i)
-      m_largest_radii[i] = largest_radius(buckets, i, 2);
+    if (!m_is_uniform)
+      find_largest_radii(buckets);
     // Nodes that an expansion meets are within four of the radius that it uses, as `search()` tells: two for the
     // disc that has it, one for the nearest node, and one for the node that is met.
     for (std::size_t i = 0; i < discs.size(); ++i)
@@ -90,9 +89,8 @@ public:
     if (factor > 1 && !m_is_uniform)
       return false;
     const std::size_t n = descend(x, y, state);
-    // a disc that contains p has its node no nearer to p than n is, so within two of its radii of n
-    const double rho = slack * factor * (m_is_uniform ? m_discs[n].radius : m_largest_radii[n]);
     const double distance = std::sqrt(m_discs[n].squared_distance(x, y));
+    const double rho = slack * factor * largest_radius_around(n, distance);
     if (!is_clear(n, (std::max)(rho, distance)))
       return false;
     return !(distance < rho) || expand(x, y, factor, rho, n, state, result);
@@ -100,6 +98,13 @@ public:
 
 private:
   static constexpr double slack = 1 + 1e-9; // covers rounding
+
+  /// of the discs that may contain a point to which a node is the nearest
+  struct Largest_radii
+  {
+    double near; ///< if the point is nearer to it than half its radius
+    double far;  ///< if it is not
+  };
 
   const std::int32_t* begin(std::size_t i) const { return m_neighbors.data() + m_offsets[i]; }
   const std::int32_t* end(std::size_t i) const { return m_neighbors.data() + m_offsets[i + 1]; }
@@ -167,6 +172,33 @@ private:
     }
     std::sort(result.begin(), result.end());
     return true;
+  }
+
+  /// A bound for the radii of the discs that contain a point p, `distance` away from n, the nearest node to it: the
+  /// node of such a disc is less than its radius and `distance` away from n. It is no nearer to p than n is, so
+  /// that this is less than two of its radii.
+  double largest_radius_around(std::size_t n, double distance) const
+  {
+    if (m_is_uniform)
+      return m_discs[n].radius;
+    return slack * distance < 0.5 * m_discs[n].radius ? m_largest_radii[n].near : m_largest_radii[n].far;
+  }
+
+  void find_largest_radii(const Node_buckets_2& buckets)
+  {
+    m_largest_radii.resize(m_discs.size());
+    for (std::size_t i = 0; i < m_discs.size(); ++i) {
+      const Influence_disc_2& d = m_discs[i];
+      Largest_radii& largest = m_largest_radii[i];
+      largest.near = largest.far = d.radius; // so what is not within two radii, for being small, does not count
+      buckets.for_each(d.x, d.y, slack * 2, [&](std::int32_t j) {
+        const Influence_disc_2& other = m_discs[static_cast<std::size_t>(j)];
+        largest.far = (std::max)(largest.far, other.radius);
+        const double reach = slack * (other.radius + 0.5 * d.radius);
+        if (other.squared_distance(d.x, d.y) < reach * reach)
+          largest.near = (std::max)(largest.near, other.radius);
+      });
+    }
   }
 
   /// the largest radius of the discs that reach a node when they are enlarged by a factor
@@ -268,7 +300,7 @@ private:
   std::vector<std::size_t> m_offsets;
   std::vector<std::int32_t> m_neighbors;
   std::vector<double> m_clearances;
-  std::vector<double> m_largest_radii; ///< of the discs within two of their radii of a node, if radii differ
+  std::vector<Largest_radii> m_largest_radii; ///< empty if all are the same
   bool m_is_uniform = true;
   std::size_t m_number_of_obstructed = 0;
 };
