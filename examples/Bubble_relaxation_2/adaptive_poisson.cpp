@@ -212,7 +212,7 @@ void plot(const std::vector<Study>& studies)
     for (int k : {0, 1}) { // uniform, adapted
       const auto line = points(studies[k].steps, is_l2 ? l2 : h1);
       const double order = k == 0 ? (is_l2 ? -0.67 : -0.33) : (is_l2 ? -1 : -0.5);
-      picture.add_slope(order, line[line.size() / 2], line.back(), k == 0 ? 0.6 : 1.8);
+      picture.add_slope(order, line[line.size() / 2], line.back(), k == 0 ? 0.6 : 2.5);
     }
   }
   picture.write("adaptive_poisson.svg");

@@ -111,10 +111,8 @@ TEST(Error_norms, are_exact_at_the_singular_corner)
     const double theta = node[0] * Exact::pi / 4;
     expected += 2 * node[1] * Exact::pi / 4 * 4. / 9 * std::pow(std::cos(theta), -4. / 3) / (4. / 3);
   }
-  const CDT cdt = domains::make({domains::square(0, 0, 1)});
-  CDT marked = cdt;
-  CGAL::npbs_relax(marked, CGAL::parameters::sizing_function(0.4));
-  const Mesh mesh(marked);
+  const CDT cdt = mesh_of(domains::square(0, 0, 1), 0.4);
+  const Mesh mesh(cdt);
   const auto gradient_alone = [](std::size_t, const Point& p, const auto&) {
     const auto g = Exact::gradient(p);
     return Eigen::Vector3d(0, g.x(), g.y());
@@ -164,8 +162,7 @@ TEST(Adaptive_solution, falls_at_the_optimal_rate)
   // the number of nodes is what was asked for
   for (std::size_t k = 1; k < adapted.size(); ++k)
     EXPECT_NEAR(double(adapted[k].nodes) / double(adapted[k - 1].nodes), options.growth, 0.15);
-  // r^(2/3) at the corner: the eighth part of d for half the squared error
-  EXPECT_LT(adapted.back().smallest_size, 1e-4);
+  EXPECT_LT(adapted.back().smallest_size, 1e-4); // towards the corner d goes as r^(2/3)
 }
 
 TEST(Adaptive_solution, stops_at_the_tolerance_or_tells_that_it_cannot)
