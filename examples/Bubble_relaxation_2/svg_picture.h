@@ -52,15 +52,30 @@ public:
     add_constraints(cdt);
   }
 
+  /// the same, as far as it lies in `box`
+  template <class CDT>
+  void add_part_of_mesh(const CDT& cdt, const CGAL::Bbox_2& box, const std::string& caption)
+  {
+    start_panel(caption, box);
+    m_body << "<svg x=\"" << m_left << "\" y=\"" << m_top << "\" width=\"" << m_size << "\" height=\"" << m_size
+           << "\" viewBox=\"" << m_left << ' ' << m_top << ' ' << m_size << ' ' << m_size << "\">\n"; // clips
+    for (auto f : cdt.finite_face_handles())
+      if (f->is_in_domain() && CGAL::do_overlap(cdt.triangle(f).bbox(), box)) {
+        const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
+        add_triangle(p, q, r, color(CGAL::radius_ratio_2(p, q, r)), 0.3);
+      }
+    add_constraints(cdt, box);
+    m_body << "</svg>\n";
+  }
+
   /// vertices of the domain as dots
   template <class CDT>
   void add_nodes(const CDT& cdt, const std::string& caption)
   {
     start_panel(caption, box_of(cdt));
     add_constraints(cdt);
-    const double radius = 60 / std::sqrt(double(cdt.number_of_vertices()) + 500);
     for (auto v : cdt.finite_vertex_handles())
-      add_circle(v->point(), radius, "fill=\"#1f5fa8\"");
+      add_circle(v->point(), dot_radius(cdt.number_of_vertices()), "fill=\"#1f5fa8\"");
   }
 
   /// points as circles of given diameters, and segments between pairs of them
@@ -78,6 +93,29 @@ public:
     for (std::size_t i = 0; i < points.size(); ++i)
       add_circle(points[i], 0.5 * diameters[i] * m_scale,
                  "fill=\"#9cc3e6\" fill-opacity=\"0.35\" stroke=\"#1f5fa8\" stroke-width=\"0.6\"");
+  }
+
+  /// points as dots, in the outline of a triangulation
+  template <class CDT, class Point_2>
+  void add_points(const CDT& cdt, const std::vector<Point_2>& points, const std::string& caption)
+  {
+    start_panel(caption, box_of(cdt));
+    add_constraints(cdt);
+    for (const Point_2& p : points)
+      add_circle(p, dot_radius(points.size()), "fill=\"#9aa7b5\"");
+  }
+
+  /// a point as a cross, and those that belong to it, joined with it, in the colour of a number
+  template <class Point_2>
+  void add_star(const Point_2& center, const std::vector<Point_2>& points, std::size_t number_of_all, int number)
+  {
+    const std::string color = color_of_rank(number);
+    for (const Point_2& p : points)
+      m_body << "<path d=\"M" << at(center) << 'L' << at(p) << "\" stroke=\"" << color
+             << "\" stroke-width=\"0.8\"/>\n";
+    for (const Point_2& p : points)
+      add_circle(p, 1.3 * dot_radius(number_of_all), "fill=\"" + color + "\" stroke=\"#333\" stroke-width=\"0.4\"");
+    m_body << "<path d=\"M" << at(center) << "m-5 0h10m-5 -5v10\" stroke=\"black\" stroke-width=\"1.6\"/>\n";
   }
 
   /// the histogram of q
@@ -143,9 +181,15 @@ private:
   template <class CDT>
   void add_constraints(const CDT& cdt)
   {
+    add_constraints(cdt, box_of(cdt));
+  }
+
+  template <class CDT>
+  void add_constraints(const CDT& cdt, const CGAL::Bbox_2& box)
+  {
     m_body << "<path stroke=\"black\" stroke-width=\"1.2\" stroke-linecap=\"round\" d=\"";
     for (const auto& e : cdt.finite_edges())
-      if (cdt.is_constrained(e))
+      if (cdt.is_constrained(e) && CGAL::do_overlap(cdt.segment(e).bbox(), box))
         m_body << 'M' << at(e.first->vertex(cdt.ccw(e.second))->point()) << 'L'
                << at(e.first->vertex(cdt.cw(e.second))->point());
     m_body << "\"/>\n";
@@ -178,6 +222,11 @@ private:
     text << std::fixed << std::setprecision(2) << m_x0 + m_scale * p.x() << ' '
          << m_y0 - m_scale * p.y();
     return text.str();
+  }
+
+  static double dot_radius(std::size_t number_of_points)
+  {
+    return 60 / std::sqrt(double(number_of_points) + 500);
   }
 
   static double thin_line(std::size_t number_of_vertices)

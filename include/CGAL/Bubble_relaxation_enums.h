@@ -47,6 +47,57 @@ enum class Bubble_stop_reason
   STOPPED_BY_CALLBACK ///< the callback returned `false`
 };
 
+/// How the nodes near a point are found. Both ways find the same nodes.
+enum class Influence_search
+{
+  BUCKETS,  ///< the default: from a grid of buckets; the fastest way, and complete on every domain
+  EXPANSION ///< the paper's: from the nearest node over neighbour sets; complete under a condition
+};
+
+/// The polynomials that moving least squares reproduce exactly.
+enum class Moving_least_squares_basis
+{
+  CONSTANT, ///< 1: Shepard's interpolation weights
+  LINEAR,   ///< the default: 1, x, y
+  QUADRATIC ///< 1, x, y, x^2, xy, y^2
+};
+
+/// The weight of a node in moving least squares, as a function of q, its distance in units of its support
+/// radius. All have continuous second derivatives, also at q = 1, from where on they vanish.
+enum class Moving_least_squares_weight
+{
+  QUARTIC_SPLINE, ///< the paper's and the default: 1 - 6 q^2 + 8 q^3 - 3 q^4
+  CUBIC_SPLINE,   ///< 2/3 - 4 q^2 + 4 q^3 for q < 1/2, 4/3 (1 - q)^3 beyond
+  /// exp(-(q/0.4)^2) less its Taylor polynomial of second order in q^2 about q = 1
+  GAUSSIAN
+};
+
+/// What becomes of a point where moving least squares have too few nodes, or nodes too badly placed.
+enum class Deficient_support
+{
+  ENLARGE, ///< the default: there the support radii grow by steps of 1.1 until the nodes suffice; it is counted
+  REPORT,  ///< an exception names the point
+  /// the equations are solved as well as they can be, and nobody is told. The result reproduces not even
+  /// constants. For comparison only: the errors of the paper's random node set come from it.
+  PSEUDO_INVERSE
+};
+
+/// How the element-free Galerkin method imposes given values on the boundary, where its functions do not
+/// interpolate.
+enum class Dirichlet_condition
+{
+  NITSCHE,             ///< the default: consistent, symmetric and definite for a factor that is large enough
+  PENALTY,             ///< the paper's: the squared deviation times a large factor
+  LAGRANGE_MULTIPLIERS ///< multipliers that are linear along the boundary, on fewer points than there are nodes
+};
+
+/// The cells over which the element-free Galerkin method integrates.
+enum class Integration_cells
+{
+  TRIANGLES, ///< the default: the triangles of the mesh, which respect the boundary
+  GRID       ///< the paper's: the rectangles of a regular grid over the domain
+};
+
 /// @}
 
 } // namespace CGAL

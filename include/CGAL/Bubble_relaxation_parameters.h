@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_enums.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 #include <CGAL/version.h>
 
 #include <cstddef>
@@ -48,12 +49,24 @@ struct Is_given
       internal_np::Param_not_found>::value>
 {};
 
+/// `Sequential_tag` unless the user asks for threads
+template <class NamedParameters>
+using Concurrency = std::decay_t<typename internal_np::Lookup_named_param_def<
+  internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type>;
+
 /// what `checkpoint(path, every)` asks for; counts are given as any number
 template <class Count>
 struct Checkpoint_request
 {
   std::string path;
   Count every;
+};
+
+/// what `grid_cells(nx, ny)` asks for, and `grid_cells(n)` with n for both
+template <class Count>
+struct Grid_cells_request
+{
+  Count nx, ny;
 };
 
 } // namespace internal
@@ -98,11 +111,17 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 
-  /// the one setter with two arguments
+  // the setters with two arguments
   template <class Count>
   auto checkpoint(const std::string& path, const Count& every) const
   {
     return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
+  }
+
+  template <class Count>
+  auto grid_cells(const Count& nx, const Count& ny) const
+  {
+    return grid_cells(Bubble_relaxation_2::internal::Grid_cells_request<Count>{nx, ny});
   }
 
   /// a literal is no value that could be kept
@@ -151,6 +170,12 @@ template <class Count>
 auto checkpoint(const std::string& path, const Count& every)
 {
   return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
+}
+
+template <class Count>
+auto grid_cells(const Count& nx, const Count& ny)
+{
+  return grid_cells(Bubble_relaxation_2::internal::Grid_cells_request<Count>{nx, ny});
 }
 
 template <std::size_t n>

@@ -11,47 +11,17 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/copy_nodes.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/treat_defects.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/Bubble_relaxation_report_2.h>
+#include <CGAL/node_set_2.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
-
-/*!
-\ingroup PkgBubbleRelaxation2Ref
-
-Nodes for meshless methods, with their neighbour sets. All arrays but `neighbors` have an element a node;
-nodes that are near to each other have near indices.
-
-\tparam Point_2_ point type
-*/
-template <class Point_2_>
-struct Node_set_2
-{
-  using Point_2 = Point_2_;
-
-  std::vector<Point_2> points;         ///< positions
-  std::vector<double> sizes;           ///< the wanted distance d at each node
-  std::vector<unsigned char> dimensions; ///< 0: vertex of the domain or pinned, 1: on an edge, 2: in a face
-
-  /// the neighbours of node i are `neighbors[neighbor_offsets[i]]` up to, without,
-  /// `neighbors[neighbor_offsets[i + 1]]`
-  std::vector<std::size_t> neighbor_offsets;
-  /// indices of the nodes nearer than `neighbor_radius` times the mean of both sizes, in increasing order
-  std::vector<std::int32_t> neighbors;
-
-  double neighbor_radius = 0;          ///< the radius of the sets in units of the mean of both sizes
-  Bubble_relaxation_report_2<double> report; ///< what was done; it has no statistics of a mesh
-
-  /// the number of nodes
-  std::size_t size() const { return points.size(); }
-};
 
 /*!
 \ingroup PkgBubbleRelaxation2Functions
@@ -94,18 +64,8 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
     // the simulation does not ask d again for every little displacement
     parallel_for<Tag>(bubbles.size(),
                       [&](std::size_t i) { bubbles.d[i] = sizing(bubbles.x[i], bubbles.y[i]); });
-    Neighbor_sets_2 neighbors(options.neighbor_radius);
-    neighbors.build<Tag>(bubbles);
-    nodes.neighbor_offsets.push_back(0);
-    for (std::size_t i = 0; i < bubbles.size(); ++i) {
-      nodes.points.push_back(Point_2(bubbles.x[i], bubbles.y[i]));
-      nodes.sizes.push_back(bubbles.d[i]);
-      nodes.dimensions.push_back(bubbles.dimension[i]);
-      nodes.neighbors.insert(nodes.neighbors.end(), neighbors.begin(i), neighbors.end(i));
-      nodes.neighbor_offsets.push_back(nodes.neighbors.size());
-    }
+    copy_nodes<Tag>(bubbles, options.neighbor_radius, nodes);
   });
-  nodes.neighbor_radius = options.neighbor_radius;
   nodes.report.number_of_vertices = nodes.size();
   progress.report(1);
   return nodes;

@@ -138,6 +138,46 @@ TEST(Named_parameters, packs_are_taken_by_functions_of_cgal)
   EXPECT_EQ(number_of_iterations(P::mass(1.)), -1);
 }
 
+TEST(Named_parameters, of_meshless_methods)
+{
+  namespace N = CGAL::internal_np;
+  const auto expect = [](const auto& np) {
+    EXPECT_EQ(P::get_parameter(np, N::influence_search), CGAL::Influence_search::EXPANSION);
+    EXPECT_EQ(P::get_parameter(np, N::support_radius), 0.15);
+    EXPECT_EQ(P::get_parameter(np, N::support_factor), 2.5);
+    EXPECT_EQ(P::get_parameter(np, N::mls_basis), CGAL::Moving_least_squares_basis::QUADRATIC);
+    EXPECT_EQ(P::get_parameter(np, N::mls_weight), CGAL::Moving_least_squares_weight::GAUSSIAN);
+    EXPECT_EQ(P::get_parameter(np, N::deficient_support), CGAL::Deficient_support::REPORT);
+    EXPECT_EQ(P::get_parameter(np, N::maximum_condition_number), 1e6);
+    EXPECT_EQ(P::get_parameter(np, N::dirichlet_condition), CGAL::Dirichlet_condition::PENALTY);
+    EXPECT_EQ(P::get_parameter(np, N::penalty_factor), 1e4);
+    EXPECT_EQ(P::get_parameter(np, N::nitsche_factor), 10);
+    EXPECT_EQ(P::get_parameter(np, N::integration_cells), CGAL::Integration_cells::GRID);
+    EXPECT_EQ(P::get_parameter(np, N::grid_cells).nx, 12);
+    EXPECT_EQ(P::get_parameter(np, N::grid_cells).ny, 10);
+    EXPECT_EQ(P::get_parameter(np, N::number_of_gauss_points), 3);
+    EXPECT_TRUE(P::get_parameter(np, N::consistent_integration));
+  };
+  using E = CGAL::Influence_search;
+  expect(P::influence_search(E::EXPANSION).support_radius(0.15).support_factor(2.5)
+           .mls_basis(CGAL::Moving_least_squares_basis::QUADRATIC)
+           .mls_weight(CGAL::Moving_least_squares_weight::GAUSSIAN)
+           .deficient_support(CGAL::Deficient_support::REPORT).maximum_condition_number(1e6)
+           .dirichlet_condition(CGAL::Dirichlet_condition::PENALTY).penalty_factor(1e4).nitsche_factor(10)
+           .integration_cells(CGAL::Integration_cells::GRID).grid_cells(12, 10).number_of_gauss_points(3)
+           .consistent_integration(true));
+  expect(P::grid_cells(12, 10).consistent_integration(true).number_of_gauss_points(3)
+           .integration_cells(CGAL::Integration_cells::GRID).nitsche_factor(10).penalty_factor(1e4)
+           .dirichlet_condition(CGAL::Dirichlet_condition::PENALTY).maximum_condition_number(1e6)
+           .deficient_support(CGAL::Deficient_support::REPORT)
+           .mls_weight(CGAL::Moving_least_squares_weight::GAUSSIAN)
+           .mls_basis(CGAL::Moving_least_squares_basis::QUADRATIC).support_factor(2.5).support_radius(0.15)
+           .influence_search(E::EXPANSION));
+  EXPECT_EQ(P::get_parameter(P::mass(1.).grid_cells(7), N::grid_cells), 7);
+  // they go with those of other functions, and these read what is theirs
+  EXPECT_EQ(read_options(P::support_factor(2.).damping(0.7).mls_basis(1)).damping, 0.7);
+}
+
 TEST(Named_parameters, references_and_copies)
 {
   int calls = 0;

@@ -19,4 +19,6 @@ TEST(Include_order, package_first)
 {
   const auto np = CGAL::parameters::mass(2.).number_of_iterations(3);
   EXPECT_EQ(CGAL::parameters::get_parameter(np, CGAL::internal_np::mass), 2);
+  const auto meshless = CGAL::parameters::support_factor(2.).number_of_gauss_points(3).grid_cells(12, 12);
+  EXPECT_EQ(CGAL::parameters::get_parameter(meshless, CGAL::internal_np::support_factor), 2);
 }

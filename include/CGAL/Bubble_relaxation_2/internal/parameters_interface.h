@@ -28,6 +28,23 @@ CGAL_add_named_parameter(exchange_interval_t, exchange_interval, exchange_interv
 CGAL_add_named_parameter(checkpoint_t, checkpoint, checkpoint)
 CGAL_add_named_parameter(restart_from_t, restart_from, restart_from)
 
+// of influence domains, moving least squares and the element-free Galerkin method
+CGAL_add_named_parameter(influence_search_t, influence_search, influence_search)
+CGAL_add_named_parameter(support_radius_t, support_radius, support_radius)
+CGAL_add_named_parameter(support_factor_t, support_factor, support_factor)
+CGAL_add_named_parameter(mls_basis_t, mls_basis, mls_basis)
+CGAL_add_named_parameter(mls_weight_t, mls_weight, mls_weight)
+CGAL_add_named_parameter(deficient_support_t, deficient_support, deficient_support)
+CGAL_add_named_parameter(maximum_condition_number_t, maximum_condition_number, maximum_condition_number)
+CGAL_add_named_parameter(dirichlet_condition_t, dirichlet_condition, dirichlet_condition)
+CGAL_add_named_parameter(penalty_factor_t, penalty_factor, penalty_factor)
+CGAL_add_named_parameter(nitsche_factor_t, nitsche_factor, nitsche_factor)
+CGAL_add_named_parameter(integration_cells_t, integration_cells, integration_cells)
+CGAL_add_named_parameter(grid_cells_t, grid_cells, grid_cells)
+CGAL_add_named_parameter(number_of_gauss_points_t, number_of_gauss_points, number_of_gauss_points)
+CGAL_add_named_parameter(consistent_integration_t, consistent_integration, consistent_integration)
+CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
+
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000
 CGAL_add_named_parameter(seeds_t, seeds, seeds)

@@ -18,8 +18,6 @@
 
 #include <CGAL/Bubble_relaxation_parameters.h>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
@@ -46,11 +44,6 @@ Bubbles_2 simulate_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading,
   remove_coincident<Concurrency_tag>(reading.domain, bubbles);
   return bubbles;
 }
-
-/// `Sequential_tag` unless the user asks for threads
-template <class NamedParameters>
-using Concurrency = std::decay_t<typename internal_np::Lookup_named_param_def<
-  internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type>;
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

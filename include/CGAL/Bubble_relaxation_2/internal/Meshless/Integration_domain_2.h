@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_INTEGRATION_DOMAIN_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_INTEGRATION_DOMAIN_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/flatten_triangulation.h>
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A straight piece of the boundary, with the domain on its left.
+struct Boundary_edge_2
+{
+  Index source, target; ///< indices of vertices
+  Point a, b;           ///< their places
+
+  double length() const { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
+  Direction outer_normal() const { return {(b.y() - a.y()) / length(), -(b.x() - a.x()) / length()}; }
+};
+
+/// What integrals are over: the triangles of a triangulation that lie in the domain, and the edges that bound
+/// it, those of holes included. An edge with the domain on both sides bounds nothing. All in an order that does
+/// not depend on how the triangulation came about.
+struct Integration_domain_2
+{
+  std::vector<std::array<Point, 3>> triangles;
+  std::vector<Boundary_edge_2> boundary;
+  Bbox_2 bbox;
+  double area = 0;
+
+  template <class Cdt, class NamedParameters>
+  Integration_domain_2(const Cdt& cdt, const NamedParameters& np)
+  {
+    const Domain_marks_2<Cdt> is_inside(cdt, np);
+    for (auto v : cdt.finite_vertex_handles())
+      check_coordinates(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+    const auto flat = flatten_triangulation(cdt);
+    const Flat_triangulation_2& tr = flat.tr;
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      if (!is_inside(flat.faces[t]))
+        continue;
+      const Index f = static_cast<Index>(t);
+      add_triangle({tr.point(f, 0), tr.point(f, 1), tr.point(f, 2)});
+      for (int i = 0; i < 3; ++i) {
+        const Index n = tr.neighbors[t][i];
+        if (n == no_index || !is_inside(flat.faces[n]))
+          boundary.push_back(Boundary_edge_2{tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)],
+                                             tr.point(f, ccw(i)), tr.point(f, cw(i))});
+      }
+    }
+  }
+
+private:
+  void add_triangle(const std::array<Point, 3>& t)
+  {
+    const double twice = (t[1].x() - t[0].x()) * (t[2].y() - t[0].y()) -
+                         (t[2].x() - t[0].x()) * (t[1].y() - t[0].y());
+    if (!(twice > 0)) // flat when its corners are rounded to double: nothing to integrate
+      return;
+    triangles.push_back(t);
+    area += twice / 2;
+    for (const Point& p : t)
+      bbox += p.bbox();
+  }
+
+  static void check_coordinates(double x, double y)
+  {
+    if (!std::isfinite(x) || !std::isfinite(y))
+      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
+                                  in_words(x, y) + ", which must be finite");
+  }
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_INTEGRATION_DOMAIN_2_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_DEFICIENT_SUPPORT_ERROR_2_H
+#define CGAL_DEFICIENT_SUPPORT_ERROR_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Meshless
+
+is thrown where moving least squares have too few nodes, or nodes too badly placed, to be told from garbage.
+
+\sa `Moving_least_squares_2`
+*/
+class Deficient_support_error_2 : public std::runtime_error
+{
+public:
+  double x, y;                   ///< the point
+  std::size_t number_of_nodes;   ///< in whose support it lies
+  double condition_number;       ///< of the moment matrix there; infinity if it is singular
+  double sufficient_enlargement; ///< the least power of 1.1 times the radii that would do; 0 if none would
+  std::size_t number_of_points;  ///< how many of the points that were asked for are so; this is the first
+
+  Deficient_support_error_2(double x, double y, std::size_t number_of_nodes, double condition_number,
+                            double maximum_condition_number, double sufficient_enlargement,
+                            std::size_t number_of_points = 1)
+    : std::runtime_error(message(x, y, number_of_nodes, condition_number, maximum_condition_number,
+                                 sufficient_enlargement, number_of_points)),
+      x(x), y(y), number_of_nodes(number_of_nodes), condition_number(condition_number),
+      sufficient_enlargement(sufficient_enlargement), number_of_points(number_of_points)
+  {}
+
+private:
+  static std::string message(double x, double y, std::size_t number_of_nodes, double condition_number,
+                             double maximum_condition_number, double enlargement, std::size_t number_of_points)
+  {
+    using Bubble_relaxation_2::internal::in_words;
+    std::string text = "Bubble_relaxation_2: moving least squares at " + in_words(x, y) + ": the point lies in "
+                       "the supports of " + std::to_string(number_of_nodes) + " nodes, whose moment matrix has "
+                       "the condition number " + in_words(condition_number) + ", more than "
+                       "maximum_condition_number = " + in_words(maximum_condition_number) + "; ";
+    if (enlargement > 0)
+      text += "support radii " + in_words(enlargement) + " times as large would do";
+    else
+      text += "larger support radii would not help";
+    if (number_of_points > 1)
+      text += "; there are " + std::to_string(number_of_points) + " such points";
+    return text;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEFICIENT_SUPPORT_ERROR_2_H

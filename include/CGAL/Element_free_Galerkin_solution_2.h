@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_ELEMENT_FREE_GALERKIN_SOLUTION_2_H
+#define CGAL_ELEMENT_FREE_GALERKIN_SOLUTION_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Galerkin_discretization_2.h>
+#include <CGAL/Element_free_Galerkin_report_2.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// The error of a solution in the norms of Sobolev (eq. 10).
+struct Element_free_Galerkin_error
+{
+  double l2 = 0; ///< the square root of the integral of (u_h - u)^2
+  double h1 = 0; ///< the full norm: with the integral of |grad u_h - grad u|^2 added under the root
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Meshless
+
+The solution that `Element_free_Galerkin_2` found. It keeps what it needs: solver, nodes and triangulation may go
+away. Copies share it. All functions may be called by several threads at once.
+
+\tparam Kernel_ the kernel of the triangulation
+*/
+template <class Kernel_>
+class Element_free_Galerkin_solution_2
+{
+  using Discretization = Bubble_relaxation_2::internal::Galerkin_discretization_2<Kernel_>;
+  using Block = typename Discretization::Block;
+
+public:
+  using Kernel = Kernel_;
+  using Point_2 = typename Kernel::Point_2;
+  using Vector_2 = typename Kernel::Vector_2;
+  using Report = Element_free_Galerkin_report_2;
+
+#ifndef DOXYGEN_RUNNING
+  Element_free_Galerkin_solution_2(std::shared_ptr<const Discretization> discretization,
+                                   std::vector<double> coefficients, const Report& report)
+    : m_discretization(std::move(discretization)), m_coefficients(std::move(coefficients)), m_report(report)
+  {}
+#endif
+
+  /// The coefficients of the shape functions of the nodes. They are not the values at the nodes, since shape
+  /// functions of moving least squares do not interpolate. There is none if the callback stopped the solver.
+  const std::vector<double>& coefficients() const { return m_coefficients; }
+
+  /// what was done
+  const Report& report() const { return m_report; }
+
+  /// returns u_h at `p`.
+  /// \throws std::logic_error if the callback stopped the solver
+  /// \throws std::runtime_error as `Moving_least_squares_2`
+  double value(const Point_2& p) const
+  {
+    check();
+    return m_discretization->mls.value(p, m_coefficients);
+  }
+
+  /// returns the gradient of u_h at `p`.
+  /// \throws std::logic_error if the callback stopped the solver
+  /// \throws std::runtime_error as `Moving_least_squares_2`
+  Vector_2 gradient(const Point_2& p) const
+  {
+    check();
+    return m_discretization->mls.gradient(p, m_coefficients);
+  }
+
+  /*!
+  returns the error against a function that is known, by Gauss's rule with two points more in each direction of
+  each cell than the solver had, and five at least. Where u is singular the cells must be small for it.
+
+  \param u the function
+  \param gradient_of_u its gradient
+
+  \tparam Function callable as `double(const Point_2&)`
+  \tparam Gradient callable as `Vector_2(const Point_2&)`
+
+  \throws std::logic_error if the callback stopped the solver
+  */
+  template <class Function, class Gradient>
+  Element_free_Galerkin_error error(const Function& u, const Gradient& gradient_of_u) const
+  {
+    check();
+    using namespace Bubble_relaxation_2::internal;
+    struct Part
+    {
+      Block block;
+      double values, gradients;
+    };
+    const Discretization& d = *m_discretization;
+    const Cell_quadrature_2 rule((std::max)(d.options.gauss_points + 2, std::size_t(5)));
+    double values = 0, gradients = 0;
+    compute_in_order<Part>(
+      d.parallel, d.cells.size(),
+      [&](std::size_t k, Part& part) {
+        part.block.clear();
+        rule.for_each_point(d.cells[k], [&](double x, double y, double w) { part.block.add_point(x, y, w); });
+        part.block.evaluate(d.mls);
+        integrate_error(part.block, u, gradient_of_u, part.values, part.gradients);
+      },
+      [&](const std::vector<Part>& parts, std::size_t n) {
+        for (std::size_t k = 0; k < n; ++k) {
+          values += parts[k].values;
+          gradients += parts[k].gradients;
+        }
+      },
+      [](std::size_t) { return true; });
+    return Element_free_Galerkin_error{std::sqrt(values), std::sqrt(values + gradients)};
+  }
+
+private:
+  void check() const
+  {
+    if (m_coefficients.empty())
+      throw std::logic_error("Bubble_relaxation_2: there is no solution, since the callback stopped the solver");
+  }
+
+  template <class Function, class Gradient>
+  void integrate_error(const Block& b, const Function& u, const Gradient& gradient_of_u, double& values,
+                       double& gradients) const
+  {
+    Eigen::VectorXd c(static_cast<Eigen::Index>(b.nodes.size()));
+    for (std::size_t k = 0; k < b.nodes.size(); ++k)
+      c[static_cast<Eigen::Index>(k)] = m_coefficients[static_cast<std::size_t>(b.nodes[k])];
+    const Eigen::VectorXd value = b.phi * c, dx = b.dx * c, dy = b.dy * c;
+    values = gradients = 0;
+    for (std::size_t q = 0; q < b.size(); ++q) {
+      const auto k = static_cast<Eigen::Index>(q);
+      const Vector_2 exact = gradient_of_u(b.point(q));
+      const double e = value[k] - u(b.point(q));
+      const double ex = dx[k] - CGAL::to_double(exact.x()), ey = dy[k] - CGAL::to_double(exact.y());
+      values += b.weights[k] * e * e;
+      gradients += b.weights[k] * (ex * ex + ey * ey);
+    }
+  }
+
+  std::shared_ptr<const Discretization> m_discretization;
+  std::vector<double> m_coefficients;
+  Report m_report;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_ELEMENT_FREE_GALERKIN_SOLUTION_2_H

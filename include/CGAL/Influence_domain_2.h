@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_INFLUENCE_DOMAIN_2_H
+#define CGAL_INFLUENCE_DOMAIN_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Influence_search_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+#include <CGAL/Bubble_relaxation_enums.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+template <class Point_2>
+struct Node_set_2;
+
+/*!
+\ingroup PkgBubbleRelaxation2Meshless
+
+The nodes that have a say at a point: those in whose influence domain it lies. The influence domain of a node is the
+open disc of its radius, which is one for all nodes, or one for each.
+
+By default (`Influence_search::BUCKETS`) the plane is cut into cells about as wide as the radii there, each with a
+list of the discs that meet it. A query goes through one list, so it takes no longer where sizes vary. It finds all
+nodes, in whatever way they are placed, and whatever their radii.
+
+With `Influence_search::EXPANSION` the nodes are found from the neighbour sets that the simulation leaves, as in
+section 3.2 of the paper: a descent to the nearest node, then an expansion over the sets as far as nodes are near
+enough. In a convex domain that is complete if R > 2 F. Here R is the radius of the neighbour sets, and F the fill
+distance: the radius of the largest circle around a point of the domain that has no node inside. For sizes that vary
+both are taken on the spot. Bubbles that are packed have 2 F of about 1.2 d and R of 1.7 d; a random set, or one with
+a void, does not comply, and in other domains R > 2 F is not enough: a notch or a hole separates nodes that
+are near to each other. What is tested here needs no domain, and it is a little weaker than R > 2 F: an expansion is
+complete if no node that it meets has a Delaunay edge that the neighbour sets lack and whose Voronoi edge comes
+nearer to the node than the expansion goes. If it may be incomplete the query is answered as by
+default, so that both ways always find the same nodes. `Query::number_of_fallbacks()` tells how often that was.
+
+A node lies in the influence domain if its squared distance is less than the squared radius, both computed with
+`double`, to which coordinates of other number types are rounded. Copies share what they hold.
+
+\tparam Kernel_ a model of `Kernel`, that of the points
+
+\sa `CGAL::npbs_place_nodes()`
+*/
+template <class Kernel_>
+class Influence_domain_2
+{
+  using Search = Bubble_relaxation_2::internal::Influence_search_2;
+
+public:
+  using Kernel = Kernel_;
+  using Point_2 = typename Kernel::Point_2; ///< the point type
+  using Node = std::int32_t;                ///< the index of a node
+
+#ifndef DOXYGEN_RUNNING
+  class Query;
+#endif
+
+  /*!
+  gives all nodes one radius.
+
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  \param nodes the nodes, which are copied
+  \param radius the radius of the influence domains, in the units of the coordinates
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{influence_search}
+      \cgalParamDescription{how nodes are found}
+      \cgalParamType{`Influence_search`}
+      \cgalParamDefault{`BUCKETS`; the paper: `EXPANSION`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \throws std::invalid_argument if the radius is not positive and finite, if a coordinate is not finite, or if
+  neighbour sets that are asked for are missing or have indices that no node has
+  */
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Influence_domain_2(const Node_set_2<Point_2>& nodes, double radius,
+                     const NamedParameters& np = parameters::default_values())
+    : Influence_domain_2(nodes.points, radius)
+  {
+    use_neighbors(nodes, np);
+  }
+
+  /*!
+  gives each node a radius of its own.
+
+  \param nodes, np as above
+  \param radii node i is found at p if |p - x<sub>i</sub>| < `radii[i]`
+
+  \throws std::invalid_argument as above, or if there are not as many radii as nodes
+  */
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Influence_domain_2(const Node_set_2<Point_2>& nodes, std::vector<double> radii,
+                     const NamedParameters& np = parameters::default_values())
+    : Influence_domain_2(nodes.points, std::move(radii))
+  {
+    use_neighbors(nodes, np);
+  }
+
+  /// gives all of any points one radius; they have no neighbour sets, so nodes are found by `BUCKETS`.
+  Influence_domain_2(std::vector<Point_2> points, double radius) : m_points(std::move(points))
+  {
+    Bubble_relaxation_2::internal::check_positive("radius", radius);
+    build([radius](std::size_t) { return radius; });
+  }
+
+  /// gives each of any points a radius of its own.
+  Influence_domain_2(std::vector<Point_2> points, std::vector<double> radii) : m_points(std::move(points))
+  {
+    check(radii);
+    build([&radii](std::size_t i) { return radii[i]; });
+  }
+
+  std::size_t size() const { return m_points.size(); } ///< the number of nodes
+
+  const Point_2& point(Node i) const { return m_points[static_cast<std::size_t>(i)]; } ///< where node `i` is
+
+  double radius(Node i) const { return (*m_radii)[static_cast<std::size_t>(i)]; } ///< the radius of node `i`
+
+  /*!
+  writes the nodes i with |p - x<sub>i</sub>| < `factor` r<sub>i</sub> in ascending order, and returns the end. May
+  be called by any number of threads. For a `factor` of at most 1 it takes the time of what it finds; for larger ones a
+  few times longer, and the first such query prepares for them.
+
+  \throws std::invalid_argument if a coordinate of `p` is not finite, or `factor` is not positive and finite
+  */
+  template <class OutputIterator>
+  OutputIterator nodes_at(const Point_2& p, OutputIterator out, double factor = 1) const
+  {
+    std::vector<Node> result;
+    Query(*this)(p, factor, result);
+    return std::copy(result.begin(), result.end(), out);
+  }
+
+  /// returns the node that is nearest to `p`, of several the first, and -1 if there is none.
+  Node nearest_node(const Point_2& p) const
+  {
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    check_place(x, y);
+    return m_search->nearest(x, y);
+  }
+
+  /// returns whether each query in some influence domain, with a factor of at most 1, is sure to be answered by
+  /// expansion alone; `false` with `BUCKETS`.
+  bool is_expansion_complete() const { return m_search->is_expansion_complete(); }
+
+private:
+  template <class Radius>
+  void build(const Radius& radius)
+  {
+    using Bubble_relaxation_2::internal::Influence_disc_2;
+    using Bubble_relaxation_2::internal::in_words;
+    if (m_points.size() > static_cast<std::size_t>((std::numeric_limits<Node>::max)()))
+      throw std::length_error("Bubble_relaxation_2: " + std::to_string(m_points.size()) +
+                              " nodes are more than their indices can number");
+    std::vector<Influence_disc_2> discs;
+    discs.reserve(m_points.size());
+    std::vector<double> radii;
+    radii.reserve(m_points.size());
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const double x = CGAL::to_double(m_points[i].x()), y = CGAL::to_double(m_points[i].y());
+      if (!std::isfinite(x) || !std::isfinite(y))
+        throw std::invalid_argument("Bubble_relaxation_2: parameter points: node " + std::to_string(i) + " at " +
+                                    in_words(x, y) + " must be finite");
+      discs.push_back(Influence_disc_2{x, y, radius(i)});
+      radii.push_back(radius(i));
+    }
+    m_search = std::make_shared<Search>(std::move(discs));
+    m_radii = std::make_shared<const std::vector<double>>(std::move(radii));
+  }
+
+  template <class NamedParameters>
+  void use_neighbors(const Node_set_2<Point_2>& nodes, const NamedParameters& np)
+  {
+    const Influence_search search = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::influence_search), Influence_search::BUCKETS);
+    if (search == Influence_search::EXPANSION)
+      m_search->use_neighbors(nodes.neighbor_offsets, nodes.neighbors);
+  }
+
+  void check(const std::vector<double>& radii) const
+  {
+    if (radii.size() != m_points.size())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter radii has " + std::to_string(radii.size()) +
+                                  " numbers for " + std::to_string(m_points.size()) + " nodes");
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      if (!(radii[i] > 0) || !std::isfinite(radii[i]))
+        throw std::invalid_argument("Bubble_relaxation_2: parameter radii: the radius " +
+                                    Bubble_relaxation_2::internal::in_words(radii[i]) + " of node " +
+                                    std::to_string(i) + " must be positive and finite");
+  }
+
+  static void check_place(double x, double y)
+  {
+    if (!std::isfinite(x) || !std::isfinite(y))
+      throw std::invalid_argument("Bubble_relaxation_2: parameter p = " +
+                                  Bubble_relaxation_2::internal::in_words(x, y) + " must be finite");
+  }
+
+  std::vector<Point_2> m_points;
+  std::shared_ptr<const std::vector<double>> m_radii;
+  std::shared_ptr<Search> m_search;
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Meshless
+
+Queries by one thread. They find what `nodes_at()` finds, without taking memory each time; with
+`Influence_search::EXPANSION` each starts where the one before ended, so they are fast in an order in which
+each point is near to the last, as quadrature points are. It may outlive the `Influence_domain_2`.
+*/
+template <class Kernel_>
+class Influence_domain_2<Kernel_>::Query
+{
+public:
+  /// prepares for queries of `influence`.
+  explicit Query(const Influence_domain_2& influence) : m_search(influence.m_search) {}
+
+  /// replaces what `result` has by the nodes i with |p - x<sub>i</sub>| < `factor` r<sub>i</sub>, in ascending order.
+  void operator()(const Point_2& p, double factor, std::vector<Node>& result)
+  {
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    check_place(x, y);
+    Bubble_relaxation_2::internal::check_positive("factor", factor);
+    m_search->find(x, y, factor, m_state, result);
+  }
+
+  /// returns how many of the queries an expansion might not have answered in full, so that they were answered as
+  /// by default.
+  std::size_t number_of_fallbacks() const { return m_state.number_of_fallbacks; }
+
+private:
+  std::shared_ptr<const Search> m_search;
+  typename Search::State m_state;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_INFLUENCE_DOMAIN_2_H

@@ -1,0 +1,424 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_MOVING_LEAST_SQUARES_2_H
+#define CGAL_MOVING_LEAST_SQUARES_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Local_fit_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
+#include <CGAL/Deficient_support_error_2.h>
+#include <CGAL/Influence_domain_2.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/use.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Meshless
+
+Moving least squares: smooth functions of values at scattered nodes, without a mesh.
+
+At a point x each polynomial of the basis is a candidate; the one that fits the values of the nodes around x
+best, in the sum of squares with weights that fall with the distance, is taken, and its value at x is the value of the
+approximation. It is a sum over nodes, of the values times <em>shape functions</em>, which do not depend on the
+values. They sum up to 1, and polynomials of the basis are reproduced. They do not interpolate: the
+approximation at a node is not the value that is given there.
+
+The support of a node is the disc in which its weight is positive, its influence domain. Weights and shape functions
+have two continuous derivatives as long as all points have enough nodes.
+
+<b>Points with too few nodes,</b> or with nodes in unfavourable places such as along a line, are known by the condition
+number of their moment matrix, whose monomials are centred at the point and in units of a third of the largest support radius
+there. It exceeds `maximum_condition_number` there, and what happens is up to the parameter `deficient_support`:
+by default the radii of all supports are multiplied, for this point only, by 1.1 as often as it takes. Then the basis is
+reproduced there as well, and derivatives are those of the larger supports; but from such points to others the shape
+functions are not continuous.
+
+Nodes are summed up in ascending order, so the bits of a result depend neither on how nodes are searched nor on
+threads, nor on what was asked before. Lengths are in units of the support radius: neither the unit of the coordinates nor
+a far origin matters. This header needs Eigen.
+
+\tparam Kernel_ a kernel of \cgal; coordinates are rounded to `double`
+
+\sa `Influence_domain_2`
+\sa `Deficient_support_error_2`
+*/
+template <class Kernel_>
+class Moving_least_squares_2
+{
+public:
+  using Kernel = Kernel_;
+  using Point_2 = typename Kernel::Point_2;
+  using Vector_2 = typename Kernel::Vector_2;
+  using Influence = Influence_domain_2<Kernel>; ///< knows the nodes and their supports
+  using Query = typename Influence::Query;      ///< searches nodes for one thread
+
+  /// The shape functions at a point. To use an object again saves the allocation of memory.
+  struct Shape_functions
+  {
+    std::vector<std::int32_t> nodes; ///< the nodes in whose support the point lies, ascending
+    /// of each of `nodes`: value, first and second derivatives; empty where they were not asked for
+    std::vector<double> values, dx, dy, dxx, dxy, dyy;
+    double enlargement = 1;      ///< what the support radii were multiplied by to suffice
+    /// no less than that of the moment matrix, and the very condition number if it is more than allowed. The bound
+    /// comes from the determinant and is cheap; eigenvalues are computed only where it does not settle the question
+    double condition_number = 0;
+
+  private:
+    friend class Moving_least_squares_2;
+    Bubble_relaxation_2::internal::Local_fit_2 m_fit;
+  };
+
+  /// An approximation at many points: an element a point in each array that was asked for.
+  struct Values
+  {
+    std::vector<double> values, dx, dy, dxx, dxy, dyy;
+    std::size_t number_of_enlarged_supports = 0; ///< at how many points supports had to be enlarged
+    double largest_enlargement = 1;              ///< and the most that they had to be multiplied by
+  };
+
+  /*!
+  takes nodes with their supports from `influence`, which is not copied and must outlive this object.
+
+  \param influence the nodes; their radii are the support radii
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{mls_basis}
+      \cgalParamDescription{the polynomials that are reproduced}
+      \cgalParamType{`Moving_least_squares_basis`}
+      \cgalParamDefault{`LINEAR`, as in the paper}
+    \cgalParamNEnd
+    \cgalParamNBegin{mls_weight}
+      \cgalParamDescription{the weight of a node over the distance from it}
+      \cgalParamType{`Moving_least_squares_weight`}
+      \cgalParamDefault{`QUARTIC_SPLINE`, as in the paper}
+    \cgalParamNEnd
+    \cgalParamNBegin{deficient_support}
+      \cgalParamDescription{what is done where the nodes do not suffice}
+      \cgalParamType{`Deficient_support`}
+      \cgalParamDefault{`ENLARGE`}
+    \cgalParamNEnd
+    \cgalParamNBegin{maximum_condition_number}
+      \cgalParamDescription{the nodes do not suffice where the condition number of the moment matrix is larger}
+      \cgalParamType{`double`, from 1 to 10<sup>14</sup>}
+      \cgalParamDefault{10<sup>4</sup>; it is about 10 for the linear and 100 for the quadratic basis in packed bubbles}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \throws std::invalid_argument if a parameter is out of its range, or if there is no node
+  */
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Moving_least_squares_2(const Influence& influence,
+                                  const NamedParameters& np = parameters::default_values())
+    : m_options(Bubble_relaxation_2::internal::read_mls_options(np)), m_influence(&influence)
+  {
+    if (influence.size() == 0)
+      throw std::invalid_argument("Bubble_relaxation_2: parameter influence has no nodes");
+  }
+
+  /// is for objects that stay: a temporary would be gone when it is needed.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Moving_least_squares_2(Influence&&, const NamedParameters& = parameters::default_values()) = delete;
+
+  /// the nodes and their supports
+  const Influence& influence() const { return *m_influence; }
+
+  /*!
+  computes the shape functions at `p` and as many orders of derivatives as asked for. Several threads may do so
+  at once, each with a `result` of its own.
+
+  \param p the point
+  \param number_of_derivatives 0, 1 or 2
+  \param result takes the shape functions
+
+  \throws std::invalid_argument if a coordinate is not finite, or if `number_of_derivatives` is out of its range
+  \throws Deficient_support_error_2 if the nodes do not suffice at `p`, with `Deficient_support::REPORT`; with
+  `ENLARGE` if no enlargement helps, which is so if all nodes lie along a curve of the basis' degree, or very far away
+  */
+  void operator()(const Point_2& p, int number_of_derivatives, Shape_functions& result) const
+  {
+    const auto search = [&](double factor) {
+      result.nodes.clear();
+      m_influence->nodes_at(p, std::back_inserter(result.nodes), factor);
+    };
+    compute(p, number_of_derivatives, search, result);
+  }
+
+  /// does the same with a search that is fastest if each point is near the last one; one object a thread.
+  void operator()(const Point_2& p, int number_of_derivatives, Query& query, Shape_functions& result) const
+  {
+    const auto search = [&](double factor) { query(p, factor, result.nodes); };
+    compute(p, number_of_derivatives, search, result);
+  }
+
+  /*!
+  \brief returns the approximation at `p`.
+  \param p the point
+  \param coefficients the values at the nodes, in their order: a `std::vector<double>` or what has as many elements,
+  `size()` and `operator[]`
+  \throws std::invalid_argument if the number of coefficients is not that of the nodes; and as above
+  */
+  template <class Coefficients>
+  double value(const Point_2& p, const Coefficients& coefficients) const
+  {
+    check_number_of_coefficients(coefficients.size());
+    Shape_functions shapes;
+    (*this)(p, 0, shapes);
+    return sum(shapes.nodes, shapes.values, coefficients);
+  }
+
+  /// returns the gradient of the approximation at `p`, with the arguments and exceptions of `value()`.
+  template <class Coefficients>
+  Vector_2 gradient(const Point_2& p, const Coefficients& coefficients) const
+  {
+    check_number_of_coefficients(coefficients.size());
+    Shape_functions shapes;
+    (*this)(p, 1, shapes);
+    return Vector_2(sum(shapes.nodes, shapes.dx, coefficients), sum(shapes.nodes, shapes.dy, coefficients));
+  }
+
+  /*!
+  returns the approximation at many points, and as many orders of derivatives as asked for. It is fastest if
+  points that follow each other are near to each other.
+
+  \param points the points
+  \param coefficients as for `value()`
+  \param number_of_derivatives 0, 1 or 2
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{concurrency_tag}
+      \cgalParamDescription{whether threads are used; the bits of the result do not depend on it}
+      \cgalParamType{`Sequential_tag` or `Parallel_tag` (which needs TBB)}
+      \cgalParamDefault{`Sequential_tag`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \throws std::invalid_argument, Deficient_support_error_2 as above. The latter is about the first of the points where the
+  nodes do not suffice, and tells how many there are
+  */
+  template <class Coefficients, class NamedParameters = parameters::Default_named_parameters>
+  Values evaluate(const std::vector<Point_2>& points, const Coefficients& coefficients,
+                  int number_of_derivatives = 0,
+                  const NamedParameters& np = parameters::default_values()) const
+  {
+    CGAL_USE(np);
+    check_number_of_derivatives(number_of_derivatives);
+    check_number_of_coefficients(coefficients.size());
+    for (const Point_2& p : points)
+      check_point(p);
+    const std::size_t n = points.size();
+    Values result;
+    result.values.resize(n);
+    for (auto* array : {&result.dx, &result.dy})
+      array->resize(number_of_derivatives > 0 ? n : 0);
+    for (auto* array : {&result.dxx, &result.dxy, &result.dyy})
+      array->resize(number_of_derivatives > 1 ? n : 0);
+    std::vector<Block> blocks((n + block_size - 1) / block_size);
+    using namespace Bubble_relaxation_2::internal;
+    parallel_for<Concurrency<NamedParameters>>(blocks.size(), [&](std::size_t b) {
+      const std::size_t end = (std::min)(n, (b + 1) * block_size);
+      blocks[b] = evaluate_block(points, b * block_size, end, coefficients, number_of_derivatives, result);
+    }, 1);
+    add_up(blocks, points, result);
+    return result;
+  }
+
+private:
+  static constexpr std::size_t block_size = 512; // points that one thread evaluates in a row
+
+  /// what was found at the points of a block
+  struct Block
+  {
+    std::size_t number_of_enlarged = 0;
+    double largest_enlargement = 1;
+    std::size_t number_of_deficient = 0;
+    std::size_t first_deficient = 0;
+  };
+
+  static void check_point(const Point_2& p)
+  {
+    using Bubble_relaxation_2::internal::in_words;
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    if (!std::isfinite(x) || !std::isfinite(y))
+      throw std::invalid_argument("Bubble_relaxation_2: parameter p = " + in_words(x, y) + " must be finite");
+  }
+
+  static void check_number_of_derivatives(int n)
+  {
+    if (n < 0 || n > 2)
+      Bubble_relaxation_2::internal::throw_invalid_parameter("number_of_derivatives", n, "0, 1 or 2");
+  }
+
+  void check_number_of_coefficients(std::size_t n) const
+  {
+    if (n != m_influence->size())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter coefficients has " + std::to_string(n) +
+                                  " numbers for " + std::to_string(m_influence->size()) + " nodes");
+  }
+
+  /// `search(factor)` puts the nodes into `r.nodes` in whose support, times the factor, `p` lies.
+  template <class Search>
+  void compute(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
+  {
+    check_point(p);
+    check_number_of_derivatives(number_of_derivatives);
+    if (!fit(p, number_of_derivatives, search, r))
+      throw_error(p, search, r, 1);
+    r.m_fit.write(number_of_derivatives, r);
+  }
+
+  /// returns whether there are shape functions at `p`, after all that may be done for it
+  template <class Search>
+  bool fit(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
+  {
+    r.enlargement = 1;
+    if (suffices(p, number_of_derivatives, search, r))
+      return true;
+    switch (m_options.deficient_support) {
+    case Deficient_support::ENLARGE:
+      return enlarge(p, number_of_derivatives, search, r);
+    case Deficient_support::PSEUDO_INVERSE:
+      return true;
+    default:
+      return false;
+    }
+  }
+
+  /// returns whether the nodes at `p` with the present enlargement do
+  template <class Search>
+  bool suffices(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
+  {
+    search(r.enlargement);
+    r.m_fit.gather(*m_influence, p, r.nodes, r.enlargement);
+    const bool result = r.m_fit.solve(m_options, number_of_derivatives);
+    r.condition_number = r.m_fit.condition_number();
+    return result;
+  }
+
+  /// Enlarges the supports until the nodes suffice. Once they have all nodes, twice as far from their rims than
+  /// when they had just got them, there is nothing to gain: weights hardly differ, and only lengths in units
+  /// of the radii go on to shrink. From 1e15 radii away nodes cannot be told from each other.
+  template <class Search>
+  bool enlarge(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
+  {
+    int steps_with_all_nodes = 0;
+    while (steps_with_all_nodes < 8 && r.enlargement < 1e15) {
+      r.enlargement *= 1.1;
+      if (suffices(p, number_of_derivatives, search, r))
+        return true;
+      if (r.nodes.size() == m_influence->size())
+        ++steps_with_all_nodes;
+    }
+    return false;
+  }
+
+  template <class Search>
+  [[noreturn]] void throw_error(const Point_2& p, const Search& search, Shape_functions& r,
+                                std::size_t number_of_points) const
+  {
+    r.enlargement = 1;
+    suffices(p, 0, search, r);
+    const std::size_t number_of_nodes = r.nodes.size();
+    const double condition_number = r.condition_number;
+    const double enlargement = enlarge(p, 0, search, r) ? r.enlargement : 0;
+    throw Deficient_support_error_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()), number_of_nodes,
+                                    condition_number, m_options.maximum_condition_number, enlargement,
+                                    number_of_points);
+  }
+
+  template <class Coefficients>
+  static double sum(const std::vector<std::int32_t>& nodes, const std::vector<double>& shapes,
+                    const Coefficients& coefficients)
+  {
+    double result = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      result += shapes[i] * coefficients[static_cast<std::size_t>(nodes[i])];
+    return result;
+  }
+
+  /// evaluates the points from `begin` to `end`; others may do so with other points at the same time
+  template <class Coefficients>
+  Block evaluate_block(const std::vector<Point_2>& points, std::size_t begin, std::size_t end,
+                       const Coefficients& coefficients, int number_of_derivatives, Values& result) const
+  {
+    Block block;
+    Query query(*m_influence);
+    Shape_functions r;
+    const auto search = [&](const Point_2& p) {
+      return [&](double factor) { query(p, factor, r.nodes); };
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!fit(points[i], number_of_derivatives, search(points[i]), r)) {
+        if (block.number_of_deficient++ == 0)
+          block.first_deficient = i;
+        continue;
+      }
+      r.m_fit.write(number_of_derivatives, r);
+      block.number_of_enlarged += r.enlargement > 1;
+      block.largest_enlargement = (std::max)(block.largest_enlargement, r.enlargement);
+      for_each_array(result, r, [&](std::vector<double>& out, const std::vector<double>& shapes) {
+        if (!out.empty())
+          out[i] = sum(r.nodes, shapes, coefficients);
+      });
+    }
+    return block;
+  }
+
+  /// \throws Deficient_support_error_2 about the first point that has no value
+  void add_up(const std::vector<Block>& blocks, const std::vector<Point_2>& points, Values& result) const
+  {
+    std::size_t number_of_deficient = 0;
+    for (const Block& b : blocks) {
+      result.number_of_enlarged_supports += b.number_of_enlarged;
+      result.largest_enlargement = (std::max)(result.largest_enlargement, b.largest_enlargement);
+      number_of_deficient += b.number_of_deficient;
+    }
+    if (number_of_deficient == 0)
+      return;
+    const auto first = std::find_if(blocks.begin(), blocks.end(),
+                                    [](const Block& b) { return b.number_of_deficient > 0; });
+    Query query(*m_influence);
+    Shape_functions r;
+    const Point_2& p = points[first->first_deficient];
+    throw_error(p, [&](double factor) { query(p, factor, r.nodes); }, r, number_of_deficient);
+  }
+
+  template <class Function>
+  static void for_each_array(Values& v, const Shape_functions& r, const Function& f)
+  {
+    f(v.values, r.values);
+    f(v.dx, r.dx);
+    f(v.dy, r.dy);
+    f(v.dxx, r.dxx);
+    f(v.dxy, r.dxy);
+    f(v.dyy, r.dyy);
+  }
+
+  Bubble_relaxation_2::internal::Mls_options m_options;
+  const Influence* m_influence;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_MOVING_LEAST_SQUARES_2_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_NODE_SET_2_H
+#define CGAL_NODE_SET_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/copy_nodes.h>
+#include <CGAL/Bubble_relaxation_2/internal/mean_edge_length_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/sort_in_space.h>
+#include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
+Nodes for meshless methods, with their neighbour sets. All arrays but `neighbors` have an element a node;
+nodes that are near to each other have near indices.
+
+\tparam Point_2_ point type
+*/
+template <class Point_2_>
+struct Node_set_2
+{
+  using Point_2 = Point_2_;
+
+  std::vector<Point_2> points;         ///< positions
+  std::vector<double> sizes;           ///< the wanted distance d at each node
+  std::vector<unsigned char> dimensions; ///< 0: vertex of the domain or pinned, 1: on an edge, 2: in a face
+
+  /// the neighbours of node i are `neighbors[neighbor_offsets[i]]` up to, without,
+  /// `neighbors[neighbor_offsets[i + 1]]`
+  std::vector<std::size_t> neighbor_offsets;
+  /// indices of the nodes nearer than `neighbor_radius` times the mean of both sizes, in increasing order
+  std::vector<std::int32_t> neighbors;
+
+  double neighbor_radius = 0;          ///< the radius of the sets in units of the mean of both sizes
+  Bubble_relaxation_report_2<double> report; ///< what was done; it has no statistics of a mesh
+
+  /// the number of nodes
+  std::size_t size() const { return points.size(); }
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief returns the vertices of a mesh that lie in its domain as nodes for meshless methods, with their neighbour
+sets. The size of a node is the mean length of the edges in the domain that end there.
+
+So nodes of any origin become a `Node_set_2`, and the nodes of a mesh that `npbs_relax()` made can be used beside
+the mesh. The vertices may be inserted in any order.
+
+\tparam CDT as in `npbs_relax()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh the triangulation
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `seeds`, `seeds_are_in_domain`,
+`vertex_is_constrained_map`, `neighbor_radius` and `concurrency_tag`, all as in `npbs_relax()`
+
+\throws std::invalid_argument if there is no domain, if a coordinate is not finite, or if `neighbor_radius` is
+not greater than 1.5
+
+\sa `npbs_place_nodes()`
+*/
+template <class CDT, class NamedParameters = parameters::Default_named_parameters>
+auto node_set_2(const CDT& mesh, const NamedParameters& np = parameters::default_values())
+{
+  using namespace Bubble_relaxation_2::internal;
+  const double neighbor_radius = read_options(np).neighbor_radius;
+  const Domain_marks_2<CDT> is_inside(mesh, np);
+  const auto reading = read_domain(mesh, np, is_inside);
+  const Interpolated_field_2 sizes = mean_edge_length_field(mesh, is_inside);
+  Bubbles_2 bubbles;
+  const auto add = [&](typename CDT::Vertex_handle v, Bubbles_2::Dimension dimension) {
+    const Point p = Domain_reading_2<CDT>::Graph::to_point(v);
+    bubbles.add(p, sizes(p), dimension, no_index);
+  };
+  for (auto v : reading->graph->corners())
+    add(v, Bubbles_2::CORNER);
+  for (const auto& chain : reading->graph->chains())
+    for (auto v : chain.splits)
+      add(v, Bubbles_2::EDGE);
+  for (auto v : reading->pinned)
+    add(v, Bubbles_2::CORNER);
+  for (auto v : reading->free)
+    add(v, Bubbles_2::FACE);
+  sort_in_space<Concurrency<NamedParameters>>(reading->domain, bubbles);
+  Node_set_2<typename CDT::Geom_traits::Point_2> nodes;
+  copy_nodes<Concurrency<NamedParameters>>(bubbles, neighbor_radius, nodes);
+  nodes.report.number_of_vertices = nodes.size();
+  return nodes;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_NODE_SET_2_H
