@@ -52,6 +52,22 @@ public:
     add_constraints(cdt);
   }
 
+  /// the same, as far as it lies in `box`
+  template <class CDT>
+  void add_part_of_mesh(const CDT& cdt, const CGAL::Bbox_2& box, const std::string& caption)
+  {
+    start_panel(caption, box);
+    m_body << "<svg x=\"" << m_left << "\" y=\"" << m_top << "\" width=\"" << m_size << "\" height=\"" << m_size
+           << "\" viewBox=\"" << m_left << ' ' << m_top << ' ' << m_size << ' ' << m_size << "\">\n"; // clips
+    for (auto f : cdt.finite_face_handles())
+      if (f->is_in_domain() && CGAL::do_overlap(cdt.triangle(f).bbox(), box)) {
+        const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
+        add_triangle(p, q, r, color(CGAL::radius_ratio_2(p, q, r)), 0.3);
+      }
+    add_constraints(cdt, box);
+    m_body << "</svg>\n";
+  }
+
   /// vertices of the domain as dots
   template <class CDT>
   void add_nodes(const CDT& cdt, const std::string& caption)
@@ -165,9 +181,15 @@ private:
   template <class CDT>
   void add_constraints(const CDT& cdt)
   {
+    add_constraints(cdt, box_of(cdt));
+  }
+
+  template <class CDT>
+  void add_constraints(const CDT& cdt, const CGAL::Bbox_2& box)
+  {
     m_body << "<path stroke=\"black\" stroke-width=\"1.2\" stroke-linecap=\"round\" d=\"";
     for (const auto& e : cdt.finite_edges())
-      if (cdt.is_constrained(e))
+      if (cdt.is_constrained(e) && CGAL::do_overlap(cdt.segment(e).bbox(), box))
         m_body << 'M' << at(e.first->vertex(cdt.ccw(e.second))->point()) << 'L'
                << at(e.first->vertex(cdt.cw(e.second))->point());
     m_body << "\"/>\n";

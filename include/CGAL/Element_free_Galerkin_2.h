@@ -112,7 +112,7 @@ public:
     \cgalParamNBegin{number_of_gauss_points}
       \cgalParamDescription{points in each direction of a cell, and on each piece of the boundary}
       \cgalParamType{an integer from 1 to 64}
-      \cgalParamDefault{3, with the quadratic basis 4; the paper: 2}
+      \cgalParamDefault{3, with the quadratic basis 5; the paper: 2}
     \cgalParamNEnd
     \cgalParamNBegin{consistent_integration}
       \cgalParamDescription{whether gradients of test functions are corrected so that the basis is integrated exactly}

@@ -91,13 +91,16 @@ public:
 
   Vector solve(const Vector& b) const { return m_cholesky.solve(b); }
 
-  /// the least of all solutions that come nearest: parts that hardly matter to the matrix are left out
-  Vector pseudo_solve(const Vector& b) const
+  /// The least of all solutions that come nearest: parts that hardly matter to the matrix are left out. What is
+  /// least depends on the unit of length; here it is `unit` times that of the nodes.
+  Vector pseudo_solve(const Vector& b, double unit) const
   {
-    Decomposition decomposition(m_matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Vector scale = monomials<degree>(1 / unit, 1 / unit);
+    const Any_matrix scaled = scale.asDiagonal() * m_matrix * scale.asDiagonal();
+    Decomposition decomposition(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
     decomposition.setThreshold(1e-12);
-    const Any_vector any = b;
-    return decomposition.solve(any);
+    const Any_vector any = scale.cwiseProduct(b);
+    return scale.cwiseProduct(Vector(decomposition.solve(any)));
   }
 
 private:
