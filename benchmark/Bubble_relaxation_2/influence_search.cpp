@@ -57,7 +57,7 @@ using Nodes = CGAL::Node_set_2<Point>;
 using Influence = CGAL::Influence_domain_2<K>;
 using Found = std::vector<std::int32_t>;
 
-constexpr std::size_t queries_a_node = 4, most_queries = 400000, queries_in_a_row = 4000;
+constexpr std::size_t queries_a_node = 4, most_queries = 200000, queries_in_a_row = 4000;
 constexpr int repetitions = 3;
 constexpr double gradation = 0.1;
 

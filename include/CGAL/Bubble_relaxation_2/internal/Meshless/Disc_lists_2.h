@@ -142,6 +142,7 @@ private:
   static constexpr double small = 0.75;                 ///< radius over side, of discs that a cell is cut for
   static constexpr std::size_t short_list = 8;          ///< is not cut
   static constexpr double entries_a_disc = 16;          ///< of the grid, at most
+  static constexpr std::size_t discs_in_band = 16384; ///< about
   static constexpr int most_cuts = 40;                  ///< of a cell of the grid: radii may differ by 10^12
   static constexpr double slack = 1 + 1e-6;
 
@@ -179,7 +180,7 @@ private:
   /// somewhat more than the radius, so that no rounding loses a disc
   double reach(const Influence_disc_2& d) const { return slack * d.radius + m_rounding; }
 
-  /// calls `f(first cell, last cell)` for each row of cells of the grid that a disc meets
+  /// calls `f(row, first column, last column)` for each row of the grid that a disc meets
   template <class Function>
   void for_each_run(const Influence_disc_2& d, const Function& f) const
   {
@@ -190,41 +191,58 @@ private:
       // the first row and the last go on to infinity
       const double dy = (std::max)((std::max)(j > 0 ? low - d.y : 0, j + 1 < m.m_rows ? d.y - low - m.m_side : 0), 0.);
       const double half = std::sqrt((std::max)(r * r - dy * dy, 0.)) + m_rounding;
-      f(j * m.m_columns + m.column(d.x - half), j * m.m_columns + m.column(d.x + half));
+      f(j, m.column(d.x - half), m.column(d.x + half));
     }
   }
 
+  /// cells first to last of one row of the grid, which a disc meets
+  struct Run
+  {
+    std::uint32_t first, last;
+    std::int32_t disc;
+  };
+
+  /// In bands of rows, whose lists fit into a cache: discs may come in any order in space, but lists take them in
+  /// that of their numbers.
   void list_in_grid()
   {
-    struct Run
-    {
-      std::size_t first, last;
-    };
-    m.m_cells.resize(m.m_columns * m.m_rows);
-    std::vector<Run> runs;
-    std::vector<std::uint32_t> runs_of_disc(m_discs.size(), 0);
-    runs.reserve(5 * m_discs.size());
-    for (std::size_t i = 0; i < m_discs.size(); ++i)
-      for_each_run(m_discs[i], [&](std::size_t first, std::size_t last) {
-        runs.push_back(Run{first, last});
-        ++runs_of_disc[i];
-        for (std::size_t cell = first; cell <= last; ++cell)
-          ++m.m_cells[cell].size;
-      });
+    const std::size_t rows_in_band =
+      (std::max)(m.m_rows * (std::min)(discs_in_band, m_discs.size()) / m_discs.size(), std::size_t(1));
+    std::vector<std::vector<Run>> bands((m.m_rows - 1) / rows_in_band + 1);
     std::size_t entries = 0;
-    for (Cell& cell : m.m_cells) {
-      cell.first = entries;
-      entries += cell.size;
-      cell.size = 0;
+    for (std::size_t i = 0; i < m_discs.size(); ++i)
+      for_each_run(m_discs[i], [&](std::size_t row, std::size_t first, std::size_t last) {
+        bands[row / rows_in_band].push_back(Run{static_cast<std::uint32_t>(row * m.m_columns + first),
+                                                static_cast<std::uint32_t>(row * m.m_columns + last),
+                                                static_cast<std::int32_t>(i)});
+        entries += last - first + 1;
+      });
+    m.m_lists.reserve(entries);
+    m.m_cells.resize(m.m_columns * m.m_rows);
+    for (std::size_t k = 0; k < bands.size(); ++k) {
+      const std::size_t first = k * rows_in_band * m.m_columns;
+      list_in_band(bands[k], first, (std::min)(first + rows_in_band * m.m_columns, m.m_cells.size()));
+      std::vector<Run>().swap(bands[k]);
+    }
+  }
+
+  void list_in_band(const std::vector<Run>& runs, std::size_t first_cell, std::size_t end_of_cells)
+  {
+    for (const Run& run : runs)
+      for (std::size_t cell = run.first; cell <= run.last; ++cell)
+        ++m.m_cells[cell].size;
+    std::size_t entries = m.m_lists.size();
+    for (std::size_t k = first_cell; k < end_of_cells; ++k) {
+      m.m_cells[k].first = entries;
+      entries += m.m_cells[k].size;
+      m.m_cells[k].size = 0;
     }
     m.m_lists.resize(entries);
-    auto run = runs.begin();
-    for (std::size_t i = 0; i < m_discs.size(); ++i)
-      for (std::uint32_t k = 0; k < runs_of_disc[i]; ++k, ++run)
-        for (std::size_t cell = run->first; cell <= run->last; ++cell) {
-          Cell& c = m.m_cells[cell];
-          m.m_lists[c.first + c.size++] = static_cast<std::int32_t>(i);
-        }
+    for (const Run& run : runs)
+      for (std::size_t cell = run.first; cell <= run.last; ++cell) {
+        Cell& c = m.m_cells[cell];
+        m.m_lists[c.first + c.size++] = run.disc;
+      }
   }
 
   /// enters the list that lies in the stack from `first` on, or cuts the cell and enters those of its quarters
