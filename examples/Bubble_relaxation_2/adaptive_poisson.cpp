@@ -131,7 +131,7 @@ void print_step(const Adaptive_step& s, const Adaptive_step& before)
   print_error(s.error.h1, std::log(s.error.h1 / before.error.h1) / growth);
   std::cout << std::setw(10) << std::scientific << std::setprecision(2) << s.estimate << std::fixed
             << std::setprecision(3) << std::setw(8) << s.mean_quality << std::setw(7) << s.minimum_quality
-            << std::setprecision(1) << std::setw(18) << s.relaxing / s.solving << std::endl;
+            << std::setprecision(2) << std::setw(18) << s.relaxing / s.solving << std::endl;
 }
 
 double l2(const Adaptive_step& s) { return s.error.l2; }
