@@ -11,7 +11,7 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXAT
 cmake --build build/release
 mkdir -p build/figures
 cd build/figures
-for example in relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values; do
+for example in relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values influence_domains; do
   ../release/examples/Bubble_relaxation_2/$example
 done
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe \
@@ -23,6 +23,7 @@ figures=$here/doc/Bubble_relaxation_2/fig
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .
+"$here/scripts/benchmark.sh" influence 1e4 1e6 | grep -v '^\[\|^ninja' | tee "$figures/influence_domains.txt"
 # those that the manual shows
 for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
   rsvg-convert --width 1000 "${picture%.png}.svg" -o "$figures/$picture"

@@ -54,6 +54,10 @@ public:
   void write(const std::string& file_name)
   {
     const double width = static_cast<double>(m_panels.size()) * (size + gap) + 30;
+    std::size_t longest = 0;
+    for (const std::string& name : m_names)
+      longest = (std::max)(longest, name.size());
+    const double entry_width = 60 + 7.5 * static_cast<double>(longest);
     const std::size_t columns = (std::max)(std::size_t(1), static_cast<std::size_t>((width - gap) / entry_width));
     const double legend_height = 24 * static_cast<double>((m_names.size() + columns - 1) / columns);
     const double height = top + size + 70 + legend_height;
@@ -201,7 +205,8 @@ private:
   /// colours are told apart with the common colour-vision deficiencies too, and so are shapes without colour
   void add_mark(double x, double y, std::size_t number)
   {
-    const std::string style = std::string("\" fill=\"") + color(number) + "\" stroke=\"white\" stroke-width=\"0.8\"/>\n";
+    const std::string style =
+      std::string("\" fill=\"") + color(number) + "\" stroke=\"white\" stroke-width=\"0.8\"/>\n";
     switch (number % 4) {
     case 0:
       m_body << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"5" << style;
@@ -247,7 +252,7 @@ private:
            << "\">" << text << "</text>\n";
   }
 
-  static constexpr double size = 400, gap = 80, top = 75, entry_width = 290;
+  static constexpr double size = 400, gap = 80, top = 75;
 
   std::string m_title;
   std::vector<Panel> m_panels;

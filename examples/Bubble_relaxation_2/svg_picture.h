@@ -74,9 +74,8 @@ public:
   {
     start_panel(caption, box_of(cdt));
     add_constraints(cdt);
-    const double radius = 60 / std::sqrt(double(cdt.number_of_vertices()) + 500);
     for (auto v : cdt.finite_vertex_handles())
-      add_circle(v->point(), radius, "fill=\"#1f5fa8\"");
+      add_circle(v->point(), dot_radius(cdt.number_of_vertices()), "fill=\"#1f5fa8\"");
   }
 
   /// points as circles of given diameters, and segments between pairs of them
@@ -94,6 +93,29 @@ public:
     for (std::size_t i = 0; i < points.size(); ++i)
       add_circle(points[i], 0.5 * diameters[i] * m_scale,
                  "fill=\"#9cc3e6\" fill-opacity=\"0.35\" stroke=\"#1f5fa8\" stroke-width=\"0.6\"");
+  }
+
+  /// points as dots, in the outline of a triangulation
+  template <class CDT, class Point_2>
+  void add_points(const CDT& cdt, const std::vector<Point_2>& points, const std::string& caption)
+  {
+    start_panel(caption, box_of(cdt));
+    add_constraints(cdt);
+    for (const Point_2& p : points)
+      add_circle(p, dot_radius(points.size()), "fill=\"#9aa7b5\"");
+  }
+
+  /// a point as a cross, and those that belong to it, joined with it, in the colour of a number
+  template <class Point_2>
+  void add_star(const Point_2& center, const std::vector<Point_2>& points, std::size_t number_of_all, int number)
+  {
+    const std::string color = color_of_rank(number);
+    for (const Point_2& p : points)
+      m_body << "<path d=\"M" << at(center) << 'L' << at(p) << "\" stroke=\"" << color
+             << "\" stroke-width=\"0.8\"/>\n";
+    for (const Point_2& p : points)
+      add_circle(p, 1.3 * dot_radius(number_of_all), "fill=\"" + color + "\" stroke=\"#333\" stroke-width=\"0.4\"");
+    m_body << "<path d=\"M" << at(center) << "m-5 0h10m-5 -5v10\" stroke=\"black\" stroke-width=\"1.6\"/>\n";
   }
 
   /// the histogram of q
@@ -200,6 +222,11 @@ private:
     text << std::fixed << std::setprecision(2) << m_x0 + m_scale * p.x() << ' '
          << m_y0 - m_scale * p.y();
     return text.str();
+  }
+
+  static double dot_radius(std::size_t number_of_points)
+  {
+    return 60 / std::sqrt(double(number_of_points) + 500);
   }
 
   static double thin_line(std::size_t number_of_vertices)

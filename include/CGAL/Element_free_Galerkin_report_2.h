@@ -33,7 +33,7 @@ struct Element_free_Galerkin_report_2
   double largest_enlargement = 1;      ///< the largest factor of all these
   std::size_t number_of_non_zeros = 0; ///< entries of the matrix
   double residual = 0;                 ///< |b - A x| / (|A| |x| + |b|) in the maximum norm
-  double condition_number = 0;         ///< of the matrix, a lower bound that is near to it usually
+  double condition_number = 0;         ///< of the matrix, an estimate from below; 0 above 5000 equations
   bool is_stopped_by_callback = false; ///< whether the callback returned `false`: then there is no solution
   double integration_seconds = 0;      ///< wall-clock time of the integrals
   double solution_seconds = 0;         ///< wall-clock time of the solution of the equations

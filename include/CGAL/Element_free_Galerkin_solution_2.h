@@ -88,10 +88,15 @@ public:
 
   /*!
   returns the error against a function that is known, by Gauss's rule with two points more in each direction of
-  each cell than the solver had, and four at least. Singular functions need smaller cells than these.
+  each cell than the solver had, and five at least. Where u is singular the cells must be small for it.
+
+  \param u the function
+  \param gradient_of_u its gradient
 
   \tparam Function callable as `double(const Point_2&)`
   \tparam Gradient callable as `Vector_2(const Point_2&)`
+
+  \throws std::logic_error if the callback stopped the solver
   */
   template <class Function, class Gradient>
   Element_free_Galerkin_error error(const Function& u, const Gradient& gradient_of_u) const
@@ -104,7 +109,7 @@ public:
       double values, gradients;
     };
     const Discretization& d = *m_discretization;
-    const Cell_quadrature_2 rule((std::max)(d.options.gauss_points + 2, std::size_t(4)));
+    const Cell_quadrature_2 rule((std::max)(d.options.gauss_points + 2, std::size_t(5)));
     double values = 0, gradients = 0;
     compute_in_order<Part>(
       d.parallel, d.cells.size(),

@@ -46,16 +46,16 @@ approximation at a node is not the value that is given there.
 The support of a node is the disc in which its weight is positive, its influence domain. Weights and shape functions
 have two continuous derivatives as long as all points have enough nodes.
 
-<b>Points with too few nodes,</b> or with nodes in unfavourable places such as along a line, are known by the condition
-number of their moment matrix, whose monomials are centred at the point and in units of a third of the largest support radius
-there. It exceeds `maximum_condition_number` there, and what happens is up to the parameter `deficient_support`:
-by default the radii of all supports are multiplied, for this point only, by 1.1 as often as it takes. Then the basis is
-reproduced there as well, and derivatives are those of the larger supports; but from such points to others the shape
-functions are not continuous.
+<b>Points with too few nodes,</b> or with nodes in unfavourable places such as along a line, are known by the
+condition number of their moment matrix, whose monomials are centred at the point and in units of a third of the
+largest support radius there: it exceeds `maximum_condition_number`. What happens then is up to the parameter
+`deficient_support`: by default the radii of all supports are multiplied, for this point only, by 1.1 as often
+as it takes. Then the basis is reproduced there as well, and derivatives are those of the larger supports; but
+from such points to others the shape functions are not continuous.
 
 Nodes are summed up in ascending order, so the bits of a result depend neither on how nodes are searched nor on
-threads, nor on what was asked before. Lengths are in units of the support radius: neither the unit of the coordinates nor
-a far origin matters. This header needs Eigen.
+threads, nor on what was asked before. Lengths are in units of the support radius, so neither the unit of the
+coordinates nor a far origin matters. This header needs Eigen.
 
 \tparam Kernel_ a kernel of \cgal; coordinates are rounded to `double`
 
@@ -153,7 +153,7 @@ public:
 
   \throws std::invalid_argument if a coordinate is not finite, or if `number_of_derivatives` is out of its range
   \throws Deficient_support_error_2 if the nodes do not suffice at `p`, with `Deficient_support::REPORT`; with
-  `ENLARGE` if no enlargement helps, which is so if all nodes lie along a curve of the basis' degree, or very far away
+  `ENLARGE` if no enlargement helps: if all nodes lie along a curve of the basis' degree, or very far away
   */
   void operator()(const Point_2& p, int number_of_derivatives, Shape_functions& result) const
   {
@@ -214,8 +214,8 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \throws std::invalid_argument, Deficient_support_error_2 as above. The latter is about the first of the points where the
-  nodes do not suffice, and tells how many there are
+  \throws std::invalid_argument, Deficient_support_error_2 as above. The latter is about the first of the points
+  where the nodes do not suffice, and tells how many there are
   */
   template <class Coefficients, class NamedParameters = parameters::Default_named_parameters>
   Values evaluate(const std::vector<Point_2>& points, const Coefficients& coefficients,
@@ -318,12 +318,12 @@ private:
 
   /// Enlarges the supports until the nodes suffice. Once they have all nodes, twice as far from their rims than
   /// when they had just got them, there is nothing to gain: weights hardly differ, and only lengths in units
-  /// of the radii go on to shrink.
+  /// of the radii go on to shrink. From 1e15 radii away nodes cannot be told from each other.
   template <class Search>
   bool enlarge(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
   {
     int steps_with_all_nodes = 0;
-    while (steps_with_all_nodes < 8 && std::isfinite(r.enlargement)) {
+    while (steps_with_all_nodes < 8 && r.enlargement < 1e15) {
       r.enlargement *= 1.1;
       if (suffices(p, number_of_derivatives, search, r))
         return true;

@@ -231,6 +231,45 @@ TEST(Influence_domain, clusters_and_coincident_nodes)
     EXPECT_GT(expect_exact(Influence(points, radius), points, 100), 1000u);
 }
 
+/// what a set of nodes costs: lists are to take memory for each node, and to have few nodes that are not found
+void expect_short_lists(const Points& points, const std::vector<double>& r)
+{
+  using namespace CGAL::Bubble_relaxation_2::internal;
+  std::vector<Influence_disc_2> discs;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    discs.push_back(Influence_disc_2{points[i].x(), points[i].y(), r[i]});
+  const Disc_lists_2 lists(discs);
+  EXPECT_LT(lists.number_of_entries(), 20 * points.size());
+  EXPECT_LT(lists.number_of_cells(), 20 * points.size());
+  std::size_t candidates = 0, found = 0;
+  Numbers result;
+  for (std::size_t i = 0; i < discs.size(); i += 10) {
+    lists.for_each_candidate(discs[i].x, discs[i].y, [&candidates](std::int32_t) { ++candidates; });
+    lists.find(discs, discs[i].x, discs[i].y, 1, result);
+    found += result.size();
+  }
+  EXPECT_LT(candidates, 4 * found);
+}
+
+TEST(Influence_domain, no_mixture_of_radii_makes_long_lists)
+{
+  const Points points = random_points(20000);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<double> any, few_large, all_large(points.size(), 5.);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    any.push_back(std::pow(10, -1 - 3 * uniform(random)));
+    few_large.push_back(i % 200 == 0 ? 0.5 : 0.01);
+  }
+  expect_short_lists(points, any);
+  expect_short_lists(points, few_large);
+  expect_short_lists(points, all_large);
+  Points clusters;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    clusters.emplace_back(points[i / 100].x() + 1e-6 * uniform(random), points[i / 100].y() + 1e-6 * uniform(random));
+  expect_short_lists(clusters, std::vector<double>(clusters.size(), 2e-7));
+}
+
 TEST(Influence_domain, any_scale_and_place)
 {
   const Points points = random_points(500);

@@ -157,6 +157,7 @@ TEST(Named_parameters, of_meshless_methods)
     EXPECT_EQ(P::get_parameter(np, N::grid_cells).ny, 10);
     EXPECT_EQ(P::get_parameter(np, N::number_of_gauss_points), 3);
     EXPECT_TRUE(P::get_parameter(np, N::consistent_integration));
+    EXPECT_EQ(P::get_parameter(np, N::residual_tolerance), 1e-9);
   };
   using E = CGAL::Influence_search;
   expect(P::influence_search(E::EXPANSION).support_radius(0.15).support_factor(2.5)
@@ -165,8 +166,8 @@ TEST(Named_parameters, of_meshless_methods)
            .deficient_support(CGAL::Deficient_support::REPORT).maximum_condition_number(1e6)
            .dirichlet_condition(CGAL::Dirichlet_condition::PENALTY).penalty_factor(1e4).nitsche_factor(10)
            .integration_cells(CGAL::Integration_cells::GRID).grid_cells(12, 10).number_of_gauss_points(3)
-           .consistent_integration(true));
-  expect(P::grid_cells(12, 10).consistent_integration(true).number_of_gauss_points(3)
+           .consistent_integration(true).residual_tolerance(1e-9));
+  expect(P::residual_tolerance(1e-9).grid_cells(12, 10).consistent_integration(true).number_of_gauss_points(3)
            .integration_cells(CGAL::Integration_cells::GRID).nitsche_factor(10).penalty_factor(1e4)
            .dirichlet_condition(CGAL::Dirichlet_condition::PENALTY).maximum_condition_number(1e6)
            .deficient_support(CGAL::Deficient_support::REPORT)

@@ -89,8 +89,8 @@ public:
   Eigen::SparseMatrix<double> matrix() const { return m_rows->matrix(); }
   const Eigen::VectorXd& load() const { return m_rows->load(); }
 
-  /// whether the matrix is symmetric and definite
-  bool is_definite() const { return !m_gradients.is_needed() && number_of_unknowns() == m.nodes.number(); }
+  /// whether the matrix is symmetric and definite but for what consistent integration adds
+  bool is_nearly_definite() const { return number_of_unknowns() == m.nodes.number(); }
 
 private:
   struct Consistent_part
@@ -283,20 +283,22 @@ private:
   void integrate_multipliers(const Boundary_segment_2& segment, Galerkin_cell& part) const
   {
     const Block& b = part.block;
-    std::vector<std::size_t> hats;
-    Eigen::MatrixXd mu = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(b.size()), 0);
-    Eigen::Index q = 0;
-    for_each_point(m.edge(segment), segment, m.segment_rule, [&](double s, double, double, double) {
-      for (const Multiplier_space_2::Hat& hat : m_multipliers->hats(segment.edge, s)) {
-        const auto place = std::find(hats.begin(), hats.end(), hat.index) - hats.begin();
-        if (place == static_cast<std::ptrdiff_t>(hats.size())) {
-          hats.push_back(hat.index);
-          mu.conservativeResize(Eigen::NoChange, place + 1);
-          mu.col(place).setZero();
-        }
-        mu(q, place) += hat.value;
-      }
-      ++q;
+    std::vector<std::size_t> hats; // ascending, as unknowns must be
+    const auto for_each_hat = [&](const auto& visit) {
+      Eigen::Index q = 0;
+      for_each_point(m.edge(segment), segment, m.segment_rule, [&](double s, double, double, double) {
+        for (const Multiplier_space_2::Hat& hat : m_multipliers->hats(segment.edge, s))
+          visit(q, hat);
+        ++q;
+      });
+    };
+    for_each_hat([&](Eigen::Index, const Multiplier_space_2::Hat& hat) { hats.push_back(hat.index); });
+    std::sort(hats.begin(), hats.end());
+    hats.erase(std::unique(hats.begin(), hats.end()), hats.end());
+    Eigen::MatrixXd mu =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(b.size()), static_cast<Eigen::Index>(hats.size()));
+    for_each_hat([&](Eigen::Index q, const Multiplier_space_2::Hat& hat) {
+      mu(q, std::lower_bound(hats.begin(), hats.end(), hat.index) - hats.begin()) += hat.value;
     });
     const Eigen::Index n = b.phi.cols(), all = n + mu.cols();
     const Eigen::MatrixXd coupling = weighted_sums(b.phi, b.weights, mu);

@@ -36,7 +36,7 @@ public:
   {
     m_unit = 0;
     for (auto i : nodes)
-      m_unit = (std::max)(m_unit, influence.radius(i) * enlargement / 3);
+      m_unit = (std::max)(m_unit, influence.radius(i) * enlargement / units_per_radius);
     const double scale = 1 / m_unit;
     const double px = CGAL::to_double(p.x()), py = CGAL::to_double(p.y());
     m_nodes.resize(nodes.size());
@@ -96,8 +96,8 @@ private:
     if (suffices)
       solve_for_shapes<degree>([&](const auto& b) { return matrix.solve(b); }, number_of_derivatives, m_nodes);
     else if (at_any_price)
-      solve_for_shapes<degree>([&](const auto& b) { return matrix.pseudo_solve(b); }, number_of_derivatives,
-                               m_nodes);
+      solve_for_shapes<degree>([&](const auto& b) { return matrix.pseudo_solve(b, units_per_radius); },
+                               number_of_derivatives, m_nodes);
     return suffices;
   }
 
@@ -108,6 +108,8 @@ private:
     for (std::size_t k = 0; k < out.size(); ++k)
       out[k] = shape(m_nodes[k]);
   }
+
+  static constexpr double units_per_radius = 3; // which balances the moments of a usual neighbourhood
 
   std::vector<Weighted_node_2> m_nodes;
   double m_unit = 1; // of lengths: in thirds of the largest radius all monomials have moments of like size

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Weighted_node_2.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 
 #include <cmath>
 #include <limits>
@@ -85,27 +85,31 @@ public:
     const double bound = condition_bound();
     if (bound <= limit)
       return bound;
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m_matrix, Eigen::EigenvaluesOnly);
-    const double smallest = eigen.eigenvalues()[0];
-    const double largest = eigen.eigenvalues()[size - 1];
-    return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity();
+    const auto values = Decomposition(m_matrix).singularValues(); // eigenvalues, since they are not negative
+    return values[size - 1] > 0 ? values[0] / values[size - 1] : std::numeric_limits<double>::infinity();
   }
 
   Vector solve(const Vector& b) const { return m_cholesky.solve(b); }
 
-  /// the least of all solutions that come nearest: parts that hardly matter to the matrix are left out
-  Vector pseudo_solve(const Vector& b) const
+  /// The least of all solutions that come nearest: parts that hardly matter to the matrix are left out. What is
+  /// least depends on the unit of length; here it is `unit` times that of the nodes.
+  Vector pseudo_solve(const Vector& b, double unit) const
   {
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(m_matrix);
-    const auto& values = eigen.eigenvalues();
-    Vector parts = eigen.eigenvectors().transpose() * b;
-    for (int i = 0; i < size; ++i)
-      parts[i] = values[i] > 1e-12 * values[size - 1] ? parts[i] / values[i] : 0;
-    return eigen.eigenvectors() * parts;
+    const Vector scale = monomials<degree>(1 / unit, 1 / unit);
+    const Any_matrix scaled = scale.asDiagonal() * m_matrix * scale.asDiagonal();
+    Decomposition decomposition(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    decomposition.setThreshold(1e-12);
+    const Any_vector any = scale.cwiseProduct(b);
+    return scale.cwiseProduct(Vector(decomposition.solve(any)));
   }
 
 private:
   using Matrix = Eigen::Matrix<double, size, size>;
+  // what is rarely needed has one type for all sizes, since it takes compilers long
+  static constexpr int largest_size = number_of_monomials(2);
+  using Any_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_size, largest_size>;
+  using Any_vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, largest_size, 1>;
+  using Decomposition = Eigen::JacobiSVD<Any_matrix, Eigen::NoQRPreconditioner>;
 
   /// A bound from what is at hand. Divided by the roots of its diagonal the matrix has ones there, hence the
   /// trace n, and a determinant D; if l is its least eigenvalue, the inequality of the means for the others

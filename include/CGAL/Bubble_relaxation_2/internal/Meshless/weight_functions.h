@@ -46,7 +46,7 @@ struct Cubic_spline_weight
     if (q <= 0.5)
       return {2. / 3 - 4 * q * q * (1 - q), 12 * q - 8, q > 0 ? 12 / q : 0};
     const double r = 1 - q;
-    return {4. / 3 * r * r * r, -4 * r * r / q, 4 * r * (1 + q) / (q * q)};
+    return {4. / 3 * r * r * r, -4 * r * r / q, 4 * r * (1 + q) / (q * q * q)};
   }
 };
 

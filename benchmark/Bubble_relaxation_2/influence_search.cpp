@@ -13,8 +13,8 @@
 // All have to find the same nodes. If sizes vary each node has a radius of its own. The other libraries search a disc
 // around the point then, so wide that it has all of these nodes, as the known gradation allows, and drop the rest.
 //
-//   influence_domains              10 000 nodes
-//   influence_domains 1e4 1e6      these numbers of nodes
+//   influence_search              10 000 nodes
+//   influence_search 1e4 1e6      these numbers of nodes
 
 #include "../../examples/Bubble_relaxation_2/paper_domains.h"
 
@@ -174,6 +174,13 @@ struct Point_set_search
 #ifdef BUBBLE_RELAXATION_2_WITH_NANOFLANN
 struct Nanoflann_search
 {
+#if NANOFLANN_VERSION < 0x150
+  using Near = std::pair<std::int32_t, double>;
+  using Parameters = nanoflann::SearchParams;
+#else
+  using Near = nanoflann::ResultItem<std::int32_t, double>;
+  using Parameters = nanoflann::SearchParameters;
+#endif
   struct Cloud
   {
     const std::vector<Point>& points;
@@ -188,18 +195,18 @@ struct Nanoflann_search
   const Task& task;
   Cloud cloud;
   Tree tree;
-  std::vector<std::pair<std::int32_t, double>> near;
+  std::vector<Near> near;
 
   explicit Nanoflann_search(const Task& t) : task(t), cloud{t.nodes.points}, tree(2, cloud) { tree.buildIndex(); }
 
   void operator()(const Place& place, Found& found)
   {
     const double center[2] = {place.p.x(), place.p.y()};
-    nanoflann::SearchParams parameters;
+    Parameters parameters;
     parameters.sorted = false;
     near.clear();
     tree.radiusSearch(center, place.reach * place.reach, near, parameters);
-    for (const auto& n : near)
+    for (const Near& n : near)
       if (task.has(n.first, place.p))
         found.push_back(n.first);
   }
