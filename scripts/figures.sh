@@ -20,6 +20,7 @@ figures=$here/doc/Bubble_relaxation_2/fig
 ../release/examples/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/examples/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
 ../release/examples/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
+../release/examples/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .

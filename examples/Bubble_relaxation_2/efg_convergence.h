@@ -72,7 +72,7 @@ inline void show_convergence(int levels)
   using CGAL::Moving_least_squares_basis;
   constexpr double d = 0.1;
   std::cout << "\nConvergence: nodes are the vertices of a mesh that npbs_relax() makes of the square, by default\n"
-            << std::right << std::setw(10) << "d" << std::setw(8) << "nodes" << "  error in L2, order   in H1, order\n";
+            << std::right << std::setw(10) << "d" << std::setw(8) << "nodes" << "  in L2    order   in H1    order\n";
   const Convergence linear = converge("linear basis, defaults", d, levels, CGAL::parameters::default_values());
   const Convergence quadratic = converge("quadratic basis, defaults", d, levels,
                                          CGAL::parameters::mls_basis(Moving_least_squares_basis::QUADRATIC));

@@ -115,8 +115,10 @@ inline std::string in_short(const std::vector<double>& values)
 inline void print_row(std::ostream& out, const std::string& name, const Error_sample& errors,
                       const std::string& remark = "")
 {
-  out << std::left << std::setw(42) << name << std::setw(33) << in_short(errors.l2()) << std::setw(33)
-      << in_short(errors.h1()) << remark << '\n';
+  out << std::left << std::setw(42) << name << std::setw(33) << in_short(errors.l2());
+  if (!remark.empty())
+    out << std::setw(33);
+  out << in_short(errors.h1()) << remark << '\n';
 }
 
 } // namespace efg
