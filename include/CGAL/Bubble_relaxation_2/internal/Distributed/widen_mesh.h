@@ -90,13 +90,7 @@ private:
 
   bool is_own(Index v) const { return m_mesh.known.owners[v] == m_comm.rank(); }
 
-  /// an own bubble that other ranks have to know
-  struct Border_bubble
-  {
-    Index index;
-    Hilbert_partition_2::Ranks takers;
-  };
-
+  /// the other ranks that have to know own bubbles
   void find_takers(double reach)
   {
     const Bubbles_2& b = m_mesh.known.bubbles;
@@ -109,10 +103,6 @@ private:
     for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
       if (m_mesh.is_final[t])
         find_takers_beside(m_mesh.triangulation.tr.vertices[t]);
-    std::sort(m_border.begin(), m_border.end(),
-              [](const Border_bubble& c, const Border_bubble& d) { return c.index < d.index; });
-    for (std::size_t k = 0; k < m_border.size(); ++k)
-      m_position[m_border[k].index] = static_cast<Index>(k);
   }
 
   /// own vertices of a triangle with others
@@ -132,10 +122,10 @@ private:
     if (rank == m_comm.rank())
       return;
     if (m_position[i] == no_index) {
-      m_position[i] = static_cast<Index>(m_border.size());
-      m_border.push_back(Border_bubble{i, {}});
+      m_position[i] = static_cast<Index>(m_takers.size());
+      m_takers.emplace_back();
     }
-    Hilbert_partition_2::Ranks& takers = m_border[m_position[i]].takers;
+    Hilbert_partition_2::Ranks& takers = m_takers[m_position[i]];
     if (std::find(takers.begin(), takers.end(), rank) == takers.end())
       takers.push_back(rank);
   }
@@ -143,15 +133,16 @@ private:
   void tell(Messages<Bubble_record_2>& bubbles, Messages<Triangle>& triangles) const
   {
     const Known_bubbles_2& known = m_mesh.known;
-    for (const Border_bubble& b : m_border)
-      for (int rank : b.takers)
-        bubbles[rank].push_back(record(known.bubbles, static_cast<std::size_t>(b.index), known.numbers[b.index]));
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (m_position[i] != no_index)
+        for (int rank : m_takers[m_position[i]])
+          bubbles[rank].push_back(record(known.bubbles, i, known.numbers[i]));
     for (std::size_t t = 0; t < m_mesh.is_owned.size(); ++t) {
       const Index position = m_mesh.is_owned[t] ? m_position[m_mesh.first_vertex(t)] : no_index;
       if (position == no_index)
         continue;
       const std::array<Index, 3>& v = m_mesh.triangulation.tr.vertices[t];
-      for (int rank : m_border[position].takers)
+      for (int rank : m_takers[position])
         triangles[rank].push_back(Triangle{{known.numbers[v[0]], known.numbers[v[1]], known.numbers[v[2]]},
                                            m_mesh.triangulation.edges[t]});
     }
@@ -278,8 +269,8 @@ private:
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
-  std::vector<Border_bubble> m_border;
-  std::vector<Index> m_position; // in these, of each bubble
+  std::vector<Hilbert_partition_2::Ranks> m_takers; // of own bubbles that others have to know
+  std::vector<Index> m_position;                    // in these, of each bubble
   Mesh_piece_2 m_piece;
 };
 
