@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_EXAMPLES_LOG_LOG_PLOT_H
 #define BUBBLE_RELAXATION_2_EXAMPLES_LOG_LOG_PLOT_H
 
-#include "file_names.h"
+#include "write_svg.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,12 +69,7 @@ public:
     for (std::size_t k = 0; k < m_names.size(); ++k)
       draw_entry(k, gap + entry_width * static_cast<double>(k % columns),
                  top + size + 75 + 24 * static_cast<double>(k / columns));
-    write_file(file_name, [&](std::ostream& out) {
-      out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
-          << "\" width=\"" << width << "\" height=\"" << height << "\" font-family=\"sans-serif\">\n"
-          << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-          << m_body.str() << "</svg>\n";
-    });
+    write_svg(file_name, width, height, m_body.str());
   }
 
 private:

@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
 #define BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
 
-#include "file_names.h"
+#include "write_svg.h"
 
 #include <CGAL/Mesh_quality_2.h>
 
@@ -160,12 +160,7 @@ public:
   void write(const std::string& file_name) const
   {
     const double width = m_number_of_panels * (m_size + m_gap) + m_gap, height = m_size + 2 * m_top;
-    write_file(file_name, [&](std::ostream& out) {
-      out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
-          << "\" width=\"" << width << "\" height=\"" << height << "\" font-family=\"sans-serif\">\n"
-          << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-          << m_body.str() << "</svg>\n";
-    });
+    write_svg(file_name, width, height, m_body.str());
   }
 
 private:

@@ -9,6 +9,7 @@
 // The element-free Galerkin method on nodes of meshes, and how fast its error falls there; what it says about bad input;
 // the callback, and threads.
 
+#include "expect_throw.h"
 #include "galerkin_problems.h"
 
 #include <CGAL/npbs_relax.h>
@@ -28,19 +29,6 @@ namespace {
 
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
-
-/// expects an exception of the type whose message contains all of `words`
-template <class Exception, class Function>
-void expect_throw(const Function& f, const std::vector<std::string>& words)
-{
-  try {
-    f();
-    ADD_FAILURE() << "no exception";
-  } catch (const Exception& e) {
-    for (const std::string& word : words)
-      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
-  }
-}
 
 void expect_invalid(const Options& o, const std::vector<std::string>& words)
 {

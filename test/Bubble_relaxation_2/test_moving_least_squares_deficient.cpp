@@ -9,6 +9,7 @@
 // Moving least squares where nodes are too few or badly placed: every such point is noticed, and each policy does what
 // it promises. Bad input.
 
+#include "expect_throw.h"
 #include "shape_functions.h"
 
 #include <gtest/gtest.h>
@@ -27,19 +28,6 @@ namespace P = CGAL::parameters;
 using Error = CGAL::Deficient_support_error_2;
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-/// expects an exception whose message contains all of `words`
-template <class Exception, class Function>
-void expect_throw(const Function& f, const std::vector<std::string>& words)
-{
-  try {
-    f();
-    ADD_FAILURE() << "no exception";
-  } catch (const Exception& e) {
-    for (const std::string& word : words)
-      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what() << " has no " << word;
-  }
-}
 
 std::vector<Point> grid(int n, double x = 0, double y = 0)
 {
