@@ -38,7 +38,8 @@ public:
   {
     for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
       for (Index v : mesh.tr.vertices[t])
-        m_triangle_of[v] = static_cast<Index>(t);
+        if (mesh.inside[t] || m_triangle_of[v] == no_index)
+          m_triangle_of[v] = static_cast<Index>(t);
   }
 
   const Flat_triangulation_2& triangulation() const { return m_mesh.tr; }

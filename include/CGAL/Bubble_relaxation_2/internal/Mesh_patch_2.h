@@ -10,8 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESH_PATCH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Edge_label.h>
+
+#include <boost/container/flat_map.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +41,14 @@ public:
   const Bubbles_2& bubbles() const { return m_bubbles; }
   const std::vector<Domain_edge_2>& edges() const { return m_edges; } ///< between bubbles of the patch
 
+  /// what the mesh has in `edges` for a side where it goes on beyond the patch, between two bubbles of the patch; `other`
+  /// for all other sides
+  Index edge_on_rim(Index source, Index target, Index other) const
+  {
+    const auto side = m_rim.find({source, target});
+    return side == m_rim.end() ? other : side->second;
+  }
+
   /// the number in the patch of a bubble of the mesh that is in it
   Index local(Index i) const
   {
@@ -44,12 +56,12 @@ public:
                               m_indices.begin());
   }
 
-  /// whether the mesh ends at the patch where the domain does not; `outline`: what `edges` has where the domain ends
-  bool is_cut_off(Index outline) const
+  /// whether the mesh, whose edges are labelled, ends at the patch where the domain does not
+  bool is_cut_off() const
   {
     for (Index t : m_triangles)
       for (int i = 0; i < 3; ++i)
-        if (m_mesh.tr.neighbors[t][i] == no_index && m_mesh.edges[t][i] != outline)
+        if (m_mesh.tr.neighbors[t][i] == no_index && m_mesh.edges[t][i] != OUTLINE)
           return true;
     return false;
   }
@@ -97,9 +109,11 @@ private:
     for (Index t : m_triangles)
       for (int i = 0; i < 3; ++i) {
         const Index n = m.tr.neighbors[t][i];
-        if (n != no_index && m.inside[n] && !contains(n))
-          for (int end : {ccw(i), cw(i)})
-            m_bubbles.dimension[local(m.tr.vertices[t][end])] = Bubbles_2::CORNER;
+        if (n == no_index || !m.inside[n] || contains(n))
+          continue;
+        const Index source = local(m.tr.vertices[t][ccw(i)]), target = local(m.tr.vertices[t][cw(i)]);
+        m_rim[{source, target}] = m.edges[t][i];
+        m_bubbles.dimension[source] = m_bubbles.dimension[target] = Bubbles_2::CORNER;
       }
   }
 
@@ -123,6 +137,7 @@ private:
   std::vector<Index> m_triangles, m_indices;
   Bubbles_2 m_bubbles;
   std::vector<Domain_edge_2> m_edges;
+  boost::container::flat_map<std::pair<Index, Index>, Index> m_rim;
 };
 
 } // namespace internal

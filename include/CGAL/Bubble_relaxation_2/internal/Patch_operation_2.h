@@ -10,7 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PATCH_OPERATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Defect_treatment_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Edge_label.h>
 #include <CGAL/Bubble_relaxation_2/internal/Mesh_patch_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Mesh_stitching_2.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +29,38 @@ struct Patch_outcome_2
 {
   Bubbles_2 bubbles;
   std::vector<Index> original; ///< of each bubble its number in the patch; inserted ones come after the last
+  Marked_triangulation_2 triangulation; ///< of these bubbles
+
+  /// The triangles that take the place of those of the patch, with labels of edges. `number[k]`: what bubble `k` is
+  /// called there.
+  std::vector<New_triangle_2> triangles(const Mesh_patch_2& patch, const std::vector<Index>& number) const
+  {
+    std::vector<New_triangle_2> result;
+    const Marked_triangulation_2& m = triangulation;
+    for (std::size_t k = 0; k < m.inside.size(); ++k) {
+      if (!m.inside[k])
+        continue;
+      const Index t = static_cast<Index>(k);
+      New_triangle_2 triangle;
+      for (int i = 0; i < 3; ++i) {
+        triangle.vertices[i] = number[m.tr.vertices[t][i]];
+        triangle.edges[i] = label(patch, t, i);
+      }
+      result.push_back(triangle);
+    }
+    return result;
+  }
+
+private:
+  /// the rim of a patch is an edge there, but not where the patch is put
+  Index label(const Mesh_patch_2& patch, Index t, int i) const
+  {
+    const Marked_triangulation_2& m = triangulation;
+    if (m.edges[t][i] == no_index)
+      return no_index;
+    return patch.edge_on_rim(original[m.tr.vertices[t][ccw(i)]], original[m.tr.vertices[t][cw(i)]],
+                             edge_label(m, t, i));
+  }
 };
 
 /// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its
@@ -211,7 +245,7 @@ private:
     if (smallest > m_smallest) {
       m_smallest = smallest;
       m_is_better = true;
-      m_best = Patch_outcome_2{std::move(bubbles), std::move(original)};
+      m_best = Patch_outcome_2{std::move(bubbles), std::move(original), std::move(triangulation)};
     }
   }
 

@@ -51,7 +51,7 @@ std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& 
 }
 
 /// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller. All that
-/// could be better by it is tried once, since each pass costs a triangulation, and what is bad some times more.
+/// could be better by it is tried once, since operations are dear, and what is bad some times more.
 template <class Concurrency_tag>
 void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, Treatment_counts& counts)
 {
@@ -59,19 +59,18 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smal
   for (double bad_quality : bad_qualities) {
     if (smallest >= bad_quality)
       break;
+    label_edges(mesh.triangulation);
     Defect_surgery_2 surgery(domain, mesh, bad_quality);
-    Bubble_mesh_2 changed{surgery(most), {}};
+    Bubble_mesh_2 changed = surgery(most);
     if (changed.bubbles.size() == 0)
       break;
-    mesh.triangulation = Marked_triangulation_2(); // there is one at a time
     // rounding can make a mess of a change; then what was there is good
-    const bool is_valid = try_to_triangulate(domain, changed.bubbles, changed.triangulation);
-    double smallest_now = is_valid ? smallest_quality<Concurrency_tag>(changed.triangulation) : 0.;
-    const std::size_t moved = is_valid ? smooth_defects<Concurrency_tag>(domain, changed, smallest_now) : 0;
-    if (!is_valid || smallest_now < smallest) {
-      mesh.triangulation = triangulate(domain, mesh.bubbles);
+    if (surgery.has_changed_outline && !Outside_2(domain, changed.bubbles, changed.triangulation).rebuild())
       break;
-    }
+    double smallest_now = smallest_quality<Concurrency_tag>(changed.triangulation);
+    const std::size_t moved = smooth_defects<Concurrency_tag>(domain, changed, smallest_now);
+    if (smallest_now < smallest)
+      break;
     smallest = smallest_now;
     mesh = std::move(changed);
     counts += Treatment_counts{moved, surgery.number_of_insertions, surgery.number_of_deletions};

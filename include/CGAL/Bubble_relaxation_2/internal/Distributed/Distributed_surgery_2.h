@@ -12,14 +12,15 @@
 #include <CGAL/Bubble_relaxation_2/internal/Defect_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Patch_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Patch_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -33,10 +34,10 @@ namespace internal {
 class Distributed_surgery_2
 {
 public:
-  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, const Hilbert_partition_2& partition,
-                        const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
-    : m_domain(domain), m_mesh(piece.mesh), m_partition(partition), m_comm(comm), m_agreement(agreement),
-      m_exchange(exchange)
+  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, const Communicator& comm,
+                        Agreement& agreement, Sparse_exchange& exchange)
+    : m_domain(domain), m_piece(piece), m_known(piece.mesh.known), m_triangulation(piece.mesh.triangulation),
+      m_comm(comm), m_agreement(agreement), m_exchange(exchange)
   {}
 
   /// what was done on all ranks
@@ -49,9 +50,9 @@ public:
     bool is_cut_off = false;
     std::vector<Bad_triangle_2> worst;
     m_agreement.reach_after([&] {
-      worst = bad_triangles(m_mesh.known.bubbles, m_mesh.triangulation, bad_quality);
+      worst = bad_triangles(m_known.bubbles, m_triangulation, bad_quality);
       worst.erase(std::remove_if(worst.begin(), worst.end(),
-                                 [this](const Bad_triangle_2& t) { return !m_mesh.is_owned[t.triangle]; }),
+                                 [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
                   worst.end());
       worst.resize((std::min)(most, worst.size()));
     });
@@ -59,32 +60,32 @@ public:
     m_agreement.reach_after([&] {
       for (const Bad_triangle_2& bad : worst) {
         m_operations.push_back(
-          Operation{bad, Mesh_patch_2(m_mesh.known.bubbles, m_mesh.triangulation, bad.triangle), {}, false});
-        is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off(Mesh_piece_2::OUTLINE);
+          Operation{bad, Mesh_patch_2(m_known.bubbles, m_triangulation, bad.triangle), {}, false});
+        is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
       }
     });
     return !m_comm.any(is_cut_off);
   }
 
-  /// Collective. Operates on patches that do not overlap: returns this rank's bubbles, which are still where they
-  /// were, with the numbers that all had; those inserted have the next from `end` on.
-  Numbered_bubbles_2 operate(std::int64_t end)
+  /// Collective. Operates on patches that do not overlap: returns what became of those that are known here. What is
+  /// inserted gets numbers from `end` on.
+  Patch_changes_2 operate(std::int64_t end)
   {
     std::vector<Patch_claim_2> claims;
     for (const Operation& operation : m_operations)
       claims.push_back(claim(operation));
-    Patch_choice_2 choose(m_comm, m_exchange, claims, m_mesh.known);
+    Patch_choice_2 choose(m_comm, m_exchange, claims, m_known);
     choose([this](std::size_t k) { return operate_on(m_operations[k]); }, m_agreement);
-    number_insertions(end);
-    Messages<Bubble_record_2> out;
+    number_operations(end);
+    Patch_changes_2 own;
     m_agreement.reach_after([&] {
       for (const Operation& operation : m_operations)
         if (operation.is_chosen)
-          tell_changes(operation, out);
+          own[operation.place] = describe(operation);
     });
     number_of_insertions = m_comm.sum(number_of_insertions);
     number_of_deletions = m_comm.sum(number_of_deletions);
-    return changed(m_exchange(out));
+    return Patch_exchange_2(m_piece, m_comm, m_exchange)(own);
   }
 
 private:
@@ -94,6 +95,7 @@ private:
     Mesh_patch_2 patch;
     Patch_outcome_2 outcome;
     bool is_chosen;
+    std::int32_t place = 0;        ///< among all that are chosen
     std::int64_t first_number = 0; ///< of what is inserted
 
     std::int64_t number_of_insertions() const
@@ -117,7 +119,7 @@ private:
   /// returns whether it helped
   bool operate_on(Operation& operation) const
   {
-    Patch_operation_2 operate(m_domain, m_mesh.known.bubbles, m_mesh.triangulation, operation.patch);
+    Patch_operation_2 operate(m_domain, m_known.bubbles, m_triangulation, operation.patch);
     operation.is_chosen = operate(operation.bad.triangle);
     operation.outcome = operate.best();
     return operation.is_chosen;
@@ -127,12 +129,12 @@ private:
   {
     Patch_claim_2 result{operation.bad, {}};
     for (Index t : operation.patch.triangles())
-      result.triangles.push_back(m_mesh.triangulation.tr.vertices[t]);
+      result.triangles.push_back(m_triangulation.tr.vertices[t]);
     return result;
   }
 
-  /// what is inserted gets numbers as if all was inserted by one rank, in the order of the operations
-  void number_insertions(std::int64_t end)
+  /// numbers operations, and what they insert, as if all were made by one rank
+  void number_operations(std::int64_t end)
   {
     struct Insertion
     {
@@ -150,68 +152,71 @@ private:
     for (Insertion& i : all)
       end += std::exchange(i.number, end);
     for (Operation& operation : m_operations)
-      if (operation.is_chosen)
-        operation.first_number = std::lower_bound(all.begin(), all.end(), Insertion{operation.bad, 0})->number;
+      if (operation.is_chosen) {
+        const auto found = std::lower_bound(all.begin(), all.end(), Insertion{operation.bad, 0});
+        operation.place = static_cast<std::int32_t>(found - all.begin());
+        operation.first_number = found->number;
+      }
   }
 
-  void tell_changes(const Operation& operation, Messages<Bubble_record_2>& out)
+  Patch_change_2 describe(const Operation& operation)
   {
-    std::int64_t number = operation.first_number;
-    const Known_bubbles_2& known = m_mesh.known;
+    Patch_change_2 result;
     const std::vector<Index>& indices = operation.patch.indices();
     const Bubbles_2& b = operation.outcome.bubbles;
     std::vector<char> is_left(indices.size(), 0);
+    std::vector<std::int64_t> numbers; // of the bubbles of the outcome
+    std::int64_t number = operation.first_number;
     for (std::size_t k = 0; k < b.size(); ++k) {
       const std::size_t original = static_cast<std::size_t>(operation.outcome.original[k]);
       if (original >= indices.size()) {
-        out[m_partition.owner(b.x[k], b.y[k])].push_back(record(b, k, number++));
+        result.bubbles.push_back({operation.place, m_comm.rank(), record(b, k, number)});
+        numbers.push_back(number++);
         ++number_of_insertions;
         continue;
       }
       is_left[original] = 1;
       const Index i = indices[original];
-      if (b.can_move(k)) // those on the rim look like corners
-        out[known.owners[i]].push_back(record(b, k, known.numbers[i]));
+      numbers.push_back(m_known.numbers[i]);
+      result.bubbles.push_back({operation.place, m_known.owners[i], // those on the rim look like corners
+                                b.can_move(k) ? record(b, k, numbers.back()) : record_here(i)});
     }
     for (std::size_t l = 0; l < indices.size(); ++l)
       if (!is_left[l]) {
-        Bubble_record_2 gone = record(known.bubbles, static_cast<std::size_t>(indices[l]), known.numbers[indices[l]]);
+        Bubble_record_2 gone = record_here(indices[l]);
         gone.dimension = Bubbles_2::GONE;
-        out[known.owners[indices[l]]].push_back(gone);
+        result.bubbles.push_back({operation.place, m_known.owners[indices[l]], gone});
         ++number_of_deletions;
       }
-  }
-
-  Numbered_bubbles_2 changed(const Messages<Bubble_record_2>& in) const
-  {
-    const Known_bubbles_2& known = m_mesh.known;
-    Bubbles_2 b = known.bubbles;
-    Numbered_bubbles_2 inserted, result;
-    for (const auto& message : in)
-      for (const Bubble_record_2& r : message.second) {
-        const Index i = known.index(r.number);
-        if (i == no_index) {
-          inserted.add(r);
-          continue;
-        }
-        if (r.dimension == Bubbles_2::GONE)
-          b.remove(i);
-        b.x[i] = r.x;
-        b.y[i] = r.y;
-        b.s[i] = r.s;
-        b.place[i] = r.place;
-      }
-    for (std::size_t i = 0; i < known.size(); ++i)
-      if (known.owners[i] == m_comm.rank() && !b.is_gone(i))
-        result.add(record(b, i, known.numbers[i]));
-    for (std::size_t k = 0; k < inserted.size(); ++k)
-      result.add(record(inserted.bubbles, k, inserted.numbers[k]));
+    describe_triangles(operation, numbers, result);
     return result;
   }
 
+  Bubble_record_2 record_here(Index i) const
+  {
+    return record(m_known.bubbles, static_cast<std::size_t>(i), m_known.numbers[i]);
+  }
+
+  void describe_triangles(const Operation& operation, const std::vector<std::int64_t>& numbers,
+                          Patch_change_2& change) const
+  {
+    for (Index t : operation.patch.triangles()) {
+      const std::array<Index, 3>& v = m_triangulation.tr.vertices[t];
+      change.triangles.push_back(
+        {operation.place, 0, {m_known.numbers[v[0]], m_known.numbers[v[1]], m_known.numbers[v[2]]}, {}});
+    }
+    std::vector<Index> same(numbers.size());
+    std::iota(same.begin(), same.end(), Index(0));
+    for (const New_triangle_2& t : operation.outcome.triangles(operation.patch, same)) {
+      const std::array<Index, 3>& v = t.vertices;
+      change.triangles.push_back({operation.place, 1, {numbers[v[0]], numbers[v[1]], numbers[v[2]]}, t.edges});
+    }
+  }
+
   const Domain_2& m_domain;
-  const Distributed_mesh_2& m_mesh;
-  const Hilbert_partition_2& m_partition;
+  const Mesh_piece_2& m_piece;
+  const Known_bubbles_2& m_known;
+  const Marked_triangulation_2& m_triangulation;
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;

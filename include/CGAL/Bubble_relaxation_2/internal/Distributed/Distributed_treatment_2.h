@@ -10,8 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TREATMENT_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Distributed_surgery_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Piece_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Treatment_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/compact_numbers.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/widen_mesh.h>
@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -67,9 +66,13 @@ public:
   {
     Treatment_counts counts;
     double smallest = smallest_quality(mesh);
-    counts.treated = smooth(mesh, smallest);
+    if (smallest >= Defect_treatment_2<Sequential_tag>::treated_quality)
+      return counts;
+    Treated_piece piece{widen(mesh, m_first_reach), m_first_reach, true};
+    counts.treated = smooth(piece, smallest);
     if (may_operate)
-      operate(mesh, smallest, counts);
+      operate(piece, smallest, counts);
+    mesh = std::move(piece.piece.mesh);
     return counts;
   }
 
@@ -87,23 +90,40 @@ public:
     for (std::size_t i = 0; i < mesh.known.size(); ++i)
       if (mesh.known.owners[i] == m_comm.rank())
         own.add(record(mesh.known.bubbles, i, mesh.known.numbers[i]));
-    return at_home(std::move(own));
+    return bring_home(m_partition, m_exchange, m_comm.rank(), std::move(own));
   }
 
 private:
   static constexpr double usual_reach = 8; // enough for the sweeps of most meshes, and for patches
+
+  /// a piece, which gets narrower with what is done to it
+  struct Treated_piece
+  {
+    Mesh_piece_2 piece;
+    double reach;
+    bool is_as_wide; ///< as `reach` says
+  };
 
   Mesh_piece_2 widen(const Distributed_mesh_2& mesh, double reach) const
   {
     return Mesh_widening_2(mesh, m_partition, m_comm, m_agreement, m_exchange)(reach);
   }
 
-  std::size_t smooth(Distributed_mesh_2& mesh, double& smallest) const
+  /// when it is too narrow: makes it as wide as it was, or twice as wide
+  void widen(Treated_piece& p) const
+  {
+    if (p.is_as_wide)
+      p.reach *= 2;
+    p.piece = widen(p.piece.mesh, p.reach);
+    p.is_as_wide = true;
+  }
+
+  std::size_t smooth(Treated_piece& p, double& smallest) const
   {
     if (smallest >= Defect_treatment_2<Sequential_tag>::treated_quality)
       return 0;
-    for (double reach = m_first_reach;; reach *= 2) {
-      Mesh_piece_2 piece = widen(mesh, reach);
+    for (;; widen(p)) {
+      Mesh_piece_2 piece = p.piece;
       Treatment_team_2 team(m_comm, piece);
       Bubbles_2& bubbles = piece.mesh.known.bubbles;
       const std::vector<Index> moved = Defect_treatment_2<Sequential_tag, Treatment_team_2>(
@@ -118,7 +138,7 @@ private:
       if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(piece.mesh)))
         return 0;
       smallest = smallest_now;
-      mesh = std::move(piece.mesh);
+      p = Treated_piece{std::move(piece), p.reach, false};
       return static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
     }
   }
@@ -144,64 +164,46 @@ private:
     return is_valid;
   }
 
-  void operate(Distributed_mesh_2& mesh, double smallest, Treatment_counts& counts) const
+  void operate(Treated_piece& piece, double smallest, Treatment_counts& counts) const
   {
     for (double bad_quality : bad_qualities) {
       if (smallest >= bad_quality)
         break;
       Treatment_counts changes;
-      Numbered_bubbles_2 changed_bubbles = operate_once(mesh, bad_quality, changes);
+      Treated_piece changed = operate_once(piece, bad_quality, changes);
       if (changes.inserted + changes.deleted == 0)
         break;
-      // rounding can make a mess of a change; then what was there is good
-      Distributed_mesh_2 changed;
-      const bool is_valid = try_to_triangulate(at_home(std::move(changed_bubbles)), changed);
-      double smallest_now = is_valid ? smallest_quality(changed) : 0.;
-      changes.treated = is_valid ? smooth(changed, smallest_now) : 0;
-      if (!is_valid || smallest_now < smallest)
+      double smallest_now = smallest_quality(changed.piece.mesh);
+      changes.treated = smooth(changed, smallest_now);
+      if (smallest_now < smallest)
         break;
       smallest = smallest_now;
-      mesh = std::move(changed);
+      piece = std::move(changed);
       counts += changes;
     }
   }
 
-  /// inserts and deletes bubbles around the worst triangles; returns all that a rank has then
-  Numbered_bubbles_2 operate_once(const Distributed_mesh_2& mesh, double bad_quality, Treatment_counts& counts) const
+  /// inserts and deletes bubbles around the worst triangles
+  Treated_piece operate_once(Treated_piece& p, double bad_quality, Treatment_counts& counts) const
   {
-    const std::int64_t end = number_of_bubbles(mesh);
-    for (double reach = m_first_reach;; reach *= 2) {
-      const Mesh_piece_2 piece = widen(mesh, reach);
-      Distributed_surgery_2 surgery(m_domain, piece, m_partition, m_comm, m_agreement, m_exchange);
+    const std::int64_t end = number_of_bubbles(p.piece.mesh);
+    for (;; widen(p)) {
+      Distributed_surgery_2 surgery(m_domain, p.piece, m_comm, m_agreement, m_exchange);
       if (!surgery.find_patches(bad_quality, most_operations(static_cast<std::size_t>(end))))
         continue;
-      Numbered_bubbles_2 changed = surgery.operate(end);
+      const Patch_changes_2 changes = surgery.operate(end);
+      if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
+        return p;
+      Treated_piece changed{p.piece, p.reach, false};
+      Piece_stitching_2 stitch(changed.piece, m_comm, m_agreement, m_exchange);
+      if (!stitch(changes, end))
+        continue;
+      // rounding can make a mess of a change; then what was there is good
+      if (stitch.has_changed_outline && !has_valid_outline(changed.piece.mesh))
+        return p;
       counts.inserted = static_cast<std::size_t>(surgery.number_of_insertions);
       counts.deleted = static_cast<std::size_t>(surgery.number_of_deletions);
       return changed;
-    }
-  }
-
-  /// brings bubbles to the ranks that own their places, and numbers them without gaps
-  Numbered_bubbles_2 at_home(Numbered_bubbles_2 bubbles) const
-  {
-    const std::vector<std::int64_t>& numbers = bubbles.numbers;
-    const std::int64_t last = numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
-    const std::int64_t end = m_comm.largest(last) + 1;
-    Numbered_bubbles_2 home = bring_home(m_partition, m_exchange, m_comm.rank(), std::move(bubbles));
-    compact_numbers(m_comm, m_exchange, end, home.numbers);
-    return home;
-  }
-
-  /// on all ranks or on none
-  bool try_to_triangulate(const Numbered_bubbles_2& own, Distributed_mesh_2& mesh) const
-  {
-    try {
-      mesh = triangulate(own);
-      return true;
-    } catch (const std::runtime_error&) {
-      m_comm.all_go_on();
-      return false;
     }
   }
 

@@ -18,12 +18,9 @@ namespace internal {
 
 /// A rank's triangles of the domain and others' triangles around them: only such as the mesh of all ranks has, so
 /// that they stay a part of it while all ranks tell each other how they move the vertices. Where the domain goes
-/// on and the piece ends, a triangle has no neighbour, and `edges` has none there or an inner one.
+/// on and the piece ends, a triangle has no neighbour, and its side is no edge or labelled as an inner one.
 struct Mesh_piece_2
 {
-  /// what `edges` says of sides on edges of the domain
-  enum Edge_label : Index { OUTLINE = 0, INNER = 1 };
-
   Distributed_mesh_2 mesh;
   Messages<Index> sent;     ///< own bubbles that other ranks have, in the order of their numbers
   Messages<Index> received; ///< others' bubbles that this rank has, in the same order as there

@@ -9,10 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TEAM_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/forget_doubtful.h>
 #include <CGAL/Bubble_relaxation_2/internal/Greedy_coloring_2.h>
 
 #include <boost/container/small_vector.hpp>
@@ -78,10 +78,11 @@ public:
   {
     if (is_alone())
       return;
-    const Messages<Move> in = share<Move>(moved, [&](Index v) { return Move{0, b.x[v], b.y[v], b.s[v]}; });
+    const Messages<Move> in = share<Move>(moved, [&](Index v) { return Move{0, b.place[v], b.x[v], b.y[v], b.s[v]}; });
     for (const auto& message : in)
       for (const Move& m : message.second) {
         const Index v = m_piece.received.at(message.first)[m.position];
+        b.place[v] = m.place;
         b.x[v] = m.x;
         b.y[v] = m.y;
         b.s[v] = m.s;
@@ -98,9 +99,7 @@ public:
     for (std::size_t t = 0; t < marked.inside.size(); ++t)
       if (marked.inside[t] && has_moved_vertex(marked.tr.vertices[t]))
         mesh.restore_delaunay_around(static_cast<Index>(t));
-    const Border_certificate_2 certificate(marked);
-    for (Index t : certificate.doubtful())
-      forget(t, marked);
+    m_knows_too_little = !forget_doubtful(m_piece.mesh.known.bubbles, marked) || m_knows_too_little;
   }
 
   void add_neighbors_of_others(const Editable_triangulation_2& mesh, const Bubbles_2& b, std::vector<Index>& result)
@@ -127,6 +126,7 @@ private:
   struct Move
   {
     std::int32_t position;
+    Index place;
     double x, y, s;
   };
 
@@ -200,20 +200,6 @@ private:
             queue.insert(w);
     }
     return changed;
-  }
-
-  void forget(Index t, Marked_triangulation_2& marked)
-  {
-    for (Index v : marked.tr.vertices[t])
-      m_knows_too_little = m_knows_too_little || !m_piece.mesh.known.bubbles.is_foreign[v];
-    if (m_knows_too_little)
-      return;
-    marked.inside[t] = 0;
-    for (Index& n : marked.tr.neighbors[t])
-      if (n != no_index) {
-        marked.tr.neighbors[n][marked.tr.index_of_neighbor(n, t)] = no_index;
-        n = no_index;
-      }
   }
 
   const Communicator& m_comm;

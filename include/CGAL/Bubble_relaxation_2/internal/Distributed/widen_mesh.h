@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Edge_label.h>
 
 #include <algorithm>
 #include <array>
@@ -25,17 +26,6 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-/// Makes the edges of a mesh, which have indices of one rank, labels that all ranks understand.
-inline void label_edges(Marked_triangulation_2& m)
-{
-  for (std::size_t t = 0; t < m.edges.size(); ++t)
-    for (int i = 0; i < 3; ++i)
-      if (m.edges[t][i] != no_index) {
-        const Index n = m.tr.neighbors[t][i];
-        m.edges[t][i] = n != no_index && m.inside[n] ? Mesh_piece_2::INNER : Mesh_piece_2::OUTLINE;
-      }
-}
 
 /// Gives each rank the triangles around its own ones. A bubble goes to the ranks with a part of a disc around it,
 /// and to those with a neighbour of it; of the other ranks' triangles those count whose vertices all came so.
