@@ -172,7 +172,7 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
   add_domain(cdt, is_inside, accumulator);
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
-    const Checked_sizing_field_2<typename CDT::Geom_traits::Point_2, std::decay_t<decltype(f)>> sizing(f);
+    const auto sizing = checked_sizing_field<typename CDT::Geom_traits::Point_2>(f);
     add_lengths(cdt, is_inside, sizing, accumulator);
   }
   return Mesh_quality_2<FT>(accumulator.statistics());

@@ -51,6 +51,27 @@ TEST(Place_nodes, are_the_vertices_that_npbs_relax_makes)
   EXPECT_EQ(found, expected);
 }
 
+namespace {
+
+double falling_size(const paper::Point& p) { return 0.2 - 0.1 * p.x(); }
+
+} // namespace
+
+TEST(Place_nodes, the_size_may_be_a_plain_function)
+{
+  paper::CDT cdt;
+  const std::vector<paper::Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  cdt.insert_constraint(square.begin(), square.end(), true);
+  const auto expected = CGAL::npbs_place_nodes(
+    cdt, CGAL::parameters::sizing_function([](const paper::Point& p) { return falling_size(p); }));
+  ASSERT_GT(expected.size(), 40u);
+  EXPECT_EQ(CGAL::npbs_place_nodes(cdt, CGAL::parameters::sizing_function(falling_size)).points, expected.points);
+  EXPECT_EQ(CGAL::npbs_place_nodes(cdt, CGAL::parameters::sizing_function(&falling_size)).points, expected.points);
+  CGAL::npbs_relax(cdt, CGAL::parameters::number_of_rounds(5).sizing_function(falling_size));
+  EXPECT_EQ(CGAL::mesh_quality_2(cdt, CGAL::parameters::sizing_function(falling_size)).number_of_vertices(),
+            expected.size());
+}
+
 TEST(Place_nodes, dimensions)
 {
   const paper::Domain domain = paper::non_convex(1);

@@ -128,7 +128,7 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   };
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
-    const Checked_sizing_field_2<typename CDT::Geom_traits::Point_2, std::decay_t<decltype(f)>> sizing(f);
+    const auto sizing = checked_sizing_field<typename CDT::Geom_traits::Point_2>(f);
     return mesh_with(sizing, &sizing);
   } else {
     const auto unknown = [](const Bubble_relaxation_2::internal::Point&) {

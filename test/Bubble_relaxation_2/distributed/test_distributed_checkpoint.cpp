@@ -137,7 +137,7 @@ Result simulate(Ranks& ranks, const paper::Domain& domain, const Size& size, con
   Relaxation_options options = read_options(np);
   if (options.number_of_rounds == default_number_of_rounds)
     options.number_of_rounds = most_rounds;
-  Result result{{{}, Hilbert_partition_2(Hilbert_curve_2(c.domain().bbox()), {})}, {}};
+  Result result{{{}, Hilbert_partition_2(hilbert_curve(c.domain()), {})}, {}};
   with_limited_sizing_field(c.cdt, np, marks, *c.reading, options, [&](const auto& sizing, const auto&) {
     Progress progress(options.callback, options.number_of_rounds);
     result.part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, c.cdt, *c.reading, sizing,

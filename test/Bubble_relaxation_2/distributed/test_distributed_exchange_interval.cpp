@@ -47,7 +47,7 @@ Result simulate(Ranks& ranks, const paper::Domain& domain, const NamedParameters
   const Case c = read(domain);
   const Domain_marks_2<paper::CDT> marks(c.cdt, np);
   const Relaxation_options options = read_options(np);
-  Result result{{{}, Hilbert_partition_2(Hilbert_curve_2(c.domain().bbox()), {})}, {}, {}, 0};
+  Result result{{{}, Hilbert_partition_2(hilbert_curve(c.domain()), {})}, {}, {}, 0};
   with_limited_sizing_field(c.cdt, np, marks, *c.reading, options, [&](const auto& sizing, const auto&) {
     Progress progress(options.callback, options.number_of_rounds);
     result.part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, c.cdt, *c.reading, sizing,

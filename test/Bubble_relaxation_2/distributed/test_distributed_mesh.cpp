@@ -109,7 +109,7 @@ std::vector<std::int64_t> numbers_along_curve(const Case& c)
   std::vector<Point> points;
   for (std::size_t i = 0; i < c.bubbles.size(); ++i)
     points.push_back(c.bubbles.point(i));
-  const std::vector<Index> order = hilbert_order(Hilbert_curve_2(c.domain().bbox()), points);
+  const std::vector<Index> order = hilbert_order(hilbert_curve(c.domain()), points);
   std::vector<std::int64_t> numbers(points.size());
   for (std::size_t k = 0; k < order.size(); ++k)
     numbers[order[k]] = static_cast<std::int64_t>(k);

@@ -48,7 +48,7 @@ Result simulate(Ranks& ranks, const paper::Domain& domain, const Size& size, con
   const Case c = read(domain);
   const Domain_marks_2<paper::CDT> marks(c.cdt, np);
   const Relaxation_options options = read_options(np);
-  Result result{{}, {{}, Hilbert_partition_2(Hilbert_curve_2(c.domain().bbox()), {})}, {}, {}};
+  Result result{{}, {{}, Hilbert_partition_2(hilbert_curve(c.domain()), {})}, {}, {}};
   with_limited_sizing_field(c.cdt, np, marks, *c.reading, options, [&](const auto& sizing, const auto&) {
     Progress first(options.callback, options.number_of_rounds), second(options.callback, options.number_of_rounds);
     result.whole = simulate_bubbles<CGAL::Sequential_tag>(c.cdt, *c.reading, sizing, options, first, result.of_whole);

@@ -226,7 +226,7 @@ TEST(Distributed_triangulation, one_rank_has_all)
   const Case c = random(paper::trunk(1), 300, 4);
   const std::vector<std::int64_t> numbers = numbers_of(c, Options());
   const Hilbert_partition_2 partition =
-    Hilbert_partition_2::of_first_rank(Hilbert_curve_2(c.domain().bbox()), ranks.comm.size());
+    Hilbert_partition_2::of_first_rank(hilbert_curve(c.domain()), ranks.comm.size());
   const Distributed_mesh_2 part = distributed_triangulate(
     c.domain(), distributed::own_part(c.bubbles, numbers, partition, ranks.comm.rank()), partition, ranks.comm,
     ranks.agreement, ranks.exchange);

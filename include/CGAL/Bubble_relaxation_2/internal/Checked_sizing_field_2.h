@@ -76,6 +76,13 @@ private:
   double m_number = 0; // if the user gave one
 };
 
+/// `f`, which stays where it is: a function object, a function, or a number
+template <class User_point, class Sizing_function>
+Checked_sizing_field_2<User_point, Sizing_function> checked_sizing_field(const Sizing_function& f)
+{
+  return Checked_sizing_field_2<User_point, Sizing_function>(f);
+}
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Constraint_graph_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Mesh_surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 
 #include <algorithm>
@@ -93,7 +94,7 @@ private:
     for (Vertex_handle v : vertices)
       points.push_back(Graph::to_point(v));
     std::vector<Vertex_handle> sorted;
-    for (Index i : hilbert_order(Hilbert_curve_2(domain.bbox()), points))
+    for (Index i : hilbert_order(hilbert_curve(domain), points))
       sorted.push_back(vertices[i]);
     vertices.swap(sorted);
   }

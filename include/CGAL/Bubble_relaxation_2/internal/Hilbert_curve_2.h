@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -29,7 +30,9 @@ public:
 
   static constexpr int levels = 32;
 
-  explicit Hilbert_curve_2(const Bbox_2& box) : m_x0(box.xmin()), m_y0(box.ymin())
+  /// The first half of the curve lies left of the second one; or, if `is_upright`, below it.
+  explicit Hilbert_curve_2(const Bbox_2& box, bool is_upright = false)
+    : m_x0(box.xmin()), m_y0(box.ymin()), m_is_upright(is_upright)
   {
     const double side = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
     m_side = side > 0 ? side : 1.;
@@ -44,8 +47,10 @@ public:
   std::uint32_t row(double y) const { return coordinate(y - m_y0); }
 
   /// the key of the cell in a column and a row of 2^`depth` of them, among cells of its size
-  static Key key_of_cell(std::uint32_t x, std::uint32_t y, int depth)
+  Key key_of_cell(std::uint32_t x, std::uint32_t y, int depth) const
   {
+    if (m_is_upright)
+      std::swap(x, y);
     Key key = 0;
     for (int level = depth - 1; level >= 0; --level) {
       const std::uint32_t right = x >> level & 1, up = y >> level & 1;
@@ -70,6 +75,7 @@ private:
   }
 
   double m_x0, m_y0, m_side, m_scale;
+  bool m_is_upright;
 };
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Crystal_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,17 +51,6 @@ inline bool touches_edge(const Domain_2& domain, const Bubbles_2& b, std::size_t
   const Domain_edge_2& edge = domain.edges()[e];
   return b.is_corner(i) && b.place[i] != no_index &&
          (b.place[i] == edge.source || b.place[i] == edge.target);
-}
-
-/// The longest of the domain's edges; of several that only rounding tells apart, the first.
-inline Index longest_edge(const Domain_2& domain)
-{
-  constexpr double rounding = 1e-9;
-  Index longest = 0;
-  for (std::size_t e = 1; e < domain.edges().size(); ++e)
-    if (domain.length(static_cast<Index>(e)) > (1 + rounding) * domain.length(longest))
-      longest = static_cast<Index>(e);
-  return longest;
 }
 
 /// Initial bubbles of the faces as a single crystal as far as possible: it grows from the longest edge

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 
 #include <cstddef>
@@ -28,7 +29,7 @@ void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles)
   points.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     points.push_back(bubbles.point(i));
-  bubbles.select(hilbert_order<Concurrency_tag>(Hilbert_curve_2(domain.bbox()), points));
+  bubbles.select(hilbert_order<Concurrency_tag>(hilbert_curve(domain), points));
 }
 
 } // namespace internal

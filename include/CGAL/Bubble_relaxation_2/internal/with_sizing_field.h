@@ -47,7 +47,7 @@ void with_sizing_field(const Cdt& cdt, const NamedParameters& np, const Domain_m
     }
   } else {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
-    const Checked_sizing_field_2<Point_2, std::decay_t<decltype(f)>> field(f);
+    const auto field = checked_sizing_field<Point_2>(f);
     use(Sizing_field_ref_2(field));
   }
 }

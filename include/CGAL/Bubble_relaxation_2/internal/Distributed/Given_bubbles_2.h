@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/Mesh_surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 
 #include <algorithm>
@@ -133,7 +134,7 @@ private:
   {
     std::vector<Point>& pinned = m_outline.pinned;
     std::vector<Point> sorted;
-    for (Index i : hilbert_order(Hilbert_curve_2(m_domain.bbox()), pinned))
+    for (Index i : hilbert_order(hilbert_curve(m_domain), pinned))
       sorted.push_back(pinned[i]);
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     pinned.swap(sorted);

@@ -41,7 +41,7 @@ public:
     const Index i = static_cast<Index>(m_owner.size());
     double clearance = clearance_at(x, y, parent);
     if (clearance < radius) // look ahead, for all that come after it
-      clearance = m_partition.owners_in_disc(x, y, look_ahead * radius) == Ranks(1, m_rank) ? look_ahead * radius : 0;
+      clearance = m_partition.owns_disc(m_rank, x, y, look_ahead * radius) ? look_ahead * radius : 0;
     m_places.push_back(Place{x, y, clearance});
     m_owner.push_back(clearance > 0 ? m_rank : m_partition.owner(x, y));
     if (clearance == 0 && is_ours(static_cast<std::size_t>(i)))

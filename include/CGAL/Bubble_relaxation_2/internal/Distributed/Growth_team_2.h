@@ -21,6 +21,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Growth_proposals_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,7 @@ public:
   void divide(const Domain_2& domain, const Bubbles_2& large)
   {
     m_partition =
-      std::make_unique<Hilbert_partition_2>(partition_of_common(Hilbert_curve_2(domain.bbox()), large, m_comm.size()));
+      std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
     m_holders = std::make_unique<Growth_holders_2>(*m_partition, m_comm.rank());
   }
 

@@ -121,7 +121,7 @@ private:
     const bool is_all = level == Hilbert_curve_2::levels;
     const Key cells = is_all ? ~Key(0) : (Key(1) << 2 * level) - 1;
     const Key first = is_all ? 0
-                             : Hilbert_curve_2::key_of_cell(column, row, Hilbert_curve_2::levels - level)
+                             : m_curve.key_of_cell(column, row, Hilbert_curve_2::levels - level)
                                  << 2 * level;
     const int low = owner(first), high = owner(first | cells);
     if (low == high || level == last_level)

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ public:
   Point_distribution_2(const Domain_2& domain, const Communicator& comm, Agreement& agreement,
                        Sparse_exchange& exchange)
     : m_domain(domain), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
-      m_partition(Hilbert_curve_2(domain.bbox()), {})
+      m_partition(hilbert_curve(domain), {})
   {}
 
   /// where they are afterwards

@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Rhombic_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 
 #include <cstddef>
@@ -101,7 +102,7 @@ void place_rhombic_by_all(const Communicator& comm, Sparse_exchange& exchange, c
                           const Sizing& sizing, Placement_2& placed)
 {
   const Hilbert_partition_2 partition = partition_of_common(
-    Hilbert_curve_2(domain.bbox()), large_bubbles(domain, sizing, placed.bubbles), comm.size());
+    hilbert_curve(domain), large_bubbles(domain, sizing, placed.bubbles), comm.size());
   Rhombic_team_2 team(comm, exchange, partition);
   Rhombic_placement<Sizing, Rhombic_team_2>(domain, sizing, placed.bubbles, team)();
   placed.is_ours.resize(placed.bubbles.size(), 1);
@@ -140,7 +141,7 @@ Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Ag
 inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exchange& exchange,
                                            const Domain_2& domain, Placement_2& placed)
 {
-  const Hilbert_curve_2 curve(domain.bbox());
+  const Hilbert_curve_2 curve = hilbert_curve(domain);
   Bubbles_2& bubbles = placed.bubbles;
   remove_crowded_on_edges(domain, bubbles);
   std::vector<Keyed_record_2> records;

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Simulation_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/compact_numbers.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/relax.h>
 
 #include <algorithm>
@@ -65,7 +66,7 @@ std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchan
                                Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
 {
   if (checkpoints.is_restart()) {
-    const Restart_2& restart = checkpoints.read(Hilbert_curve_2(reading.domain.bbox()), sizing);
+    const Restart_2& restart = checkpoints.read(hilbert_curve(reading.domain), sizing);
     for (const Bubble_state_2& s : restart.states)
       add(bubbles, s.bubble, false);
     team.start(restart);
