@@ -58,7 +58,8 @@ Convergence converge(const std::string& name, double d, int levels, const NamedP
     };
     print_order(result.l2);
     std::cout << "   " << in_short(errors.h1);
-    print_order(result.h1);
+    if (level > 0)
+      print_order(result.h1);
     std::cout << std::endl << std::defaultfloat << std::setprecision(6);
   }
   const auto whole = [](const Log_log_plot::Points& points) { return order(points.front(), points.back()); };
@@ -76,6 +77,11 @@ inline void show_convergence(int levels)
   const Convergence linear = converge("linear basis, defaults", d, levels, CGAL::parameters::default_values());
   const Convergence quadratic = converge("quadratic basis, defaults", d, levels,
                                          CGAL::parameters::mls_basis(Moving_least_squares_basis::QUADRATIC));
+  for (bool is_quadratic : {false, true})
+    converge(is_quadratic ? "quadratic basis, no correction" : "linear basis, no correction", d, levels,
+             CGAL::parameters::mls_basis(is_quadratic ? Moving_least_squares_basis::QUADRATIC
+                                                      : Moving_least_squares_basis::LINEAR)
+               .consistent_integration(false));
   // as near to the paper as triangles allow; its radius in units of the distance on a grid of 144 nodes
   const Convergence paper = converge("linear, 1.65 d, 2 x 2 points, no correction", d, levels,
                                      CGAL::parameters::support_factor(1.65).number_of_gauss_points(2)

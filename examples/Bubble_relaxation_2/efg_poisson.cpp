@@ -11,6 +11,7 @@
 
 #include "efg_convergence.h"
 #include "efg_equal_nodes.h"
+#include "efg_limits.h"
 #include "efg_table.h"
 #include "svg_picture.h"
 
@@ -81,6 +82,8 @@ Parts all_parts()
   return {{"table", efg::show_table_1},
           {"random", efg::show_row_a},
           {"settings", efg::show_settings},
+          {"others", efg::show_other_seeds},
+          {"limits", efg::show_limits},
           {"equal", [](std::size_t seeds) { show_equal_nodes(seeds); }},
           {"convergence", [](std::size_t) { efg::show_convergence(4); }},
           {"pictures", [](std::size_t) { draw_figure_17(); }}};
@@ -94,7 +97,7 @@ std::set<std::string> read_parts(const std::string& list, const Parts& parts)
   for (std::string name; std::getline(in, name, ',');) {
     if (parts.count(name) == 0)
       throw std::invalid_argument("there is no part '" + name +
-                                  "', only table, random, settings, equal, convergence and pictures");
+                                  "', only table, random, limits, settings, others, equal, convergence and pictures");
     chosen.insert(name);
   }
   return chosen;
@@ -126,7 +129,7 @@ try {
       throw std::invalid_argument("usage: efg_poisson [--seeds 20] [--parts table,settings]");
   }
   std::cout << "-Laplace(u) = -(x^2 + y^2) e^(xy), u = e^(xy): medians of " << seeds << " seeds [least .. largest]\n";
-  for (const char* name : {"table", "random", "settings", "equal", "convergence", "pictures"})
+  for (const char* name : {"table", "random", "limits", "settings", "others", "equal", "convergence", "pictures"})
     if (chosen.empty() || chosen.count(name) > 0)
       parts.at(name)(seeds);
 } catch (const std::exception& e) {

@@ -51,7 +51,8 @@ narrower than it does not cut.
   are polynomials of the basis (with multipliers: linear ones) are found exactly up to rounding. `PENALTY` has an error
   of its own, du/dn over the factor; and factors that are too large lock the solution on the boundary.
 - <b>Equations</b> are summed up in a fixed order, so that the bits of the solution do not depend on the number of
-  threads. Up to 5000 unknowns they are solved by a factorization, above by an iteration.
+  threads. Up to 5000 unknowns they are solved by a factorization, above by an iteration; with multipliers, and
+  without any given values, always by a factorization, which takes an order longer.
 
 What is read is copied: triangulation and nodes may change or go away. This header needs Eigen, 3.3 or later.
 
@@ -143,7 +144,8 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{callback}
       \cgalParamDescription{is called with the progress of `solve()`, between 0 and 1; when it returns `false` the
-                            solver stops, and the solution is empty}
+                            solver stops, and the solution is empty. It is not asked while the equations are solved,
+                            between 0.7 and 1}
       \cgalParamType{an object that converts to `std::function<bool(double)>`}
       \cgalParamDefault{none}
     \cgalParamNEnd
@@ -156,6 +158,8 @@ public:
 
   \throws std::invalid_argument if a parameter is out of its range, if there is no node, if a size is not positive
   and finite, if a coordinate is not finite, or if there is no domain with constraints all around it
+  \throws std::length_error if the sizes of the nodes or `grid_cells` ask for more than about a thousand cells of
+  integration a node
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   Element_free_Galerkin_2(const CDT& cdt, const Nodes& nodes,
@@ -166,12 +170,13 @@ public:
   /*!
   solves a problem. Exceptions of its functions and of the callback pass through.
 
-  \throws std::invalid_argument if a function of the problem has a value that is not finite, naming both; or if the
+  \throws std::invalid_argument if a function of the problem has a value that is not finite, naming both; if the
+  domain has several parts that do not touch along edges, and one of them has no Dirichlet boundary; or if the
   problem has no Dirichlet boundary and the integrals of `source` and `neumann` do not add up to 0 within a
   thousandth of the integrals of their absolute values
   \throws std::runtime_error if a support has no Gauss point, if the equations are singular, or if
   `residual_tolerance` is not reached
-  \throws Deficient_support_error_2 as `Moving_least_squares_2`
+  \throws Deficient_support_error_2 as `Moving_least_squares_2::evaluate()` for all points of integration
   */
   Solution solve(const Problem& problem) const
   {
@@ -187,7 +192,12 @@ public:
     std::vector<double> coefficients;
     Phase_timer integration_time(report.integration_seconds);
     Galerkin_system_2<Kernel> system(d, problem, progress, report);
-    report.is_stopped_by_callback = !progress.report(0) || !system.assemble();
+    try {
+      report.is_stopped_by_callback = !progress.report(0) || !system.assemble();
+    } catch (const Deficient_support_error_2&) {
+      d.report_deficient_points();
+      throw;
+    }
     integration_time.stop();
     if (!report.is_stopped_by_callback) {
       Phase_timer solution_time(report.solution_seconds);

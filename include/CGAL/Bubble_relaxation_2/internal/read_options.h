@@ -53,8 +53,7 @@ std::size_t read_count(const char* name, T value, std::size_t least,
   if (is_negative || static_cast<std::size_t>(value) < least)
     throw_invalid_count(name, text, "at least " + std::to_string(least));
   if (static_cast<std::size_t>(value) > largest)
-    throw_invalid_count(name, text, "at most " + std::to_string(largest) +
-                                          ", the largest index");
+    throw_invalid_count(name, text, "at most " + std::to_string(largest));
   return static_cast<std::size_t>(value);
 }
 

@@ -35,14 +35,18 @@ inline Point point_on(const Boundary_edge_2& e, double s)
 }
 
 /// The edges of the boundary, halved until the parts are small against the sizes of the nodes.
+/// \throws std::length_error if there are more than `most` of them and the edges
 template <class Size_at>
-std::vector<Boundary_segment_2> halved_boundary(const Integration_domain_2& domain, const Size_at& size_at)
+std::vector<Boundary_segment_2> halved_boundary(const Integration_domain_2& domain, const Size_at& size_at,
+                                                std::size_t most)
 {
   std::vector<Boundary_segment_2> segments, stack;
   for (std::size_t e = 0; e < domain.boundary.size(); ++e) {
     const Boundary_edge_2& edge = domain.boundary[e];
     stack.push_back(Boundary_segment_2{e, 0, 1});
     while (!stack.empty()) {
+      if (segments.size() >= most + domain.boundary.size())
+        throw_too_many_cells(most);
       const Boundary_segment_2 s = stack.back();
       stack.pop_back();
       const double m = (s.begin + s.end) / 2;

@@ -127,6 +127,19 @@ public:
     block.evaluate(mls);
   }
 
+  /// When nodes were found not to suffice at one point of integration: looks at all others too.
+  /// \throws Deficient_support_error_2 about all of them
+  void report_deficient_points() const
+  {
+    std::vector<typename Kernel::Point_2> points;
+    const auto add = [&](double x, double y) { points.emplace_back(x, y); };
+    for (const Background_cell_2& cell : cells)
+      cell_rule.for_each_point(cell, [&](double x, double y, double) { add(x, y); });
+    for (const Boundary_segment_2& s : segments)
+      for_each_point(edge(s), s, segment_rule, [&](double, double x, double y, double) { add(x, y); });
+    mls.evaluate(points, std::vector<double>(nodes.number(), 0.));
+  }
+
   /// At each point of a block the size of the nodes around, which follows the shape functions.
   Eigen::VectorXd sizes(const Block& block) const
   {
@@ -140,16 +153,29 @@ public:
 private:
   void make_cells()
   {
+    const std::size_t most = most_cells(nodes.number());
     if (options.cells == Integration_cells::GRID) {
-      const Grid_cells_2 grid(domain, options.nx > 0 ? options.nx : grid_cells(domain.bbox.x_span()),
-                              options.ny > 0 ? options.ny : grid_cells(domain.bbox.y_span()));
+      const std::size_t nx = options.nx > 0 ? options.nx : grid_cells(domain.bbox.x_span());
+      const std::size_t ny = options.ny > 0 ? options.ny : grid_cells(domain.bbox.y_span());
+      if (nx > most / ny)
+        throw_too_many_cells_of_grid(nx, ny, most);
+      const Grid_cells_2 grid(domain, nx, ny);
       cells = grid.cells();
       segments = cut_boundary(domain, grid);
     } else {
       const auto size_at = [this](const Point& p) { return this->size_at(p); };
-      cells = triangle_cells(domain, size_at);
-      segments = halved_boundary(domain, size_at);
+      cells = triangle_cells(domain, size_at, most);
+      segments = halved_boundary(domain, size_at, most);
     }
+  }
+
+  [[noreturn]] void throw_too_many_cells_of_grid(std::size_t nx, std::size_t ny, std::size_t most) const
+  {
+    if (options.nx == 0)
+      throw_too_many_cells(most);
+    throw std::length_error("Bubble_relaxation_2: parameter grid_cells = " + std::to_string(nx) + " x " +
+                            std::to_string(ny) + " are more than " + std::to_string(most) +
+                            " cells, a thousand for each node");
   }
 
   /// the tag is known here only; a solver's type does not tell it

@@ -127,6 +127,7 @@ private:
       m_is_dirichlet.push_back(!m_problem.is_dirichlet || m_problem.is_dirichlet(Point_2(p.x(), p.y())));
     }
     m_is_neumann_problem = std::find(m_is_dirichlet.begin(), m_is_dirichlet.end(), 1) == m_is_dirichlet.end();
+    check_parts();
     if (is_multiplied() && !m_is_neumann_problem) {
       std::vector<double> lengths(m.domain.boundary.size(), 0); // in units of the size of the nodes
       for (const Boundary_segment_2& s : m.segments)
@@ -135,6 +136,23 @@ private:
       m_multipliers = std::make_unique<Multiplier_space_2>(m.domain.boundary, m_is_dirichlet, lengths);
       m_report.number_of_multipliers = m_multipliers->size();
     }
+  }
+
+  /// A part of the domain without given values has no single solution. What the parts' supports have in common would
+  /// only hide that.
+  void check_parts() const
+  {
+    std::vector<char> has_values(m.domain.parts.size(), m_is_neumann_problem && m.domain.parts.size() == 1);
+    for (std::size_t e = 0; e < m_is_dirichlet.size(); ++e)
+      if (m_is_dirichlet[e])
+        has_values[static_cast<std::size_t>(m.domain.boundary[e].part)] = 1;
+    const auto without = std::find(has_values.begin(), has_values.end(), 0);
+    if (without == has_values.end())
+      return;
+    const Point& p = m.domain.parts[static_cast<std::size_t>(without - has_values.begin())];
+    throw std::invalid_argument("Bubble_relaxation_2: the Poisson_problem_2 has no Dirichlet boundary in the part of "
+                                "the domain around " + in_words(p.x(), p.y()) + ", and the domain has " +
+                                std::to_string(has_values.size()) + " parts");
   }
 
   bool report_progress(double begin, std::size_t done, std::size_t number)
@@ -200,7 +218,7 @@ private:
     part.matrix += weighted_sums(part.dy, b.weights, b.dy);
     add_load(part, "source", m_problem.source);
     if (m_is_neumann_problem) // the mean of u is zero
-      border(part, weighted_sums(b.phi, b.weights));
+      border(part, weighted_sums(b.phi, b.weights) * (std::sqrt(double(m.nodes.number())) / m.domain.area));
   }
 
   template <class Function>
@@ -216,7 +234,8 @@ private:
     part.total_size = weighted.cwiseAbs().sum();
   }
 
-  /// adds the last unknown with a row and a column
+  /// Adds the last unknown with a row and a column. Over the area and times the root of their number, the integrals of
+  /// shape functions are a vector of about length 1 in any unit, as it becomes the other equations.
   void border(Galerkin_cell& part, const Eigen::VectorXd& entries) const
   {
     const Eigen::Index n = entries.size();
@@ -279,7 +298,8 @@ private:
     return 80 * std::sqrt(m.domain.area) * h.cwiseAbs2().cwiseInverse();
   }
 
-  /// the integrals of lambda v and mu (u - g), for multipliers lambda and their test functions mu
+  /// the integrals of lambda v and mu (u - g), for multipliers lambda and their test functions mu, over the mean
+  /// distance of nodes: so they are about as large as other entries in any unit
   void integrate_multipliers(const Boundary_segment_2& segment, Galerkin_cell& part) const
   {
     const Block& b = part.block;
@@ -301,12 +321,13 @@ private:
       mu(q, std::lower_bound(hats.begin(), hats.end(), hat.index) - hats.begin()) += hat.value;
     });
     const Eigen::Index n = b.phi.cols(), all = n + mu.cols();
-    const Eigen::MatrixXd coupling = weighted_sums(b.phi, b.weights, mu);
+    const Eigen::VectorXd weights = b.weights / std::sqrt(m.domain.area / double(m.nodes.number()));
+    const Eigen::MatrixXd coupling = weighted_sums(b.phi, weights, mu);
     part.matrix.setZero(all, all);
     part.matrix.topRightCorner(n, mu.cols()) = coupling;
     part.matrix.bottomLeftCorner(mu.cols(), n) = coupling.transpose();
     part.load = Eigen::VectorXd::Zero(all);
-    part.load.tail(mu.cols()) = weighted_sums(mu, b.weights.cwiseProduct(given_values(b)));
+    part.load.tail(mu.cols()) = weighted_sums(mu, weights.cwiseProduct(given_values(b)));
     part.unknowns = b.nodes;
     for (std::size_t hat : hats)
       part.unknowns.push_back(static_cast<Index>(m.nodes.number() + hat));

@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/in_words.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/centroid.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -32,6 +33,7 @@ struct Boundary_edge_2
 {
   Index source, target; ///< indices of vertices
   Point a, b;           ///< their places
+  Index part;           ///< of the domain
 
   double length() const { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
   Direction outer_normal() const { return {(b.y() - a.y()) / length(), -(b.x() - a.x()) / length()}; }
@@ -44,6 +46,7 @@ struct Integration_domain_2
 {
   std::vector<std::array<Point, 3>> triangles;
   std::vector<Boundary_edge_2> boundary;
+  std::vector<Point> parts; ///< a point in each part of the domain that hangs together across sides
   Bbox_2 bbox;
   double area = 0;
 
@@ -54,22 +57,56 @@ struct Integration_domain_2
     for (auto v : cdt.finite_vertex_handles())
       check_coordinates(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
     const auto flat = flatten_triangulation(cdt);
-    const Flat_triangulation_2& tr = flat.tr;
+    std::vector<char> inside(flat.faces.size());
+    for (std::size_t t = 0; t < inside.size(); ++t)
+      inside[t] = is_inside(flat.faces[t]);
+    read(flat.tr, inside);
+  }
+
+private:
+  void read(const Flat_triangulation_2& tr, const std::vector<char>& inside)
+  {
+    const std::vector<Index> part = find_parts(tr, inside);
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
-      if (!is_inside(flat.faces[t]))
+      if (!inside[t])
         continue;
       const Index f = static_cast<Index>(t);
       add_triangle({tr.point(f, 0), tr.point(f, 1), tr.point(f, 2)});
       for (int i = 0; i < 3; ++i) {
         const Index n = tr.neighbors[t][i];
-        if (n == no_index || !is_inside(flat.faces[n]))
-          boundary.push_back(Boundary_edge_2{tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)],
-                                             tr.point(f, ccw(i)), tr.point(f, cw(i))});
+        if (n != no_index && inside[n])
+          continue;
+        const Boundary_edge_2 edge{tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)], tr.point(f, ccw(i)),
+                                   tr.point(f, cw(i)), part[t]};
+        if (edge.length() > 0) // the ends of an exact one may be rounded to one place
+          boundary.push_back(edge);
       }
     }
   }
 
-private:
+  /// the part of each triangle of the domain
+  std::vector<Index> find_parts(const Flat_triangulation_2& tr, const std::vector<char>& inside)
+  {
+    std::vector<Index> part(inside.size(), no_index), stack;
+    for (std::size_t t = 0; t < inside.size(); ++t) {
+      if (!inside[t] || part[t] != no_index)
+        continue;
+      const Index f = static_cast<Index>(t), number = static_cast<Index>(parts.size());
+      parts.push_back(CGAL::centroid(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2)));
+      part[t] = number;
+      for (stack.assign(1, f); !stack.empty();) {
+        const std::array<Index, 3> neighbors = tr.neighbors[stack.back()];
+        stack.pop_back();
+        for (Index n : neighbors)
+          if (n != no_index && inside[n] && part[n] == no_index) {
+            part[n] = number;
+            stack.push_back(n);
+          }
+      }
+    }
+    return part;
+  }
+
   void add_triangle(const std::array<Point, 3>& t)
   {
     const double twice = (t[1].x() - t[0].x()) * (t[2].y() - t[0].y()) -
