@@ -13,14 +13,12 @@
 
 #include "adaptive_solution.h"
 #include "corner_singularity.h"
+#include "corner_solvers.h"
 #include "log_log_plot.h"
 #include "paper_domains.h"
 #include "svg_picture.h"
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Element_free_Galerkin_2.h>
-#include <CGAL/Poisson_problem_2.h>
-#include <CGAL/node_set_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,38 +71,6 @@ CDT domain()
   const std::vector<Point> outline = Exact::outline();
   cdt.insert_constraint(outline.begin(), outline.end(), true);
   return cdt;
-}
-
-CGAL::Poisson_problem_2<paper::K> problem()
-{
-  CGAL::Poisson_problem_2<paper::K> result;
-  result.dirichlet = &Exact::value;
-  return result;
-}
-
-Solved by_finite_elements(const CDT&, const Triangle_arrays<CDT>& mesh)
-{
-  const Eigen::VectorXd values = solve_by_linear_elements(mesh, problem());
-  return Solved{values, [&mesh, values] { return error_of_linear_elements<Exact>(mesh, values); }};
-}
-
-/// With 3 Gauss points in each direction, the default for the linear basis, the error of integration is most of the
-/// error of the values from 10 000 nodes on.
-template <CGAL::Moving_least_squares_basis basis>
-Solved by_element_free_galerkin(const CDT& cdt, const Triangle_arrays<CDT>& mesh)
-{
-  const CGAL::Element_free_Galerkin_2<CDT> method(
-    cdt, CGAL::node_set_2(cdt), CGAL::parameters::mls_basis(basis).number_of_gauss_points(4));
-  const auto solution = method.solve(problem());
-  Eigen::VectorXd values(static_cast<Eigen::Index>(mesh.points.size()));
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    values[static_cast<Eigen::Index>(v)] = solution.value(mesh.points[v]);
-  return Solved{values, [&mesh, solution] {
-    return integrate_error(mesh, Exact::corner(), 4, [&](std::size_t, const Point& p, const Eigen::Vector3d&) {
-      const auto gradient = solution.gradient(p), exact = Exact::gradient(p);
-      return Eigen::Vector3d(solution.value(p) - Exact::value(p), gradient.x() - exact.x(), gradient.y() - exact.y());
-    });
-  }};
 }
 
 void print_head(const std::string& title)
@@ -225,7 +191,7 @@ try {
   Mesh_pictures pictures;
   const auto adapted = [&] {
     return study("finite elements, equal errors of the gradient", Refinement::EQUAL_GRADIENT, arguments,
-                 arguments.nodes, &by_finite_elements, std::ref(pictures));
+                 arguments.nodes, &by_finite_elements<CDT>, std::ref(pictures));
   };
   if (arguments.tolerance > 0) {
     adapted();
@@ -233,22 +199,22 @@ try {
   }
   std::vector<Study> studies;
   studies.push_back({"finite elements, uniform", study("finite elements, d the same everywhere", Refinement::UNIFORM,
-                                                       arguments, arguments.nodes, &by_finite_elements, no_look)});
+                                                       arguments, arguments.nodes, &by_finite_elements<CDT>, no_look)});
   studies.push_back({"finite elements, adapted", adapted()});
   pictures.write();
   study("finite elements, equal errors of the values", Refinement::EQUAL_VALUE, arguments, arguments.nodes,
-        &by_finite_elements, no_look);
+        &by_finite_elements<CDT>, no_look);
   using Basis = CGAL::Moving_least_squares_basis;
   studies.push_back({"element-free Galerkin, uniform",
                      study("element-free Galerkin, d the same everywhere", Refinement::UNIFORM, arguments,
-                           arguments.efg_nodes, &by_element_free_galerkin<Basis::LINEAR>, no_look)});
+                           arguments.efg_nodes, &by_element_free_galerkin<Basis::LINEAR, CDT>, no_look)});
   studies.push_back({"element-free Galerkin, adapted",
                      study("element-free Galerkin, equal errors of the gradient", Refinement::EQUAL_GRADIENT,
-                           arguments, arguments.efg_nodes, &by_element_free_galerkin<Basis::LINEAR>, no_look)});
+                           arguments, arguments.efg_nodes, &by_element_free_galerkin<Basis::LINEAR, CDT>, no_look)});
   studies.push_back({"the same with a quadratic basis",
                      study("element-free Galerkin with a quadratic basis, equal errors of the gradient",
                            Refinement::EQUAL_GRADIENT, arguments, arguments.efg_nodes,
-                           &by_element_free_galerkin<Basis::QUADRATIC>, no_look)});
+                           &by_element_free_galerkin<Basis::QUADRATIC, CDT>, no_look)});
   plot(studies);
 } catch (const std::exception& e) {
   std::cerr << "adaptive_poisson: " << e.what() << '\n';
