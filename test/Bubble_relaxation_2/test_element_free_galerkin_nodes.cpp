@@ -16,6 +16,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -341,18 +345,33 @@ TEST(Order, of_the_triangulation_does_not_matter)
 #ifdef CGAL_LINKED_WITH_TBB
 TEST(Threads, give_the_same_bits)
 {
-  const Nodes nodes = grid(24, 0.2);
-  for (Basis basis : {Basis::LINEAR, Basis::QUADRATIC}) {
-    Options o;
-    o.basis = basis;
+  const auto expect_same = [](const Nodes& nodes, const Options& o) {
     const Solution one = solve(square(), nodes, paper().problem(), o);
-    const Solution many = Solver(square(), nodes, o.parameters().concurrency_tag(CGAL::Parallel_tag()))
-                            .solve(paper().problem());
-    EXPECT_EQ(one.coefficients(), many.coefficients());
-    const auto a = one.error(paper().u, paper().gradient), b = many.error(paper().u, paper().gradient);
-    EXPECT_EQ(a.l2, b.l2);
-    EXPECT_EQ(a.h1, b.h1);
+    const auto a = one.error(paper().u, paper().gradient);
+    for (std::size_t threads : {1, 2, 5}) {
+      tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      const Solution many = Solver(square(), nodes, o.parameters().concurrency_tag(CGAL::Parallel_tag()))
+                              .solve(paper().problem());
+      EXPECT_EQ(one.coefficients(), many.coefficients()) << threads;
+      const auto b = many.error(paper().u, paper().gradient);
+      EXPECT_EQ(a.l2, b.l2) << threads;
+      EXPECT_EQ(a.h1, b.h1) << threads;
+    }
+  };
+  Options o;
+  for (Basis basis : {Basis::LINEAR, Basis::QUADRATIC}) {
+    o.basis = basis;
+    expect_same(grid(24, 0.2), o);
   }
+  o = Options();
+  o.support_factor = 1.6;
+  o.gauss_points = 2;
+  expect_same(grid(72, 0.2), o); // 5184 nodes: more than are factorized
+}
+
+TEST(Threads, name_the_first_bad_point)
+{
+  const Nodes nodes = grid(24, 0.2);
   // of several points the message names the first, whichever thread finds its own first
   Problem p = paper().problem();
   p.source = [](const Point&) { return not_a_number; };
