@@ -48,7 +48,10 @@ nodes, in whatever way they are placed, and whatever their radii.
 
 With `Influence_search::EXPANSION` the nodes are found from the neighbour sets that the simulation leaves, as in
 section 3.2 of the paper: a descent to the nearest node, then an expansion over the sets as far as nodes are near
-enough. In a convex domain that is complete if R > 2 F. Here R is the radius of the neighbour sets, and F the fill
+enough. It takes several times longer than the default, to build and to ask, for the proof that nothing is missed
+needs a Delaunay triangulation of the nodes.
+
+In a convex domain an expansion is complete if R > 2 F. Here R is the radius of the neighbour sets, and F the fill
 distance: the radius of the largest circle around a point of the domain that has no node inside. For sizes that vary
 both are taken on the spot. Bubbles that are packed have 2 F of about 1.2 d and R of 1.7 d; a random set, or one with
 a void, does not comply, and in other domains R > 2 F is not enough: a notch or a hole separates nodes that
