@@ -2,7 +2,7 @@
 # Installs what is missing, builds and runs a benchmark; arguments go to it, files land in output/:
 #   benchmark.sh [scaling] [1e7] [--threads 2]    cost, memory and threads over the number of vertices
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
-#   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, CGAL's searches and nanoflann
+#   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, a grid, CGAL's searches, nanoflann
 #   benchmark.sh phases                           nanoseconds a node of each phase
 #   benchmark.sh distributed [speed [1e5 ...]]    two MPI ranks against one: seconds, and whether the bits are equal
 #   benchmark.sh distributed [counts [1e5]]       what up to 64 ranks hold and send, and a model of their efficiency

@@ -54,12 +54,10 @@ int main()
     const paper::Domain domain = paper::square_with_hole(f);
     const auto nodes = CGAL::npbs_place_nodes(paper::triangulate(domain),
                                               CGAL::parameters::sizing_function(domain.d));
-    std::vector<double> radii, values;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      radii.push_back(2.5 * nodes.sizes[i]);
-      values.push_back(u(nodes.points[i]));
-    }
-    const Influence influence(nodes, radii);
+    std::vector<double> values;
+    for (const Point& p : nodes.points)
+      values.push_back(u(p));
+    const Influence influence(nodes, CGAL::parameters::support_factor(2.5));
 
     std::cout << std::setw(8) << nodes.size() << std::scientific << std::setprecision(2);
     std::size_t number_of_enlarged = 0;

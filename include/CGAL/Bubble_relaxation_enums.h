@@ -50,8 +50,8 @@ enum class Bubble_stop_reason
 /// How the nodes near a point are found. Both ways find the same nodes.
 enum class Influence_search
 {
-  BUCKETS,  ///< the default: from a grid of buckets; the fastest way, and complete on every domain
-  EXPANSION ///< the paper's: from the nearest node over neighbour sets; complete under a condition
+  BUCKETS,  ///< the default: from lists of the cells of a grid; the fastest way, and complete on every domain
+  EXPANSION ///< the paper's: from the nearest node over neighbour sets; where that may be incomplete, as by default
 };
 
 /// The polynomials that moving least squares reproduce exactly.

@@ -32,8 +32,10 @@ public:
   double x, y;                   ///< the point
   std::size_t number_of_nodes;   ///< in whose support it lies
   double condition_number;       ///< of the moment matrix there; infinity if it is singular
-  double sufficient_enlargement; ///< the least power of 1.1 times the radii that would do; 0 if none would
   std::size_t number_of_points;  ///< how many of the points that were asked for are so; this is the first
+  /// If all radii are multiplied by it the nodes suffice at all points that were asked for, this one and the others:
+  /// a power of 1.1, and 0 if at some of them none would do.
+  double sufficient_enlargement;
 
   Deficient_support_error_2(double x, double y, std::size_t number_of_nodes, double condition_number,
                             double maximum_condition_number, double sufficient_enlargement,
@@ -41,7 +43,7 @@ public:
     : std::runtime_error(message(x, y, number_of_nodes, condition_number, maximum_condition_number,
                                  sufficient_enlargement, number_of_points)),
       x(x), y(y), number_of_nodes(number_of_nodes), condition_number(condition_number),
-      sufficient_enlargement(sufficient_enlargement), number_of_points(number_of_points)
+      number_of_points(number_of_points), sufficient_enlargement(sufficient_enlargement)
   {}
 
 private:
@@ -58,7 +60,7 @@ private:
     else
       text += "larger support radii would not help";
     if (number_of_points > 1)
-      text += "; there are " + std::to_string(number_of_points) + " such points";
+      text += (enlargement > 0 ? " for all" : " all") + (" of " + std::to_string(number_of_points) + " such points");
     return text;
   }
 };

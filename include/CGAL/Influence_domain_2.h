@@ -27,6 +27,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,10 @@ nodes, in whatever way they are placed, and whatever their radii.
 
 With `Influence_search::EXPANSION` the nodes are found from the neighbour sets that the simulation leaves, as in
 section 3.2 of the paper: a descent to the nearest node, then an expansion over the sets as far as nodes are near
-enough. In a convex domain that is complete if R > 2 F. Here R is the radius of the neighbour sets, and F the fill
+enough. It takes several times longer than the default, to build and to ask, for the proof that nothing is missed
+needs a Delaunay triangulation of the nodes.
+
+In a convex domain an expansion is complete if R > 2 F. Here R is the radius of the neighbour sets, and F the fill
 distance: the radius of the largest circle around a point of the domain that has no node inside. For sizes that vary
 both are taken on the spot. Bubbles that are packed have 2 F of about 1.2 d and R of 1.7 d; a random set, or one with
 a void, does not comply, and in other domains R > 2 F is not enough: a notch or a hole separates nodes that
@@ -57,7 +61,8 @@ nearer to the node than the expansion goes. If it may be incomplete the query is
 default, so that both ways always find the same nodes. `Query::number_of_fallbacks()` tells how often that was.
 
 A node lies in the influence domain if its squared distance is less than the squared radius, both computed with
-`double`, to which coordinates of other number types are rounded. Copies share what they hold.
+`double`, to which coordinates of other number types are rounded once, when the object is made. Copies share all that
+they hold, so they cost next to nothing.
 
 \tparam Kernel_ a model of `Kernel`, that of the points
 
@@ -71,21 +76,25 @@ class Influence_domain_2
 public:
   using Kernel = Kernel_;
   using Point_2 = typename Kernel::Point_2; ///< the point type
-  using Node = std::int32_t;                ///< the index of a node
+  using Node_index = std::int32_t;          ///< a number that stands for a node
 
 #ifndef DOXYGEN_RUNNING
   class Query;
 #endif
 
   /*!
-  gives all nodes one radius.
+  gives each node a radius that is a multiple of its size, the distance from its neighbours.
 
   \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   \param nodes the nodes, which are copied
-  \param radius the radius of the influence domains, in the units of the coordinates
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
   \cgalNamedParamsBegin
+    \cgalParamNBegin{support_factor}
+      \cgalParamDescription{the radius of node i is this times `nodes.sizes[i]`}
+      \cgalParamType{`double`, positive}
+      \cgalParamDefault{2.5}
+    \cgalParamNEnd
     \cgalParamNBegin{influence_search}
       \cgalParamDescription{how nodes are found}
       \cgalParamType{`Influence_search`}
@@ -93,8 +102,32 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \throws std::invalid_argument if the radius is not positive and finite, if a coordinate is not finite, or if
-  neighbour sets that are asked for are missing or have indices that no node has
+  \throws std::invalid_argument if the factor or a size is not positive and finite, if there are not as many sizes as
+  points, if a coordinate is not finite, or if neighbour sets that are asked for are missing or have indices that no
+  node has
+  */
+#ifdef DOXYGEN_RUNNING
+  template <class NamedParameters = parameters::Default_named_parameters>
+#else
+  template <class NamedParameters = parameters::Default_named_parameters,
+            class = std::enable_if_t<!std::is_convertible<NamedParameters, double>::value &&
+                                     !std::is_convertible<NamedParameters, std::vector<double>>::value>>
+#endif
+  explicit Influence_domain_2(const Node_set_2<Point_2>& nodes,
+                              const NamedParameters& np = parameters::default_values())
+    : Influence_domain_2(nodes.points, multiples_of_sizes(nodes, np))
+  {
+    use_neighbors(nodes, np);
+  }
+
+  /*!
+  gives all nodes one radius.
+
+  \param nodes as above
+  \param radius the radius of the influence domains, in the units of the coordinates
+  \param np `influence_search`, as above
+
+  \throws std::invalid_argument as above, or if the radius is not positive and finite
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   Influence_domain_2(const Node_set_2<Point_2>& nodes, double radius,
@@ -121,24 +154,32 @@ public:
   }
 
   /// gives all of any points one radius; they have no neighbour sets, so nodes are found by `BUCKETS`.
-  Influence_domain_2(std::vector<Point_2> points, double radius) : m_points(std::move(points))
+  Influence_domain_2(std::vector<Point_2> points, double radius) : m_points(share(std::move(points)))
   {
     Bubble_relaxation_2::internal::check_positive("radius", radius);
     build([radius](std::size_t) { return radius; });
   }
 
   /// gives each of any points a radius of its own.
-  Influence_domain_2(std::vector<Point_2> points, std::vector<double> radii) : m_points(std::move(points))
+  Influence_domain_2(std::vector<Point_2> points, std::vector<double> radii) : m_points(share(std::move(points)))
   {
-    check(radii);
+    check("radii", "radius", radii, m_points->size());
     build([&radii](std::size_t i) { return radii[i]; });
   }
 
-  std::size_t size() const { return m_points.size(); } ///< the number of nodes
+  std::size_t size() const { return m_points->size(); } ///< the number of nodes
 
-  const Point_2& point(Node i) const { return m_points[static_cast<std::size_t>(i)]; } ///< where node `i` is
+  const Point_2& point(Node_index i) const { return (*m_points)[static_cast<std::size_t>(i)]; } ///< where node `i` is
 
-  double radius(Node i) const { return (*m_radii)[static_cast<std::size_t>(i)]; } ///< the radius of node `i`
+  double radius(Node_index i) const { return disc(i).radius; } ///< the radius of node `i`
+
+#ifndef DOXYGEN_RUNNING
+  /// place and radius of node `i` in the very numbers of `double` that queries take
+  Bubble_relaxation_2::internal::Influence_disc_2 disc(Node_index i) const
+  {
+    return m_search->disc(static_cast<std::size_t>(i));
+  }
+#endif
 
   /*!
   writes the nodes i with |p - x<sub>i</sub>| < `factor` r<sub>i</sub> in ascending order, and returns the end. May
@@ -150,13 +191,13 @@ public:
   template <class OutputIterator>
   OutputIterator nodes_at(const Point_2& p, OutputIterator out, double factor = 1) const
   {
-    std::vector<Node> result;
+    std::vector<Node_index> result;
     Query(*this)(p, factor, result);
     return std::copy(result.begin(), result.end(), out);
   }
 
   /// returns the node that is nearest to `p`, of several the first, and -1 if there is none.
-  Node nearest_node(const Point_2& p) const
+  Node_index nearest_node(const Point_2& p) const
   {
     const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
     check_place(x, y);
@@ -168,28 +209,44 @@ public:
   bool is_expansion_complete() const { return m_search->is_expansion_complete(); }
 
 private:
+  static std::shared_ptr<const std::vector<Point_2>> share(std::vector<Point_2> points)
+  {
+    return std::make_shared<const std::vector<Point_2>>(std::move(points));
+  }
+
+  template <class NamedParameters>
+  static std::vector<double> multiples_of_sizes(const Node_set_2<Point_2>& nodes, const NamedParameters& np)
+  {
+    const double factor =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::support_factor), 2.5);
+    Bubble_relaxation_2::internal::check_positive("support_factor", factor);
+    check("nodes.sizes", "size", nodes.sizes, nodes.points.size());
+    std::vector<double> radii;
+    radii.reserve(nodes.sizes.size());
+    for (double d : nodes.sizes)
+      radii.push_back(factor * d);
+    return radii;
+  }
+
   template <class Radius>
   void build(const Radius& radius)
   {
     using Bubble_relaxation_2::internal::Influence_disc_2;
     using Bubble_relaxation_2::internal::in_words;
-    if (m_points.size() > static_cast<std::size_t>((std::numeric_limits<Node>::max)()))
-      throw std::length_error("Bubble_relaxation_2: " + std::to_string(m_points.size()) +
+    const std::vector<Point_2>& points = *m_points;
+    if (points.size() > static_cast<std::size_t>((std::numeric_limits<Node_index>::max)()))
+      throw std::length_error("Bubble_relaxation_2: " + std::to_string(points.size()) +
                               " nodes are more than their indices can number");
     std::vector<Influence_disc_2> discs;
-    discs.reserve(m_points.size());
-    std::vector<double> radii;
-    radii.reserve(m_points.size());
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-      const double x = CGAL::to_double(m_points[i].x()), y = CGAL::to_double(m_points[i].y());
+    discs.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double x = CGAL::to_double(points[i].x()), y = CGAL::to_double(points[i].y());
       if (!std::isfinite(x) || !std::isfinite(y))
         throw std::invalid_argument("Bubble_relaxation_2: parameter points: node " + std::to_string(i) + " at " +
                                     in_words(x, y) + " must be finite");
       discs.push_back(Influence_disc_2{x, y, radius(i)});
-      radii.push_back(radius(i));
     }
     m_search = std::make_shared<Search>(std::move(discs));
-    m_radii = std::make_shared<const std::vector<double>>(std::move(radii));
   }
 
   template <class NamedParameters>
@@ -201,15 +258,17 @@ private:
       m_search->use_neighbors(nodes.neighbor_offsets, nodes.neighbors);
   }
 
-  void check(const std::vector<double>& radii) const
+  /// `parameter` tells for each of `n` nodes a positive number, such as its `what`
+  static void check(const char* parameter, const std::string& what, const std::vector<double>& numbers, std::size_t n)
   {
-    if (radii.size() != m_points.size())
-      throw std::invalid_argument("Bubble_relaxation_2: parameter radii has " + std::to_string(radii.size()) +
-                                  " numbers for " + std::to_string(m_points.size()) + " nodes");
-    for (std::size_t i = 0; i < radii.size(); ++i)
-      if (!(radii[i] > 0) || !std::isfinite(radii[i]))
-        throw std::invalid_argument("Bubble_relaxation_2: parameter radii: the radius " +
-                                    Bubble_relaxation_2::internal::in_words(radii[i]) + " of node " +
+    const std::string start = std::string("Bubble_relaxation_2: parameter ") + parameter;
+    if (numbers.size() != n)
+      throw std::invalid_argument(start + " has " + std::to_string(numbers.size()) + " numbers for " +
+                                  std::to_string(n) + " nodes");
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(numbers[i] > 0) || !std::isfinite(numbers[i]))
+        throw std::invalid_argument(start + ": the " + what + " " +
+                                    Bubble_relaxation_2::internal::in_words(numbers[i]) + " of node " +
                                     std::to_string(i) + " must be positive and finite");
   }
 
@@ -220,9 +279,8 @@ private:
                                   Bubble_relaxation_2::internal::in_words(x, y) + " must be finite");
   }
 
-  std::vector<Point_2> m_points;
-  std::shared_ptr<const std::vector<double>> m_radii;
-  std::shared_ptr<Search> m_search;
+  std::shared_ptr<const std::vector<Point_2>> m_points;
+  std::shared_ptr<Search> m_search; // has the radii
 };
 
 /*!
@@ -240,7 +298,7 @@ public:
   explicit Query(const Influence_domain_2& influence) : m_search(influence.m_search) {}
 
   /// replaces what `result` has by the nodes i with |p - x<sub>i</sub>| < `factor` r<sub>i</sub>, in ascending order.
-  void operator()(const Point_2& p, double factor, std::vector<Node>& result)
+  void operator()(const Point_2& p, double factor, std::vector<Node_index>& result)
   {
     const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
     check_place(x, y);

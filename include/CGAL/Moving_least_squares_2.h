@@ -12,22 +12,22 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Local_fit_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_evaluation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_fitting_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 #include <CGAL/Deficient_support_error_2.h>
 #include <CGAL/Influence_domain_2.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/use.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -79,8 +79,7 @@ public:
     /// of each of `nodes`: value, first and second derivatives; empty where they were not asked for
     std::vector<double> values, dx, dy, dxx, dxy, dyy;
     double enlargement = 1;      ///< what the support radii were multiplied by to suffice
-    /// no less than that of the moment matrix, and the very condition number if it is more than allowed. The bound
-    /// comes from the determinant and is cheap; eigenvalues are computed only where it does not settle the question
+    /// an upper bound; exact if above the limit
     double condition_number = 0;
 
   private:
@@ -97,7 +96,8 @@ public:
   };
 
   /*!
-  takes nodes with their supports from `influence`, which is not copied and must outlive this object.
+  takes nodes with their supports from `influence`. It keeps a copy, which shares nodes and search structure with it
+  and so costs next to nothing.
 
   \param influence the nodes; their radii are the support radii
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -128,20 +128,15 @@ public:
   \throws std::invalid_argument if a parameter is out of its range, or if there is no node
   */
   template <class NamedParameters = parameters::Default_named_parameters>
-  explicit Moving_least_squares_2(const Influence& influence,
-                                  const NamedParameters& np = parameters::default_values())
-    : m_options(Bubble_relaxation_2::internal::read_mls_options(np)), m_influence(&influence)
+  explicit Moving_least_squares_2(Influence influence, const NamedParameters& np = parameters::default_values())
+    : m_options(Bubble_relaxation_2::internal::read_mls_options(np)), m_influence(std::move(influence))
   {
-    if (influence.size() == 0)
+    if (m_influence.size() == 0)
       throw std::invalid_argument("Bubble_relaxation_2: parameter influence has no nodes");
   }
 
-  /// is for objects that stay: a temporary would be gone when it is needed.
-  template <class NamedParameters = parameters::Default_named_parameters>
-  explicit Moving_least_squares_2(Influence&&, const NamedParameters& = parameters::default_values()) = delete;
-
   /// the nodes and their supports
-  const Influence& influence() const { return *m_influence; }
+  const Influence& influence() const { return m_influence; }
 
   /*!
   computes the shape functions at `p` and as many orders of derivatives as asked for. Several threads may do so
@@ -157,18 +152,20 @@ public:
   */
   void operator()(const Point_2& p, int number_of_derivatives, Shape_functions& result) const
   {
-    const auto search = [&](double factor) {
-      result.nodes.clear();
-      m_influence->nodes_at(p, std::back_inserter(result.nodes), factor);
-    };
-    compute(p, number_of_derivatives, search, result);
+    Query query(m_influence);
+    (*this)(p, number_of_derivatives, query, result);
   }
 
   /// does the same with a search that is fastest if each point is near the last one; one object a thread.
   void operator()(const Point_2& p, int number_of_derivatives, Query& query, Shape_functions& result) const
   {
-    const auto search = [&](double factor) { query(p, factor, result.nodes); };
-    compute(p, number_of_derivatives, search, result);
+    check_point(p);
+    check_number_of_derivatives(number_of_derivatives);
+    Bubble_relaxation_2::internal::Mls_fitting_2<Influence, Shape_functions> fitting(m_influence, m_options, query,
+                                                                                     result.m_fit, result);
+    if (!fitting.fit(p, number_of_derivatives))
+      throw fitting.error(p, fitting.sufficient_enlargement(p, 1), 1);
+    result.m_fit.write(number_of_derivatives, result);
   }
 
   /*!
@@ -184,7 +181,7 @@ public:
     check_number_of_coefficients(coefficients.size());
     Shape_functions shapes;
     (*this)(p, 0, shapes);
-    return sum(shapes.nodes, shapes.values, coefficients);
+    return Bubble_relaxation_2::internal::sum_of_shapes(shapes.nodes, shapes.values, coefficients);
   }
 
   /// returns the gradient of the approximation at `p`, with the arguments and exceptions of `value()`.
@@ -194,7 +191,9 @@ public:
     check_number_of_coefficients(coefficients.size());
     Shape_functions shapes;
     (*this)(p, 1, shapes);
-    return Vector_2(sum(shapes.nodes, shapes.dx, coefficients), sum(shapes.nodes, shapes.dy, coefficients));
+    using Bubble_relaxation_2::internal::sum_of_shapes;
+    return Vector_2(sum_of_shapes(shapes.nodes, shapes.dx, coefficients),
+                    sum_of_shapes(shapes.nodes, shapes.dy, coefficients));
   }
 
   /*!
@@ -215,7 +214,7 @@ public:
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument, Deficient_support_error_2 as above. The latter is about the first of the points
-  where the nodes do not suffice, and tells how many there are
+  where the nodes do not suffice, and tells how many there are, and what enlargement of all radii would do for all
   */
   template <class Coefficients, class NamedParameters = parameters::Default_named_parameters>
   Values evaluate(const std::vector<Point_2>& points, const Coefficients& coefficients,
@@ -227,35 +226,13 @@ public:
     check_number_of_coefficients(coefficients.size());
     for (const Point_2& p : points)
       check_point(p);
-    const std::size_t n = points.size();
-    Values result;
-    result.values.resize(n);
-    for (auto* array : {&result.dx, &result.dy})
-      array->resize(number_of_derivatives > 0 ? n : 0);
-    for (auto* array : {&result.dxx, &result.dxy, &result.dyy})
-      array->resize(number_of_derivatives > 1 ? n : 0);
-    std::vector<Block> blocks((n + block_size - 1) / block_size);
     using namespace Bubble_relaxation_2::internal;
-    parallel_for<Concurrency<NamedParameters>>(blocks.size(), [&](std::size_t b) {
-      const std::size_t end = (std::min)(n, (b + 1) * block_size);
-      blocks[b] = evaluate_block(points, b * block_size, end, coefficients, number_of_derivatives, result);
-    }, 1);
-    add_up(blocks, points, result);
-    return result;
+    const Mls_evaluation_2<Moving_least_squares_2, Concurrency<NamedParameters>> evaluation(m_influence, m_options,
+                                                                                            points);
+    return evaluation(coefficients, number_of_derivatives);
   }
 
 private:
-  static constexpr std::size_t block_size = 512; // points that one thread evaluates in a row
-
-  /// what was found at the points of a block
-  struct Block
-  {
-    std::size_t number_of_enlarged = 0;
-    double largest_enlargement = 1;
-    std::size_t number_of_deficient = 0;
-    std::size_t first_deficient = 0;
-  };
-
   static void check_point(const Point_2& p)
   {
     using Bubble_relaxation_2::internal::in_words;
@@ -272,151 +249,13 @@ private:
 
   void check_number_of_coefficients(std::size_t n) const
   {
-    if (n != m_influence->size())
+    if (n != m_influence.size())
       throw std::invalid_argument("Bubble_relaxation_2: parameter coefficients has " + std::to_string(n) +
-                                  " numbers for " + std::to_string(m_influence->size()) + " nodes");
-  }
-
-  /// `search(factor)` puts the nodes into `r.nodes` in whose support, times the factor, `p` lies.
-  template <class Search>
-  void compute(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
-  {
-    check_point(p);
-    check_number_of_derivatives(number_of_derivatives);
-    if (!fit(p, number_of_derivatives, search, r))
-      throw_error(p, search, r, 1);
-    r.m_fit.write(number_of_derivatives, r);
-  }
-
-  /// returns whether there are shape functions at `p`, after all that may be done for it
-  template <class Search>
-  bool fit(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
-  {
-    r.enlargement = 1;
-    if (suffices(p, number_of_derivatives, search, r))
-      return true;
-    switch (m_options.deficient_support) {
-    case Deficient_support::ENLARGE:
-      return enlarge(p, number_of_derivatives, search, r);
-    case Deficient_support::PSEUDO_INVERSE:
-      return true;
-    default:
-      return false;
-    }
-  }
-
-  /// returns whether the nodes at `p` with the present enlargement do
-  template <class Search>
-  bool suffices(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
-  {
-    search(r.enlargement);
-    r.m_fit.gather(*m_influence, p, r.nodes, r.enlargement);
-    const bool result = r.m_fit.solve(m_options, number_of_derivatives);
-    r.condition_number = r.m_fit.condition_number();
-    return result;
-  }
-
-  /// Enlarges the supports until the nodes suffice. Once they have all nodes, twice as far from their rims than
-  /// when they had just got them, there is nothing to gain: weights hardly differ, and only lengths in units
-  /// of the radii go on to shrink. From 1e15 radii away nodes cannot be told from each other.
-  template <class Search>
-  bool enlarge(const Point_2& p, int number_of_derivatives, const Search& search, Shape_functions& r) const
-  {
-    int steps_with_all_nodes = 0;
-    while (steps_with_all_nodes < 8 && r.enlargement < 1e15) {
-      r.enlargement *= 1.1;
-      if (suffices(p, number_of_derivatives, search, r))
-        return true;
-      if (r.nodes.size() == m_influence->size())
-        ++steps_with_all_nodes;
-    }
-    return false;
-  }
-
-  template <class Search>
-  [[noreturn]] void throw_error(const Point_2& p, const Search& search, Shape_functions& r,
-                                std::size_t number_of_points) const
-  {
-    r.enlargement = 1;
-    suffices(p, 0, search, r);
-    const std::size_t number_of_nodes = r.nodes.size();
-    const double condition_number = r.condition_number;
-    const double enlargement = enlarge(p, 0, search, r) ? r.enlargement : 0;
-    throw Deficient_support_error_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()), number_of_nodes,
-                                    condition_number, m_options.maximum_condition_number, enlargement,
-                                    number_of_points);
-  }
-
-  template <class Coefficients>
-  static double sum(const std::vector<std::int32_t>& nodes, const std::vector<double>& shapes,
-                    const Coefficients& coefficients)
-  {
-    double result = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      result += shapes[i] * coefficients[static_cast<std::size_t>(nodes[i])];
-    return result;
-  }
-
-  /// evaluates the points from `begin` to `end`; others may do so with other points at the same time
-  template <class Coefficients>
-  Block evaluate_block(const std::vector<Point_2>& points, std::size_t begin, std::size_t end,
-                       const Coefficients& coefficients, int number_of_derivatives, Values& result) const
-  {
-    Block block;
-    Query query(*m_influence);
-    Shape_functions r;
-    const auto search = [&](const Point_2& p) {
-      return [&](double factor) { query(p, factor, r.nodes); };
-    };
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!fit(points[i], number_of_derivatives, search(points[i]), r)) {
-        if (block.number_of_deficient++ == 0)
-          block.first_deficient = i;
-        continue;
-      }
-      r.m_fit.write(number_of_derivatives, r);
-      block.number_of_enlarged += r.enlargement > 1;
-      block.largest_enlargement = (std::max)(block.largest_enlargement, r.enlargement);
-      for_each_array(result, r, [&](std::vector<double>& out, const std::vector<double>& shapes) {
-        if (!out.empty())
-          out[i] = sum(r.nodes, shapes, coefficients);
-      });
-    }
-    return block;
-  }
-
-  /// \throws Deficient_support_error_2 about the first point that has no value
-  void add_up(const std::vector<Block>& blocks, const std::vector<Point_2>& points, Values& result) const
-  {
-    std::size_t number_of_deficient = 0;
-    for (const Block& b : blocks) {
-      result.number_of_enlarged_supports += b.number_of_enlarged;
-      result.largest_enlargement = (std::max)(result.largest_enlargement, b.largest_enlargement);
-      number_of_deficient += b.number_of_deficient;
-    }
-    if (number_of_deficient == 0)
-      return;
-    const auto first = std::find_if(blocks.begin(), blocks.end(),
-                                    [](const Block& b) { return b.number_of_deficient > 0; });
-    Query query(*m_influence);
-    Shape_functions r;
-    const Point_2& p = points[first->first_deficient];
-    throw_error(p, [&](double factor) { query(p, factor, r.nodes); }, r, number_of_deficient);
-  }
-
-  template <class Function>
-  static void for_each_array(Values& v, const Shape_functions& r, const Function& f)
-  {
-    f(v.values, r.values);
-    f(v.dx, r.dx);
-    f(v.dy, r.dy);
-    f(v.dxx, r.dxx);
-    f(v.dxy, r.dxy);
-    f(v.dyy, r.dyy);
+                                  " numbers for " + std::to_string(m_influence.size()) + " nodes");
   }
 
   Bubble_relaxation_2::internal::Mls_options m_options;
-  const Influence* m_influence;
+  Influence m_influence;
 };
 
 } // namespace CGAL

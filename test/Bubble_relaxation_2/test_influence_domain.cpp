@@ -8,12 +8,16 @@
 
 // Influence domains: what is found are the very nodes that a look at all of them finds.
 
+#include "expect_throw.h"
 #include "influence_checks.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/node_set_2.h>
 
 #include <limits>
 #include <memory>
+#include <stdexcept>
+#include <type_traits>
 
 using namespace influence_checks;
 
@@ -123,8 +127,15 @@ TEST(Influence_domain, any_scale_and_place)
       EXPECT_EQ(found, expected) << scale;
     }
   }
-  const Points far = random_points(500, 1, 1e9);
-  EXPECT_GT(expect_exact(Influence(far, 0.1), far), 1000u);
+  const struct { double width, origin; } cases[] = {{1e-9, 0}, {1e9, 0}, {1, 1e6}, {1e-9, 1e-3}, {1, 1e9}};
+  for (const auto& c : cases) {
+    const Points moved = random_points(500, c.width, c.origin);
+    EXPECT_GT(expect_exact(Influence(moved, 0.1 * c.width), moved), 1000u) << c.width << ' ' << c.origin;
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      radii.push_back(c.width * (0.01 + 0.3 * static_cast<double>(i % 7)));
+    EXPECT_GT(expect_exact(Influence(moved, radii), moved), 1000u) << c.width << ' ' << c.origin;
+  }
 }
 
 TEST(Influence_domain, few_nodes)
@@ -134,6 +145,9 @@ TEST(Influence_domain, few_nodes)
   EXPECT_GT(expect_exact(Influence(one, 1.), one), 0u);
   const Points in_line{{0, 0}, {1, 0}, {2, 0}, {1e9, 0}};
   EXPECT_GT(expect_exact(Influence(in_line, 1.5), in_line), 0u);
+  for (const Points& points : {Points{{0, 0}, {1, 3}}, Points{{0, 0}, {1, 3}, {-1, 1}}, Points{{0, 0}, {1, 3}, {2, 6}}})
+    for (double radius : {1e-3, 2., 1e3})
+      EXPECT_GT(expect_exact(Influence(points, radius), points), 0u);
 }
 
 TEST(Influence_domain, a_radius_exactly_met_is_outside)
@@ -145,6 +159,39 @@ TEST(Influence_domain, a_radius_exactly_met_is_outside)
   found.clear();
   influence.nodes_at(Point(3, 4), std::back_inserter(found), 2.);
   EXPECT_EQ(found, (Numbers{0, 1, 2}));
+}
+
+TEST(Influence_domain, a_factor_makes_radii_of_sizes)
+{
+  CGAL::Node_set_2<Point> nodes;
+  nodes.points = random_points(300);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    nodes.sizes.push_back(0.01 + 1e-4 * static_cast<double>(i));
+  const auto np = CGAL::parameters::support_factor(3.7);
+  const Influence influence(nodes, np), by_default(nodes);
+  for (std::int32_t i = 0; i < 300; ++i) {
+    EXPECT_EQ(influence.radius(i), 3.7 * nodes.sizes[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(by_default.radius(i), 2.5 * nodes.sizes[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_GT(expect_exact(influence, nodes.points), 1000u);
+  // a plain number is a radius still
+  EXPECT_EQ(Influence(nodes, 3).radius(7), 3);
+  EXPECT_FALSE((std::is_convertible<CGAL::Node_set_2<Point>, Influence>::value)) << "nobody told the radii";
+  using Invalid = std::invalid_argument;
+  const auto search = CGAL::parameters::influence_search(CGAL::Influence_search::EXPANSION);
+  expect_throw<Invalid>([&] { Influence(nodes, np.influence_search(CGAL::Influence_search::EXPANSION)); },
+                        {"the 300 nodes have no neighbour sets"});
+  expect_throw<Invalid>([&] { Influence(nodes, search.support_factor(0.)); }, {"support_factor = 0 must be positive"});
+  nodes.sizes[5] = -2;
+  expect_throw<Invalid>([&] { Influence other(nodes); }, {"parameter nodes.sizes: the size -2 of node 5 must be"});
+  nodes.sizes.pop_back();
+  expect_throw<Invalid>([&] { Influence other(nodes); }, {"parameter nodes.sizes has 299 numbers for 300 nodes"});
+}
+
+TEST(Influence_domain, copies_share_what_they_hold)
+{
+  const Influence influence(random_points(100), 0.2), copy = influence;
+  EXPECT_EQ(&copy.point(42), &influence.point(42));
 }
 
 TEST(Influence_domain, copies_and_queries_outlive_it)
@@ -160,35 +207,67 @@ TEST(Influence_domain, copies_and_queries_outlive_it)
   EXPECT_EQ(copy.radius(1), 0.8);
 }
 
+// Points that are constructed have coordinates that no double is: these are rounded once, to the very same numbers for
+// the search and for who asks.
 TEST(Influence_domain, exact_kernel)
 {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-  std::vector<Exact::Point_2> points;
-  for (const Point& p : random_points(200))
-    points.emplace_back(p.x(), p.y());
-  const CGAL::Influence_domain_2<Exact> influence(points, 0.2);
-  const Influence other(random_points(200), 0.2);
-  Numbers found;
-  influence.nodes_at(Exact::Point_2(0.3, 0.6), std::back_inserter(found));
-  EXPECT_EQ(found, brute_force(other, Point(0.3, 0.6), 1));
+  CGAL::Node_set_2<Exact::Point_2> nodes;
+  const Points random = random_points(200);
+  for (std::size_t i = 0; i < random.size(); ++i) {
+    const Point& p = random[i], & q = random[(i * i) % 50];
+    nodes.points.push_back(CGAL::centroid(Exact::Point_2(p.x(), p.y()), Exact::Point_2(p.x(), q.y()),
+                                          Exact::Point_2(q.x(), p.y())));
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes.neighbor_offsets.push_back(nodes.neighbors.size());
+    for (std::int32_t j = 0; j < static_cast<std::int32_t>(nodes.size()); ++j)
+      if (j != static_cast<std::int32_t>(i))
+        nodes.neighbors.push_back(j);
+  }
+  nodes.neighbor_offsets.push_back(nodes.neighbors.size());
+  Points rounded;
+  for (const Exact::Point_2& p : nodes.points)
+    rounded.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  const Influence expected(rounded, 0.2);
+  for (auto search : {CGAL::Influence_search::BUCKETS, CGAL::Influence_search::EXPANSION}) {
+    const CGAL::Influence_domain_2<Exact> influence(nodes, 0.2, CGAL::parameters::influence_search(search));
+    EXPECT_EQ(influence.point(7), nodes.points[7]) << "all digits";
+    CGAL::Influence_domain_2<Exact>::Query query(influence);
+    Numbers found;
+    for (const Point& p : random_points(100, 1.2, -0.1)) {
+      query(Exact::Point_2(p.x(), p.y()), 1, found);
+      EXPECT_EQ(found, brute_force(expected, p, 1));
+      EXPECT_EQ(influence.nearest_node(Exact::Point_2(p.x(), p.y())), expected.nearest_node(p));
+    }
+    EXPECT_EQ(query.number_of_fallbacks(), 0u);
+  }
 }
 
 TEST(Influence_domain, bad_input_is_told)
 {
+  using Invalid = std::invalid_argument;
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   const Points points{{0, 0}, {1, 0}};
-  EXPECT_TELLS(Influence(points, -1.), "parameter radius = -1 must be positive and finite");
-  EXPECT_TELLS(Influence(points, 0.), "parameter radius = 0 must be");
-  EXPECT_TELLS(Influence(points, nan), "parameter radius = nan must be");
-  EXPECT_TELLS(Influence(Points(), infinity), "parameter radius = inf must be");
-  EXPECT_TELLS(Influence(points, std::vector<double>{1}), "parameter radii has 1 numbers for 2 nodes");
-  EXPECT_TELLS(Influence(points, (std::vector<double>{1, -2.5})), "parameter radii: the radius -2.5 of node 1 must");
-  EXPECT_TELLS(Influence(points, (std::vector<double>{nan, 1})), "parameter radii: the radius nan of node 0 must");
-  EXPECT_TELLS(Influence((Points{{0, 0}, {0, infinity}}), 1.), "parameter points: node 1 at (0, inf) must be finite");
+  expect_throw<Invalid>([&] { Influence(points, -1.); }, {"parameter radius = -1 must be positive and finite"});
+  expect_throw<Invalid>([&] { Influence(points, 0.); }, {"parameter radius = 0 must be"});
+  expect_throw<Invalid>([&] { Influence(points, nan); }, {"parameter radius = nan must be"});
+  expect_throw<Invalid>([&] { Influence(Points(), infinity); }, {"parameter radius = inf must be"});
+  expect_throw<Invalid>([&] { Influence(points, std::vector<double>{1}); },
+                        {"parameter radii has 1 numbers for 2 nodes"});
+  expect_throw<Invalid>([&] { Influence(points, (std::vector<double>{1, -2.5})); },
+                        {"parameter radii: the radius -2.5 of node 1 must"});
+  expect_throw<Invalid>([&] { Influence(points, (std::vector<double>{nan, 1})); },
+                        {"parameter radii: the radius nan of node 0 must"});
+  expect_throw<Invalid>([&] { Influence((Points{{0, 0}, {0, infinity}}), 1.); },
+                        {"parameter points: node 1 at (0, inf) must be finite"});
   const Influence influence(points, 1.);
   Numbers found;
-  EXPECT_TELLS(influence.nodes_at(Point(nan, 1), std::back_inserter(found)), "parameter p = (nan, 1) must be finite");
-  EXPECT_TELLS(influence.nearest_node(Point(1, -infinity)), "parameter p = (1, -inf) must be finite");
+  expect_throw<Invalid>([&] { influence.nodes_at(Point(nan, 1), std::back_inserter(found)); },
+                        {"parameter p = (nan, 1) must be finite"});
+  expect_throw<Invalid>([&] { influence.nearest_node(Point(1, -infinity)); },
+                        {"parameter p = (1, -inf) must be finite"});
   for (double factor : {0., -1., nan, infinity})
-    EXPECT_TELLS(influence.nodes_at(Point(0, 0), std::back_inserter(found), factor), "parameter factor = ");
+    expect_throw<Invalid>([&] { influence.nodes_at(Point(0, 0), std::back_inserter(found), factor); },
+                          {"parameter factor = "});
 }

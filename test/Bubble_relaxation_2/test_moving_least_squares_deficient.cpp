@@ -157,7 +157,8 @@ TEST(Deficient_support, is_reported_with_its_place)
     Mls(influence, P::mls_basis(c.basis))(c.p, 0, s);
     const Mls mls(influence, P::mls_basis(c.basis).deficient_support(Deficient_support::REPORT));
     try {
-      mls(c.p, 1, s);
+      Shapes other;
+      mls(c.p, 1, other);
       ADD_FAILURE() << c.name;
     } catch (const Error& e) {
       EXPECT_EQ(e.x, c.p.x());
@@ -193,12 +194,83 @@ TEST(Deficient_support, is_counted_among_many_points)
   for (double v : values.dx)
     EXPECT_NEAR(v, 0, 1e-12);
   const Mls mls(influence, P::deficient_support(Deficient_support::REPORT));
-  const std::string count = "there are " + std::to_string(deficient) + " such points";
+  const std::string count = "would do for all of " + std::to_string(deficient) + " such points";
   expect_throw<Error>([&] { mls.evaluate(points, ones); }, {"at (21.5, 20)", count});
 #ifdef CGAL_LINKED_WITH_TBB
   expect_throw<Error>([&] { mls.evaluate(points, ones, 0, P::concurrency_tag(CGAL::Parallel_tag())); },
                       {"at (21.5, 20)", count});
 #endif
+}
+
+// Who enlarges all radii by what is told has a function without jumps, at once.
+TEST(Deficient_support, the_enlargement_that_is_told_does_for_all_points)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  const auto random_points = [&](std::size_t n) {
+    std::vector<Point> points(n);
+    for (Point& p : points) {
+      const double x = uniform(random);
+      p = Point(x, uniform(random));
+    }
+    return points;
+  };
+  const struct { Basis basis; double radius, limit; } cases[] = {
+    {Basis::CONSTANT, 0.06, 1e4}, {Basis::LINEAR, 0.11, 1e4}, {Basis::LINEAR, 0.13, 50}, {Basis::QUADRATIC, 0.16, 1e4},
+    {Basis::QUADRATIC, 0.2, 1000}};
+  for (int set = 0; set < 10; ++set) {
+    const std::vector<Point> nodes = random_points(150), points = random_points(1000);
+    const std::vector<double> ones(nodes.size(), 1);
+    for (const auto& c : cases) {
+      const auto np = P::mls_basis(c.basis).maximum_condition_number(c.limit);
+      const auto reporting = np.deficient_support(Deficient_support::REPORT);
+      const auto one_by_one = Mls(Influence(nodes, c.radius), np).evaluate(points, ones);
+      double enlargement = 0;
+      try {
+        Mls(Influence(nodes, c.radius), reporting).evaluate(points, ones);
+        ADD_FAILURE() << "some random nodes are always too far from each other";
+      } catch (const Error& e) {
+        enlargement = e.sufficient_enlargement;
+        EXPECT_EQ(e.number_of_points, one_by_one.number_of_enlarged_supports);
+      }
+      ASSERT_GE(enlargement, one_by_one.largest_enlargement);
+      EXPECT_NO_THROW(Mls(Influence(nodes, c.radius * enlargement), reporting).evaluate(points, ones));
+      EXPECT_THROW(Mls(Influence(nodes, c.radius * enlargement / 1.1), reporting).evaluate(points, ones), Error);
+    }
+  }
+}
+
+// Among three nodes that are near to each other, and far from others, the condition number grows with the radius. So
+// what the deficient points need, each for itself, spoils this one, until supports reach the others.
+TEST(Deficient_support, the_enlargement_that_is_told_spoils_no_other_point)
+{
+  std::vector<Point> nodes = grid(5);
+  for (const Point& p : {Point(-3, 0), Point(-3.05, 0), Point(-3, 0.05)})
+    nodes.push_back(p);
+  const std::vector<double> ones(nodes.size(), 1);
+  const double radius = 0.95;
+  const Point among_three(-3.01, 0.01);
+  const std::vector<Point> points{among_three, Point(1.5, 1), Point(2.5, 2), Point(2.2, 3.1)};
+  const double limit = 1.1 * condition_number(Influence(nodes, radius), among_three, Basis::LINEAR);
+  const auto np = P::maximum_condition_number(limit);
+  const auto one_by_one = Mls(Influence(nodes, radius), np).evaluate(points, ones);
+  EXPECT_GT(one_by_one.number_of_enlarged_supports, 0u);
+  EXPECT_LT(one_by_one.largest_enlargement, 2);
+  const auto reporting = np.deficient_support(Deficient_support::REPORT);
+  const auto evaluate = [&](double factor) {
+    Mls(Influence(nodes, radius * factor), reporting).evaluate(points, ones);
+  };
+  EXPECT_THROW(evaluate(one_by_one.largest_enlargement), Error) << "the point is not such a one";
+  try {
+    evaluate(1);
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.x, 1.5) << "it has enough nodes with the given radii";
+    EXPECT_EQ(e.number_of_points, one_by_one.number_of_enlarged_supports);
+    EXPECT_GT(e.sufficient_enlargement, 3);
+    EXPECT_NO_THROW(evaluate(e.sufficient_enlargement));
+    EXPECT_THROW(evaluate(e.sufficient_enlargement / 1.1), Error);
+  }
 }
 
 TEST(Deficient_support, that_no_enlargement_helps_is_an_error)
@@ -316,5 +388,4 @@ TEST(Moving_least_squares, bad_input)
     expect_throw<Invalid>([&] { Mls(influence, P::maximum_condition_number(c)); },
                           {"maximum_condition_number", "between 1 and 1e14"});
   EXPECT_TRUE(mls.evaluate({}, values).values.empty());
-  EXPECT_FALSE((std::is_constructible<Mls, Influence>::value)) << "a temporary would not live long enough";
 }

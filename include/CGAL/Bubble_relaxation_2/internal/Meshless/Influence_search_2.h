@@ -41,7 +41,7 @@ public:
   };
 
   explicit Influence_search_2(std::vector<Influence_disc_2> discs)
-    : m_scale(scale_of(discs)), m_discs(scaled(std::move(discs), m_scale)), m_lists(m_discs)
+    : m_scale(scale_of(discs)), m_unit(1 / m_scale), m_discs(scaled(std::move(discs), m_scale)), m_lists(m_discs)
   {}
 
   // the parts point to the discs
@@ -52,6 +52,14 @@ public:
   {
     m_expansion =
       std::make_unique<Neighbor_expansion_2>(m_discs, buckets(), std::move(offsets), std::move(neighbors));
+  }
+
+  /// As it was given: powers of two change no digit, unless a number is 10^300 times less than the largest, which
+  /// no search can tell from zero.
+  Influence_disc_2 disc(std::size_t i) const
+  {
+    const Influence_disc_2& d = m_discs[i];
+    return Influence_disc_2{m_unit * d.x, m_unit * d.y, m_unit * d.radius};
   }
 
   bool is_expansion_complete() const { return m_expansion && m_expansion->number_of_obstructed_nodes() == 0; }
@@ -116,6 +124,7 @@ private:
   }
 
   const double m_scale;
+  const double m_unit; // one of the scaled length
   const std::vector<Influence_disc_2> m_discs;
   const Disc_lists_2 m_lists;
   std::unique_ptr<const Neighbor_expansion_2> m_expansion;

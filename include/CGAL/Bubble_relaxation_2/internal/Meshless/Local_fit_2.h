@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_LOCAL_FIT_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_LOCAL_FIT_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Meshless/Influence_disc_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Moment_matrix_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Meshless/Weighted_node_2.h>
@@ -31,7 +32,7 @@ class Local_fit_2
 public:
   /// takes the nodes with their radii times `enlargement`
   template <class Influence, class Point_2>
-  void gather(const Influence& influence, const Point_2& p, const std::vector<typename Influence::Node>& nodes,
+  void gather(const Influence& influence, const Point_2& p, const std::vector<typename Influence::Node_index>& nodes,
               double enlargement)
   {
     m_unit = 0;
@@ -41,10 +42,10 @@ public:
     const double px = CGAL::to_double(p.x()), py = CGAL::to_double(p.y());
     m_nodes.resize(nodes.size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const auto& node = influence.point(nodes[k]);
-      m_nodes[k].x = (CGAL::to_double(node.x()) - px) * scale;
-      m_nodes[k].y = (CGAL::to_double(node.y()) - py) * scale;
-      m_nodes[k].radius = influence.radius(nodes[k]) * enlargement * scale;
+      const Influence_disc_2 node = influence.disc(nodes[k]); // the point would have to be rounded each time
+      m_nodes[k].x = (node.x - px) * scale;
+      m_nodes[k].y = (node.y - py) * scale;
+      m_nodes[k].radius = node.radius * enlargement * scale;
     }
   }
 
