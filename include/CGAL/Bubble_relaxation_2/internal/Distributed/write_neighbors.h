@@ -31,6 +31,12 @@ void write_neighbors(const Known_bubbles_2& known, int rank, double radius, Rela
   sets.build(b);
   std::vector<char> is_ghost(b.size(), 0);
   relaxation.neighbor_radius = radius;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (known.owners[i] == rank)
+      number += static_cast<std::size_t>(sets.end(i) - sets.begin(i));
+  relaxation.neighbors.reserve(number);
+  relaxation.neighbor_offsets.reserve(b.size() + 1);
   relaxation.neighbor_offsets.push_back(0);
   for (std::size_t i = 0; i < b.size(); ++i) {
     if (known.owners[i] != rank)
