@@ -148,10 +148,15 @@ private:
       if (number[v] != no_index)
         points[left++] = points[v];
     points.resize(left);
-    for (std::size_t t = 0; t < m_state.size(); ++t)
-      if (m_state[t] != GONE)
-        for (Index& v : m_mesh.tr.vertices[t])
-          v = number[v];
+    for (std::size_t t = 0; t < m_state.size(); ++t) {
+      if (m_state[t] == GONE)
+        continue;
+      for (Index& v : m_mesh.tr.vertices[t]) {
+        v = number[v];
+        if (v == no_index) // of the old outline: a triangle outside, which is to be made anew
+          m_state[t] = GONE;
+      }
+    }
   }
 
   void forget_triangles()
