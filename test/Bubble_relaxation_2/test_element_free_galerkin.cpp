@@ -62,7 +62,7 @@ TEST(Background_cells, fill_a_domain_with_a_hole)
     EXPECT_NEAR(integral(cells, 2, 1, 1), moment, 1e-13);
   }
   for (double size : {1., 0.1, 0.02}) {
-    const auto cells = triangle_cells(d, [&](const auto&) { return size; });
+    const auto cells = triangle_cells(d, [&](const auto&) { return size; }, 100000);
     EXPECT_NEAR(integral(cells, 2, 1, 1), moment, 1e-13);
     EXPECT_NEAR(integral(cells, 1, 0, 0), area, 1e-13);
     for (const Background_cell_2& c : cells)
