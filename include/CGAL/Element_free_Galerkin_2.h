@@ -157,7 +157,8 @@ public:
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument if a parameter is out of its range, if there is no node, if a size is not positive
-  and finite, if a coordinate is not finite, or if there is no domain with constraints all around it
+  and finite, if a coordinate is not finite, if two nodes are in one place and have the same support, or if there is no
+  domain with constraints all around it
   \throws std::length_error if the sizes of the nodes or `grid_cells` ask for more than about a thousand cells of
   integration a node
   */

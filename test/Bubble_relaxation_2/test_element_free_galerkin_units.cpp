@@ -140,17 +140,6 @@ TEST(Too_many_cells, of_sizes_in_another_unit_or_a_fine_grid)
     {"grid_cells", "100000 x 100000", "1144000"});
 }
 
-TEST(Nodes_in_one_place, do_no_harm_to_an_iteration)
-{
-  Options o;
-  o.support_factor = 1.6;
-  o.gauss_points = 2;
-  Nodes nodes = grid(72, 0.2); // 5184: more than are factorized
-  nodes.points.push_back(nodes.points[2000]);
-  nodes.sizes.push_back(nodes.sizes[2000]);
-  EXPECT_LT(error(square(), nodes, linear(), o).l2, 1e-9);
-}
-
 TEST(Deficient_supports, are_counted_before_the_report)
 {
   Options o;

@@ -26,10 +26,13 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -66,9 +69,27 @@ struct Galerkin_nodes_2
                                     " of node " + std::to_string(i) + " must be positive and finite");
       radius.push_back(o.support_radius > 0 ? o.support_radius : o.support_factor * size[i]);
     }
+    check_places();
   }
 
   std::string place(std::size_t i) const { return "node " + std::to_string(i) + " at " + in_words(x[i], y[i]); }
+
+private:
+  /// two nodes in one place with the same radius have the same shape function, and no single solution
+  void check_places() const
+  {
+    std::vector<std::size_t> order(number());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto key = [this](std::size_t i) { return std::tie(x[i], y[i], radius[i]); };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+      return key(i) != key(j) ? key(i) < key(j) : i < j;
+    });
+    const auto twin = std::adjacent_find(order.begin(), order.end(),
+                                         [&](std::size_t i, std::size_t j) { return key(i) == key(j); });
+    if (twin != order.end())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter nodes: node " + std::to_string(*twin) + " and " +
+                                  place(*(twin + 1)) + " are in one place and have the same support");
+  }
 };
 
 /// What the element-free Galerkin method needs of a domain and its nodes, whatever the equation: shape functions
