@@ -127,9 +127,10 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{nitsche_factor}
       \cgalParamDescription{the factor of Nitsche's penalty times the size of the nodes; the equations are not definite
-                            if it is too small, which 5 may be}
+                            if it is too small, and errors may be large without any other sign. 10 suffices for bubbles, but not
+                            for nodes that lie very close to others on the boundary}
       \cgalParamType{`double`, positive}
-      \cgalParamDefault{10, with the quadratic basis 30}
+      \cgalParamDefault{30}
     \cgalParamNEnd
     \cgalParamNBegin{penalty_factor}
       \cgalParamDescription{the factor of `PENALTY`, in units of one over length}

@@ -38,7 +38,8 @@ struct Poisson_problem_2
   std::function<double(const Point_2&)> dirichlet; ///< g, the values of u where they are given
   /// h, where the flow du/dn is given; the second argument is the outer normal n, of length 1
   std::function<double(const Point_2&, const Vector_2&)> neumann;
-  /// Whether u is given on an edge of the boundary, asked with its midpoint; if it is not set u is given on all.
+  /// Whether u is given on an edge of the boundary, one of the triangulation as it is passed to the solver, asked with
+  /// its midpoint: where that changes the triangulation must have a vertex. If it is not set u is given on all.
   /// Without any such edge u is known up to a constant only: then its mean is zero.
   std::function<bool(const Point_2&)> is_dirichlet;
 };

@@ -115,7 +115,7 @@ struct Options
   double gauss_points = 3;
   Dirichlet dirichlet = Dirichlet::NITSCHE;
   double penalty_factor = 1e4;
-  double nitsche_factor = 10;
+  double nitsche_factor = 30;
   bool consistent = true;
   double residual_tolerance = 1e-12;
   CGAL::Deficient_support deficient_support = CGAL::Deficient_support::ENLARGE;

@@ -160,6 +160,21 @@ TEST(Deficient_supports, are_counted_before_the_report)
   }
 }
 
+// with a factor of 10 errors were up to 70 times larger on such nodes
+TEST(Nitsche, the_default_suffices_for_nodes_close_to_the_boundary)
+{
+  Nodes nodes = grid(14);
+  for (const Point& p : grid(14, 0.45).points)
+    if (p.x() > 0.02 && p.x() < 0.98 && p.y() > 0.02 && p.y() < 0.98) {
+      nodes.points.push_back(Point(0.5 + 0.98 * (p.x() - 0.5), 0.5 + 0.98 * (p.y() - 0.5)));
+      nodes.sizes.push_back(nodes.sizes[0]);
+    }
+  const auto h1 = [&](const auto& np) {
+    return Solver(square(), nodes, np).solve(paper().problem()).error(paper().u, paper().gradient).h1;
+  };
+  EXPECT_LT(h1(CGAL::parameters::default_values()), 1.2 * h1(CGAL::parameters::nitsche_factor(200.)));
+}
+
 TEST(Solution_at_many_points, is_that_at_each)
 {
   const Solution s = solve(square(), grid(12, 0.2), paper().problem(), Options());

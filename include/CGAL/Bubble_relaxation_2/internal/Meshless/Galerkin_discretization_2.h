@@ -196,7 +196,7 @@ private:
       throw_too_many_cells(most);
     throw std::length_error("Bubble_relaxation_2: parameter grid_cells = " + std::to_string(nx) + " x " +
                             std::to_string(ny) + " are more than " + std::to_string(most) +
-                            " cells, a thousand for each node");
+                            " cells, which are enough for " + std::to_string(nodes.number()) + " nodes");
   }
 
   /// the tag is known here only; a solver's type does not tell it

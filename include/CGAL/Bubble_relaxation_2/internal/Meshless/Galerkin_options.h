@@ -33,7 +33,7 @@ struct Galerkin_options
   double support_radius = 0;   ///< 0: by the factor
   Dirichlet_condition dirichlet = Dirichlet_condition::NITSCHE;
   double penalty_factor = 0;   ///< 0: by the sizes of the nodes
-  double nitsche_factor = 0;
+  double nitsche_factor = 30;
   Integration_cells cells = Integration_cells::TRIANGLES;
   std::size_t nx = 0, ny = 0;  ///< of the grid; 0: by the sizes of the nodes
   std::size_t gauss_points = 0;
@@ -84,7 +84,7 @@ Galerkin_options read_galerkin_options(const NamedParameters& np)
     o.penalty_factor = get_parameter(np, internal_np::penalty_factor);
     check_positive("penalty_factor", o.penalty_factor);
   }
-  o.nitsche_factor = choose_parameter(get_parameter(np, internal_np::nitsche_factor), o.is_quadratic() ? 30. : 10.);
+  o.nitsche_factor = choose_parameter(get_parameter(np, internal_np::nitsche_factor), o.nitsche_factor);
   check_positive("nitsche_factor", o.nitsche_factor);
   o.cells = choose_parameter(get_parameter(np, internal_np::integration_cells), o.cells);
   read_grid_cells(np, o);

@@ -30,15 +30,14 @@ constexpr double largest_cell_side = 1.75;
 /// a point in the middle that does not depend on the order of both
 inline Point middle(const Point& a, const Point& b) { return Point((a.x() + b.x()) / 2, (a.y() + b.y()) / 2); }
 
-/// The most cells that a number of nodes may have, besides given triangles: thousands for each node are no mesh, but
-/// sizes in other units than the coordinates.
+/// The most cells that a number of nodes may have, besides given triangles, a thousand for each and a million more:
+/// so many are no mesh, but sizes in other units than the coordinates.
 inline std::size_t most_cells(std::size_t number_of_nodes) { return 1000 * (number_of_nodes + 1000); }
 
 [[noreturn]] inline void throw_too_many_cells(std::size_t most)
 {
   throw std::length_error("Bubble_relaxation_2: parameter nodes: their sizes ask for more than " + std::to_string(most) +
-                          " cells of integration, a thousand for each node: they are too small for the domain, or in "
-                          "another unit");
+                          " cells of integration: some are too small for the domain, or in another unit");
 }
 
 /// Cuts a triangle in two at the middle of its longest side, and the parts again, until they are small against
