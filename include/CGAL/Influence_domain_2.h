@@ -44,7 +44,8 @@ open disc of its radius, which is one for all nodes, or one for each.
 
 By default (`Influence_search::BUCKETS`) the plane is cut into cells about as wide as the radii there, each with a
 list of the discs that meet it. A query goes through one list, so it takes no longer where sizes vary. It finds all
-nodes, in whatever way they are placed, and whatever their radii.
+nodes, in whatever way they are placed, and whatever their radii, as long as none reaches farther than 10<sup>15</sup> times the
+median radius.
 
 With `Influence_search::EXPANSION` the nodes are found from the neighbour sets that the simulation leaves, as in
 section 3.2 of the paper: a descent to the nearest node, then an expansion over the sets as far as nodes are near
@@ -102,7 +103,8 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \throws std::invalid_argument if the factor or a size is not positive and finite, if there are not as many sizes as
+  \throws std::invalid_argument if a disc reaches farther from the first node than 10<sup>15</sup> times the median
+  radius; if the factor or a size is not positive and finite, if there are not as many sizes as
   points, if a coordinate is not finite, or if neighbour sets that are asked for are missing or have indices that no
   node has
   */
@@ -246,7 +248,34 @@ private:
                                     in_words(x, y) + " must be finite");
       discs.push_back(Influence_disc_2{x, y, radius(i)});
     }
+    check_extent(discs);
     m_search = std::make_shared<Search>(std::move(discs));
+  }
+
+  /// In `double` places are not told apart, and squares have no value, where some discs are far too large for others or
+  /// too far away from them.
+  static void check_extent(const std::vector<Bubble_relaxation_2::internal::Influence_disc_2>& discs)
+  {
+    using Bubble_relaxation_2::internal::in_words;
+    constexpr double most_radii = 1e15, largest = 1e153;
+    std::vector<double> radii;
+    std::size_t farthest = 0;
+    double extent = 0;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+      const double dx = std::abs(discs[i].x - discs[0].x), dy = std::abs(discs[i].y - discs[0].y);
+      const double reach = (std::max)(dx, dy) + discs[i].radius;
+      farthest = reach > extent ? i : farthest;
+      extent = (std::max)(extent, reach);
+      radii.push_back(discs[i].radius);
+    }
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    if (!radii.empty() && !(extent <= most_radii * *middle && extent <= largest))
+      throw std::invalid_argument("Bubble_relaxation_2: the influence domain of node " + std::to_string(farthest) + " at " +
+                                  in_words(discs[farthest].x, discs[farthest].y) + ", of radius " +
+                                  in_words(discs[farthest].radius) + ", reaches " + in_words(extent) +
+                                  " from the first node, which must be at most 1e15 times the median radius, " +
+                                  in_words(*middle) + ", and at most 1e153");
   }
 
   template <class NamedParameters>

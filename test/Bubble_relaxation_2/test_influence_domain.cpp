@@ -271,3 +271,29 @@ TEST(Influence_domain, bad_input_is_told)
     expect_throw<Invalid>([&] { influence.nodes_at(Point(0, 0), std::back_inserter(found), factor); },
                           {"parameter factor = "});
 }
+
+TEST(Influence_domain, radii_and_places_of_other_orders)
+{
+  Points points;
+  for (int i = 0; i < 30; ++i)
+    for (int j = 0; j < 30; ++j)
+      points.push_back(Point(0.1 * i, 0.1 * j));
+  std::vector<double> radii(points.size(), 0.15);
+  radii[7] = 1e13; // all points lie in it
+  const Influence influence(points, radii);
+  for (const Point& p : {points[500], Point(2.93, 0.01)}) {
+    Numbers found;
+    influence.nodes_at(p, std::back_inserter(found));
+    EXPECT_EQ(found, brute_force(influence, p, 1));
+    EXPECT_GT(found.size(), 2u);
+  }
+  EXPECT_EQ(influence.nearest_node(points[123]), 123);
+  for (double radius : {1e17, 1e25, 1e200}) {
+    radii[7] = radius;
+    expect_throw<std::invalid_argument>([&] { Influence(points, radii); }, {"node 7", "median radius, 0.15"});
+  }
+  radii[7] = 0.15;
+  points[7] = Point(1e50, 0);
+  expect_throw<std::invalid_argument>([&] { Influence(points, radii); }, {"node 7", "1e+50"});
+  expect_throw<std::invalid_argument>([] { Influence(Points{{0, 0}, {1e180, 0}}, 1e180); }, {"at most 1e153"});
+}
