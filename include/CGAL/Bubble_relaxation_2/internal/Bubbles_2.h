@@ -99,6 +99,16 @@ struct Bubbles_2
     return result;
   }
 
+  /// of each bubble the index that it has after `forget_gone()`, `no_index` for those that are deleted
+  std::vector<Index> indices_left() const
+  {
+    std::vector<Index> result(size(), no_index);
+    Index next = 0;
+    for (Index i : left())
+      result[i] = next++;
+    return result;
+  }
+
   void forget_gone()
   {
     const std::vector<Index> those = left();

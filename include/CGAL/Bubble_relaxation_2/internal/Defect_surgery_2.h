@@ -49,7 +49,7 @@ public:
       const std::vector<Index> number = replace_bubbles(operation, result);
       stitching.replace(operation.patch.triangles(), operation.outcome.triangles(operation.patch, number));
     }
-    stitching.finish(numbers_left(result.bubbles));
+    stitching.finish(result.bubbles.indices_left());
     result.bubbles.forget_gone();
     return result;
   }
@@ -131,15 +131,6 @@ private:
     ++number_of_deletions;
     has_changed_outline = has_changed_outline || mesh.bubbles.is_on_edge(i);
     mesh.bubbles.remove(i);
-  }
-
-  static std::vector<Index> numbers_left(const Bubbles_2& b)
-  {
-    std::vector<Index> number(b.size(), no_index);
-    Index next = 0;
-    for (Index i : b.left())
-      number[i] = next++;
-    return number;
   }
 
   const Domain_2& m_domain;

@@ -49,7 +49,7 @@ public:
     m_agreement.reach_after([&] {
       Mesh_stitching_2 stitching(m_mesh);
       replace(changes, stitching);
-      stitching.finish(numbers_left());
+      stitching.finish(m_known.bubbles.indices_left());
       gone = forget_gone();
       is_wide_enough = forget_doubtful(m_known.bubbles, m_mesh);
     });
@@ -143,15 +143,6 @@ private:
     m_known.bubbles.is_foreign.push_back(changed.owner != m_comm.rank());
     m_mesh.tr.points.push_back(m_known.bubbles.point(m_known.size() - 1));
     has_changed_outline = has_changed_outline || changed.bubble.dimension == Bubbles_2::EDGE;
-  }
-
-  std::vector<Index> numbers_left() const
-  {
-    std::vector<Index> number(m_known.size(), no_index);
-    Index next = 0;
-    for (Index i : m_known.bubbles.left())
-      number[i] = next++;
-    return number;
   }
 
   /// returns the numbers of those that were this rank's
