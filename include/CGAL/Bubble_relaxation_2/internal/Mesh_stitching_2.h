@@ -33,14 +33,14 @@ struct New_triangle_2
 class Mesh_stitching_2
 {
 public:
-  explicit Mesh_stitching_2(Marked_triangulation_2& mesh) : m_mesh(mesh), m_state(mesh.inside.size(), OLD) {}
+  explicit Mesh_stitching_2(Marked_triangulation_2& mesh) : m_mesh(mesh), m_is_gone(mesh.inside.size(), 0) {}
 
   /// replaces the triangles `old` by `made`, as long as `finish()` was not called
   void replace(const std::vector<Index>& old, const std::vector<New_triangle_2>& made)
   {
     m_rim.clear();
     for (Index t : old)
-      m_state[t] = GONE;
+      m_is_gone[t] = 1;
     for (Index t : old)
       cut_out(t);
     std::vector<Side> sides;
@@ -70,8 +70,6 @@ public:
   }
 
 private:
-  enum State : char { OLD, GONE, MADE };
-
   /// a side from one vertex to another, seen from the triangle on its left
   struct Side
   {
@@ -94,7 +92,7 @@ private:
   {
     for (int i = 0; i < 3; ++i) {
       const Index n = m_mesh.tr.neighbors[t][i];
-      if (n == no_index || m_state[n] == GONE)
+      if (n == no_index || m_is_gone[n])
         continue;
       const Side s = side(t, i);
       const int j = m_mesh.tr.index_of_neighbor(n, t);
@@ -109,8 +107,8 @@ private:
     m_mesh.tr.neighbors.emplace_back();
     m_mesh.edges.emplace_back();
     m_mesh.inside.push_back(1);
-    m_state.push_back(MADE);
-    return static_cast<Index>(m_state.size() - 1);
+    m_is_gone.push_back(0);
+    return static_cast<Index>(m_is_gone.size() - 1);
   }
 
   void put(const New_triangle_2& triangle, Index t)
@@ -118,7 +116,7 @@ private:
     m_mesh.tr.vertices[t] = triangle.vertices;
     m_mesh.tr.neighbors[t] = {no_index, no_index, no_index};
     m_mesh.edges[t] = triangle.edges;
-    m_state[t] = MADE;
+    m_is_gone[t] = 0;
     m_made.push_back(t);
   }
 
@@ -148,26 +146,26 @@ private:
       if (number[v] != no_index)
         points[left++] = points[v];
     points.resize(left);
-    for (std::size_t t = 0; t < m_state.size(); ++t) {
-      if (m_state[t] == GONE)
+    for (std::size_t t = 0; t < m_is_gone.size(); ++t) {
+      if (m_is_gone[t])
         continue;
       for (Index& v : m_mesh.tr.vertices[t]) {
         v = number[v];
         if (v == no_index) // of the old outline: a triangle outside, which is to be made anew
-          m_state[t] = GONE;
+          m_is_gone[t] = 1;
       }
     }
   }
 
   void forget_triangles()
   {
-    std::vector<Index> number(m_state.size(), no_index);
+    std::vector<Index> number(m_is_gone.size(), no_index);
     Index left = 0;
-    for (std::size_t t = 0; t < m_state.size(); ++t)
-      if (m_state[t] != GONE)
+    for (std::size_t t = 0; t < m_is_gone.size(); ++t)
+      if (!m_is_gone[t])
         number[t] = left++;
-    for (std::size_t t = 0; t < m_state.size(); ++t) {
-      if (m_state[t] == GONE)
+    for (std::size_t t = 0; t < m_is_gone.size(); ++t) {
+      if (m_is_gone[t])
         continue;
       m_mesh.tr.vertices[number[t]] = m_mesh.tr.vertices[t];
       m_mesh.edges[number[t]] = m_mesh.edges[t];
@@ -186,8 +184,8 @@ private:
   }
 
   Marked_triangulation_2& m_mesh;
-  std::vector<State> m_state; // of each triangle
-  std::vector<Side> m_rim;    // of what is replaced now, each with the triangle beyond
+  std::vector<char> m_is_gone; // of each triangle
+  std::vector<Side> m_rim;     // of what is replaced now, each with the triangle beyond
   std::vector<Index> m_made;
 };
 
