@@ -191,10 +191,10 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
     Point_replacement_2<PointSet> replacement(points);
     Numbered_bubbles_2 bubbles;
     agreement.reach_after([&] { bubbles = own_bubbles(mesh, ranks.rank(), sizing); });
-    const Known_bubbles_2 known = with_neighbors(bubbles, part.partition, options.neighbor_radius, ranks, agreement,
-                                                 exchange);
+    const Surrounded_bubbles_2 surrounded = with_neighbors(bubbles, part.partition, options.neighbor_radius, ranks,
+                                                           agreement, exchange);
     agreement.reach_after([&] {
-      write_neighbors(known, ranks.rank(), options.neighbor_radius, result);
+      write_neighbors(surrounded, options.neighbor_radius, result);
       replacement.prepare(bubbles);
       progress.report(1);
     });

@@ -23,6 +23,7 @@
 #include <cstdio>
 #include <iterator>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -194,22 +195,25 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
     if ((i % 5 == 0 ? (home + 1) % comm.size() : home) == comm.rank()) // some have left home
       own.add(record(all, i, 3 * static_cast<std::int64_t>(i)));
   }
-  const Known_bubbles_2 known = with_neighbors(own, partition, 0.4, comm, agreement, exchange);
-  Neighbor_sets_2 expected(0.4), found(0.4);
+  CGAL::Distributed::Relaxation_2<paper::K> written;
+  write_neighbors(with_neighbors(own, partition, 0.4, comm, agreement, exchange), 0.4, written);
+  Neighbor_sets_2 expected(0.4);
   expected.build(all);
-  found.build(known.bubbles);
-  std::size_t number_of_own = 0;
-  for (std::size_t k = 0; k < known.size(); ++k) {
-    if (known.owners[k] != comm.rank())
-      continue;
-    ++number_of_own;
-    const Index i = static_cast<Index>(known.numbers[k] / 3);
-    std::vector<Index> neighbors;
-    for (const Index *j = found.begin(k), *end = found.end(k); j != end; ++j)
-      neighbors.push_back(static_cast<Index>(known.numbers[*j] / 3));
-    EXPECT_EQ(neighbors, std::vector<Index>(expected.begin(i), expected.end(i)));
+  ASSERT_EQ(written.neighbor_offsets.size(), own.size() + 1);
+  std::set<std::int64_t> ghosts;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    std::vector<std::int64_t> neighbors;
+    const std::size_t i = static_cast<std::size_t>(own.numbers[k] / 3);
+    for (const Index *j = expected.begin(i), *end = expected.end(i); j != end; ++j) {
+      neighbors.push_back(3 * std::int64_t(*j));
+      if (!std::binary_search(own.numbers.begin(), own.numbers.end(), neighbors.back()))
+        ghosts.insert(neighbors.back());
+    }
+    const auto first = written.neighbors.begin();
+    EXPECT_EQ(neighbors, std::vector<std::int64_t>(first + std::ptrdiff_t(written.neighbor_offsets[k]),
+                                                   first + std::ptrdiff_t(written.neighbor_offsets[k + 1])));
   }
-  EXPECT_EQ(number_of_own, own.size());
+  EXPECT_EQ(written.ghost_ids, std::vector<std::int64_t>(ghosts.begin(), ghosts.end()));
 }
 
 TEST(Distributed_relaxation, d_of_the_outline)

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/bits.h>
+#include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,9 @@ public:
   }
 
   std::size_t size() const { return m_bubbles.size(); }
+
+  /// makes room for `n` more bubbles
+  void make_room_for(std::size_t n) { internal::make_room_for(n, m_bubbles); }
 
   void insert(Index id, double x, double y, double d)
   {
@@ -107,7 +111,19 @@ public:
     return for_each_in(Query<Mean_radius>{x, y, Mean_radius{near, d}}, d, visit);
   }
 
-  /// the same for all within a distance from (x, y)
+  /// calls `visit(entry)` for each bubble that may be near to one of size `d`, or of less, which lies within a
+  /// distance from (x, y)
+  template <class Visitor>
+  void for_each_near_some(double x, double y, double distance, double d, Visitor visit) const
+  {
+    const auto visit_entry = [&visit](const Entry& e, double) {
+      visit(e);
+      return true;
+    };
+    for_each_in(Query<Wider_radius>{x, y, Wider_radius{distance, m_reach, d}}, d + 2 * distance / m_reach, visit_entry);
+  }
+
+  /// calls `visit(entry, squared distance)` for all within a distance from (x, y)
   template <class Visitor>
   bool for_each_within(double x, double y, double distance, Visitor visit) const
   {
@@ -140,6 +156,12 @@ private:
     double operator()(double size) const { return 0.5 * near * (d + size); }
   };
 
+  struct Wider_radius
+  {
+    double more, near, d;
+    double operator()(double size) const { return more + 0.5 * near * (d + size); }
+  };
+
   struct Distance
   {
     double distance;
@@ -164,6 +186,8 @@ private:
   bool for_each_in(const Query<Radius>& q, double d, Visitor& visit) const
   {
     if (m_bubbles.empty())
+      return true;
+    if (q.radius(m_largest) == 0)
       return true;
     if (d > 4 * m_largest && is_wider_than_all(d))
       return visit_all(q, visit);
@@ -401,6 +425,8 @@ private:
   bool visit_block(Index block, const Query<Radius>& q, Visitor& visit) const
   {
     const Block& b = m_blocks[block];
+    if (q.radius(b.largest) == 0) // all are too small
+      return true;
     const std::uint64_t near = cells_near(b, q);
     for (std::uint64_t bits = b.occupied & near; bits != 0; bits &= bits - 1)
       for (Index k = b.first[static_cast<std::size_t>(lowest_bit(bits))]; k != no_index; k = m_bubbles[k].next)

@@ -61,6 +61,15 @@ public:
       insert_in_buckets(i);
   }
 
+  /// makes room for `n` more bubbles
+  void make_room_for(std::size_t n)
+  {
+    m_bubbles.make_room_for(n);
+    internal::make_room_for(n, m_direction);
+    m_links.reserve(m_bubbles.size() + n);
+    m_buckets.make_room_for(n);
+  }
+
   std::size_t size() const { return m_bubbles.size(); }
   const Bubbles_2& bubbles() const { return m_bubbles; }
   const Links& links(std::size_t i) const { return m_links[i]; }
@@ -85,12 +94,11 @@ public:
     insert_in_buckets(i);
   }
 
-  /// Tells when the next bubbles of which this was not told yet came in; if of one, then of all. Without it they
+  void make_room_for_births(std::size_t n) { m_births.reserve(n); }
+
+  /// Tells when the next bubble of which this was not told yet came in; if of one, then of all. Without it they
   /// come in the order in which they are added.
-  void add_births(const std::vector<Growth_birth_2>& more)
-  {
-    m_births.insert(m_births.end(), more.begin(), more.end());
-  }
+  void add_birth(const Growth_birth_2& birth) { m_births.push_back(birth); }
 
   const Growth_birth_2& birth(std::size_t i) const { return m_births[i]; }
 

@@ -32,9 +32,11 @@ struct Growth_alone
 {
   /// Divides the domain by bubbles that are some times as large, which all ranks have.
   void divide(const Domain_2&, const Bubbles_2&) {}
-  /// The crystal has its first bubbles, which all ranks have or which were given to the team.
+  /// how many of so many bubbles come to this rank, about
+  std::size_t part_of(double number) const { return static_cast<std::size_t>(number); }
+  /// The crystal has its first bubbles, which all ranks have or which were given to the team; so many will come.
   template <class Crystal>
-  void start(const Crystal&)
+  void start(const Crystal&, std::size_t)
   {}
   /// bubbles that this rank has to know of, though they are not new
   template <class Crystal>
@@ -93,9 +95,11 @@ public:
     : m_domain(domain), m_sizing(sizing), m_team(team), m_crystal(domain, bubbles), m_front(domain),
       m_propose(domain, sizing, m_crystal, m_front, lattice)
   {
+    const std::size_t expected = team.part_of(sizing.expected_number);
+    m_crystal.make_room_for(expected);
     for (std::size_t i = 0; i < directions.size(); ++i)
       m_crystal.direction(i) = Direction{std::cos(directions[i]), std::sin(directions[i])};
-    team.start(m_crystal);
+    team.start(m_crystal, expected);
     m_crystal.link_from(0);
   }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_search_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <vector>
@@ -75,12 +77,17 @@ public:
       if (bubbles.is_gone(i))
         m_buckets->erase(i);
     // not all at once: that would take as much memory as the sets
-    std::vector<Block> blocks((std::max)(least_blocks_at_once, n / block_size / 32));
+    std::vector<Neighbor_block> blocks((std::max)(least_blocks_at_once, n / block_size / 32));
+    const Neighbor_search_2 find(*m_buckets, m_x, m_y, m_d, m_radius);
     for (std::size_t first = 0; first < n; first += blocks.size() * block_size) {
       parallel_for<Concurrency_tag>(
         blocks.size(),
-        [&](std::size_t k) { find_neighbors(bubbles, first + k * block_size, blocks[k]); }, 1);
-      for (const Block& block : blocks)
+        [&](std::size_t k) {
+          const std::size_t start = (std::min)(first + k * block_size, n), end = (std::min)(start + block_size, n);
+          find_block(bubbles, find, start, end, blocks[k]);
+        },
+        1);
+      for (const Neighbor_block& block : blocks)
         append(block);
     }
   }
@@ -312,28 +319,18 @@ private:
     m_d = references.d;
   }
 
-  /// the sets of consecutive bubbles, one after the other
-  struct Block
-  {
-    std::vector<Index> found;
-    std::vector<std::size_t> sizes;
-  };
-
   static constexpr std::size_t block_size = 512, least_blocks_at_once = 32, renewed_at_once = 8192;
   /// numbers that a set takes, with room for one more neighbour: about so many
   static constexpr std::size_t usual_number = 12;
 
-  void find_neighbors(const Bubbles_2& bubbles, std::size_t first, Block& result) const
+  void find_block(const Bubbles_2& bubbles, const Neighbor_search_2& find, std::size_t first, std::size_t last,
+                  Neighbor_block& block) const
   {
-    const std::size_t last = (std::min)(first + block_size, bubbles.size());
-    result.found.clear();
-    result.sizes.clear();
-    for (std::size_t i = first; i < last; ++i) {
-      const std::size_t before = result.found.size();
-      if (!bubbles.is_gone(i))
-        find_neighbors(i, result.found);
-      result.sizes.push_back(result.found.size() - before);
-    }
+    const auto is_gone = [&bubbles](std::size_t i) { return bubbles.is_gone(i); };
+    if (m_numbers->empty())
+      find(first, last, is_gone, std::less<Index>(), block);
+    else
+      find(first, last, is_gone, [this](Index i, Index j) { return is_before(i, j); }, block);
   }
 
   /// adds the neighbours of bubble `i` by references, sorted
@@ -358,7 +355,7 @@ private:
     return m_numbers->empty() ? i < j : (*m_numbers)[i] < (*m_numbers)[j];
   }
 
-  void append(const Block& block)
+  void append(const Neighbor_block& block)
   {
     const Index* first = block.found.data();
     for (std::size_t size : block.sizes) {

@@ -103,6 +103,7 @@ struct Scaled_field_2
 {
   const Sizing& field;
   double factor;
+  double expected_number = field.expected_number / (factor * factor); ///< of bubbles
 
   double operator()(const Point& p) const { return factor * field(p); }
 };

@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  static constexpr double usual_reach = 8; // enough for the sweeps of most meshes, and for patches
+  static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
 
   /// a piece, which gets narrower with what is done to it
   struct Treated_piece

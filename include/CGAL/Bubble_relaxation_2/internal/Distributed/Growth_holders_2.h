@@ -9,11 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
@@ -32,6 +33,13 @@ public:
   /// `rank`: this one
   Growth_holders_2(const Hilbert_partition_2& partition, int rank) : m_partition(partition), m_rank(rank) {}
 
+  /// makes room for `n` more bubbles
+  void make_room_for(std::size_t n)
+  {
+    internal::make_room_for(n, m_places);
+    internal::make_room_for(n, m_owner);
+  }
+
   int owner(std::size_t i) const { return m_owner[i]; }
   bool is_ours(std::size_t i) const { return m_owner[i] == m_rank; }
 
@@ -40,8 +48,8 @@ public:
   {
     const Index i = static_cast<Index>(m_owner.size());
     double clearance = clearance_at(x, y, parent);
-    if (clearance < radius) // look ahead, for all that come after it
-      clearance = m_partition.owns_disc(m_rank, x, y, look_ahead * radius) ? look_ahead * radius : 0;
+    if (clearance < radius)
+      clearance = find_clearance(x, y, radius);
     m_places.push_back(Place{x, y, clearance});
     m_owner.push_back(clearance > 0 ? m_rank : m_partition.owner(x, y));
     if (clearance == 0 && is_ours(static_cast<std::size_t>(i)))
@@ -96,7 +104,14 @@ private:
     double x, y, clearance;
   };
 
-  static constexpr double look_ahead = 4;
+  /// looks ahead, for all that come after it
+  double find_clearance(double x, double y, double radius) const
+  {
+    for (double factor : {4., 1.2})
+      if (m_partition.owns_disc(m_rank, x, y, factor * radius))
+        return factor * radius;
+    return 0;
+  }
 
   double clearance_at(double x, double y, Index parent) const
   {
@@ -104,7 +119,7 @@ private:
       return 0;
     const Place& p = m_places[parent];
     constexpr double rounding = 1e-9;
-    return (std::max)(0., (1 - rounding) * p.clearance - std::hypot(x - p.x, y - p.y));
+    return (std::max)(0., (1 - rounding) * p.clearance - length_at_most(x - p.x, y - p.y));
   }
 
   const Hilbert_partition_2& m_partition;

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_TEAM_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
@@ -90,21 +91,29 @@ public:
     }
   }
 
+  std::size_t part_of(double number) const
+  {
+    constexpr double uneven = 1.1; // parts differ, and each has some bubbles of others
+    return static_cast<std::size_t>(uneven * number / m_comm.size());
+  }
+
   template <class Crystal>
-  void start(Crystal& crystal)
+  void start(Crystal& crystal, std::size_t expected)
   {
     const Bubbles_2& b = crystal.bubbles();
+    make_room(crystal, b.size() + expected);
     m_number_of_common = b.size() - m_seeds.size();
-    std::vector<Growth_birth_2> births;
     for (std::size_t i = 0; i < b.size(); ++i) {
       const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
                                  (i < m_number_of_common ? 0 : m_seeds[i - m_number_of_common]);
-      births.push_back(Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]});
+      crystal.add_birth(Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]});
       m_holders->add(b.x[i], b.y[i], reach * b.d[i], no_index);
     }
-    crystal.add_births(births);
     m_is_in_front.assign(b.size(), 0);
     m_keys.assign(b.size(), 0);
+    m_others = std::make_unique<Bubble_buckets_2>(reach, b.d[0], b.x[0], b.y[0], b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      add_if_of_other(b, static_cast<Index>(i));
     for (std::size_t i = 0, n = b.size(); i < n; ++i)
       tell_those_who_need(crystal, static_cast<Index>(i));
     std::vector<Growth_proposal_2> late; // seeds near larger bubbles of this rank
@@ -211,7 +220,9 @@ public:
     m_keys[i] = key;
     m_is_in_front[i] = 1;
     const Bubbles_2& b = crystal.bubbles();
-    if (owns(i) && !m_holders->is_known_within(i, b.x[i], b.y[i], needed_reach * b.d[i]))
+    if (m_place_among_others[i] != no_index)
+      m_others->move(static_cast<std::size_t>(m_place_among_others[i]), b.x[i], b.y[i], b.d[i]);
+    else if (!m_holders->is_known_within(i, b.x[i], b.y[i], needed_reach * b.d[i]))
       m_grown.push_back(i);
   }
 
@@ -238,6 +249,16 @@ public:
   }
 
 private:
+  template <class Crystal>
+  void make_room(Crystal& crystal, std::size_t n)
+  {
+    crystal.make_room_for_births(n);
+    m_holders->make_room_for(n);
+    m_is_in_front.reserve(n);
+    m_keys.reserve(n);
+    m_place_among_others.reserve(n);
+  }
+
   struct Place
   {
     double x, y;
@@ -257,13 +278,22 @@ private:
   /// instead of the bubble that proposes, if another rank owns it
   static constexpr Index foreign = (std::numeric_limits<Index>::max)();
 
+  /// the next bubble, when it is known who owns it
+  void add_if_of_other(const Bubbles_2& b, Index i)
+  {
+    m_place_among_others.push_back(owns(i) ? no_index : static_cast<Index>(m_others->size()));
+    if (!owns(i))
+      m_others->insert(i, b.x[i], b.y[i], b.d[i]);
+  }
+
   template <class Crystal>
   void enter(Crystal& crystal, const Growth_proposal_2& p, const Growth_birth_2& birth)
   {
     m_holders->add(birth.x, birth.y, reach * p.d, p.from == foreign ? no_index : p.from);
     m_is_in_front.push_back(0);
     m_keys.push_back(p.key);
-    crystal.add_births({birth});
+    crystal.add_birth(birth);
+    add_if_of_other(crystal.bubbles(), static_cast<Index>(m_place_among_others.size()));
   }
 
   /// Tells of a bubble of ours the owners of larger ones near it, and the owner of another's of those of ours
@@ -272,16 +302,14 @@ private:
   void tell_those_who_need(const Crystal& crystal, Index i)
   {
     const Bubbles_2& b = crystal.bubbles();
-    const auto& buckets = crystal.buckets();
     const double least = (std::max)(b.d[i], m_holders->clearance(i) / reach);
     if (owns(i))
-      buckets.for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) {
-        if (!owns(e.id))
-          send_late(crystal, i, m_holders->owner(e.id));
+      m_others->for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) {
+        send_late(crystal, i, m_holders->owner(e.id));
         return true;
       });
     else
-      buckets.for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) {
+      crystal.buckets().for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) {
         if (owns(e.id))
           send_late(crystal, e.id, m_holders->owner(i));
         return true;
@@ -346,6 +374,8 @@ private:
   Choice_exchange_2 m_choice;
   std::unique_ptr<Hilbert_partition_2> m_partition;
   std::unique_ptr<Growth_holders_2> m_holders;
+  std::unique_ptr<Bubble_buckets_2> m_others; // the bubbles that this rank has but does not own: few
+  std::vector<Index> m_place_among_others;    // of each bubble in these, if it is one of them
   std::size_t m_number_of_common = 0;
   std::vector<std::int64_t> m_seeds; // numbers of those that this rank has, in the order of the crystal's bubbles
   std::int64_t m_generation = 0;

@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Shared_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
@@ -199,12 +200,7 @@ public:
 
   void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets)
   {
-    Numbered_sets messages;
-    for (const auto& list : m_halo.sent())
-      for (Index i : list.second)
-        messages.add(list.first, b, sets, i);
-    messages.exchange(m_exchange);
-    messages.for_each(b, [&sets](Index i, const std::vector<Index>& set) { sets.assign(i, set); });
+    Shared_sets_2(m_halo, b)(m_exchange, sets);
   }
 
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving)

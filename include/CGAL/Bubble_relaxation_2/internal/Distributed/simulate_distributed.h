@@ -73,7 +73,7 @@ std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchan
     return static_cast<std::size_t>(restart.header.initial_bubbles);
   }
   const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options, points);
-  bubbles.make_room_for(part.bubbles.size());
+  bubbles.make_room_for(part.bubbles.size() + part.bubbles.size() / 8); // others' too
   for (std::size_t i = 0; i < part.bubbles.size(); ++i)
     add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
   team.start(part);

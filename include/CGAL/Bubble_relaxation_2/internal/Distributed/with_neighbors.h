@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -28,6 +29,15 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// The bubbles of a rank, in the order of their numbers, and after them those of other ranks that are neighbours of
+/// one of them, and perhaps some more.
+struct Surrounded_bubbles_2
+{
+  Known_bubbles_2 known;
+  std::size_t number_of_own = 0;
+  std::unique_ptr<Bubble_buckets_2> buckets; ///< with all of them, if there are any
+};
 
 /// Finds the bubbles of other ranks that are neighbours of those of this one: nearer than `radius` times the mean of
 /// both sizes, so nearer than that times the larger one.
@@ -41,14 +51,17 @@ public:
   Neighbors_of_ranks_2(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition, double radius,
                        const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
     : m_partition(partition), m_radius(radius), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
-      m_number_of_own(own.size()), m_known(own, comm.rank())
+      m_result{Known_bubbles_2(own, comm.rank()), own.size(), nullptr}, m_known(m_result.known)
   {}
 
-  /// Collective. The own bubbles and these, and perhaps some more of others, in the order of their numbers.
-  Known_bubbles_2 operator()()
+  /// Collective.
+  Surrounded_bubbles_2 operator()()
   {
     Messages<Owned_record> out;
-    m_agreement.reach_after([&] { tell_of_own(out); });
+    m_agreement.reach_after([&] {
+      insert_in_buckets(0);
+      tell_of_own(out);
+    });
     Messages<Owned_record> in = m_exchange(out);
     out.clear();
     m_agreement.reach_after([&] {
@@ -56,11 +69,8 @@ public:
       tell_of_pairs(out);
     });
     in = m_exchange(out);
-    m_agreement.reach_after([&] {
-      learn(in);
-      m_known.sort();
-    });
-    return std::move(m_known);
+    m_agreement.reach_after([&] { learn(in); });
+    return std::move(m_result);
   }
 
 private:
@@ -75,7 +85,7 @@ private:
     constexpr double slack = 1 + 1e-9; // coordinates are rounded to cells of the curve
     const Bubbles_2& b = m_known.bubbles;
     Clearance_2 clearance(m_partition, m_comm.rank());
-    for (std::size_t i = 0; i < m_number_of_own; ++i)
+    for (std::size_t i = 0; i < m_result.number_of_own; ++i)
       if (clearance(b.x[i], b.y[i], slack * m_radius * b.d[i]) == 0)
         for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], slack * m_radius * b.d[i]))
           tell(static_cast<Index>(i), rank, out);
@@ -84,14 +94,9 @@ private:
   void tell_of_pairs(Messages<Owned_record>& out)
   {
     const Bubbles_2& b = m_known.bubbles;
-    if (b.size() == m_number_of_own)
-      return;
-    Bubble_buckets_2 buckets(m_radius, b.d[0], b.x[0], b.y[0], b.size());
-    for (std::size_t i = 0; i < b.size(); ++i)
-      buckets.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
-    for (std::size_t k = m_number_of_own; k < b.size(); ++k) {
+    for (std::size_t k = m_result.number_of_own; k < b.size(); ++k) {
       const Index i = static_cast<Index>(k);
-      buckets.for_each_near(b.x[k], b.y[k], b.d[k], [&](Index j, double, double) {
+      m_result.buckets->for_each_near(b.x[k], b.y[k], b.d[k], [&](Index j, double, double) {
         tell(i, m_known.owners[j], out);
         tell(j, m_known.owners[i], out);
         return true;
@@ -110,10 +115,22 @@ private:
 
   void learn(const Messages<Owned_record>& in)
   {
+    const std::size_t first = m_known.size();
     for (const auto& message : in)
       for (const Owned_record& r : message.second)
         if (m_learnt.insert(r.bubble.number).second)
           m_known.add(r.bubble, r.owner);
+    insert_in_buckets(first);
+  }
+
+  /// all from `first` on
+  void insert_in_buckets(std::size_t first)
+  {
+    const Bubbles_2& b = m_known.bubbles;
+    if (!m_result.buckets && b.size() != 0)
+      m_result.buckets = std::make_unique<Bubble_buckets_2>(m_radius, b.d[0], b.x[0], b.y[0], b.size());
+    for (std::size_t i = first; i < b.size(); ++i)
+      m_result.buckets->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
   }
 
   const Hilbert_partition_2& m_partition;
@@ -121,16 +138,16 @@ private:
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
-  std::size_t m_number_of_own;
-  Known_bubbles_2 m_known;
+  Surrounded_bubbles_2 m_result;
+  Known_bubbles_2& m_known; // of the result
   std::set<std::pair<Index, int>> m_told; // of which bubble which rank
   std::unordered_set<std::int64_t> m_learnt;
 };
 
 /// Collective. The bubbles of this rank, and all bubbles of others that are neighbours of one of them.
-inline Known_bubbles_2 with_neighbors(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition,
-                                      double radius, const Communicator& comm, Agreement& agreement,
-                                      Sparse_exchange& exchange)
+inline Surrounded_bubbles_2 with_neighbors(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition,
+                                           double radius, const Communicator& comm, Agreement& agreement,
+                                           Sparse_exchange& exchange)
 {
   return Neighbors_of_ranks_2(own, partition, radius, comm, agreement, exchange)();
 }

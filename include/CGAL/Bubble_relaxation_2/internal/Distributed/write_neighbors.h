@@ -11,8 +11,10 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Known_bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/with_neighbors.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_search_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,41 +22,54 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Writes the neighbour sets of the bubbles of a rank into a `Relaxation_2`, and what it has to know of neighbours
-/// that others own.
-/// \pre `known` has all of them, in the order of their numbers
+/// Writes what a rank has to know of the neighbours that others own, in the order of their numbers.
 template <class Relaxation>
-void write_neighbors(const Known_bubbles_2& known, int rank, double radius, Relaxation& relaxation)
+void write_ghosts(const Known_bubbles_2& known, const std::vector<char>& is_ghost, Relaxation& relaxation)
 {
+  std::vector<Index> ghosts;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (is_ghost[i])
+      ghosts.push_back(static_cast<Index>(i));
+  std::sort(ghosts.begin(), ghosts.end(), [&](Index i, Index j) { return known.numbers[i] < known.numbers[j]; });
   const Bubbles_2& b = known.bubbles;
-  Neighbor_sets_2 sets(radius);
-  sets.build(b);
-  std::vector<char> is_ghost(b.size(), 0);
-  relaxation.neighbor_radius = radius;
-  std::size_t number = 0;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (known.owners[i] == rank)
-      number += static_cast<std::size_t>(sets.end(i) - sets.begin(i));
-  relaxation.neighbors.reserve(number);
-  relaxation.neighbor_offsets.reserve(b.size() + 1);
-  relaxation.neighbor_offsets.push_back(0);
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    if (known.owners[i] != rank)
-      continue;
-    for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j) {
-      relaxation.neighbors.push_back(known.numbers[*j]);
-      is_ghost[*j] = known.owners[*j] != rank;
-    }
-    relaxation.neighbor_offsets.push_back(relaxation.neighbors.size());
-  }
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    if (!is_ghost[i])
-      continue;
+  for (Index i : ghosts) {
     relaxation.ghost_ids.push_back(known.numbers[i]);
     relaxation.ghost_points.push_back(typename Relaxation::Point_2(b.x[i], b.y[i]));
     relaxation.ghost_sizes.push_back(b.d[i]);
     relaxation.ghost_owners.push_back(known.owners[i]);
   }
+}
+
+/// Writes the neighbour sets of the bubbles of a rank into a `Relaxation_2`, and what it has to know of neighbours
+/// that others own.
+template <class Relaxation>
+void write_neighbors(const Surrounded_bubbles_2& bubbles, double radius, Relaxation& relaxation)
+{
+  constexpr std::size_t block_size = 512, usual_number = 7;
+  const Known_bubbles_2& known = bubbles.known;
+  const std::size_t n = bubbles.number_of_own;
+  const auto is_gone = [](std::size_t) { return false; };
+  const auto is_before = [&known](Index i, Index j) { return known.numbers[i] < known.numbers[j]; };
+  relaxation.neighbor_radius = radius;
+  relaxation.neighbors.reserve(usual_number * n);
+  relaxation.neighbor_offsets.reserve(n + 1);
+  relaxation.neighbor_offsets.push_back(0);
+  if (n == 0)
+    return;
+  std::vector<char> is_neighbor(known.size(), 0);
+  const Neighbor_search_2 find(*bubbles.buckets, known.bubbles.x, known.bubbles.y, known.bubbles.d, radius);
+  Neighbor_block block;
+  for (std::size_t first = 0; first < n; first += block_size) {
+    find(first, (std::min)(first + block_size, n), is_gone, is_before, block);
+    for (Index j : block.found) {
+      relaxation.neighbors.push_back(known.numbers[j]);
+      is_neighbor[j] = 1;
+    }
+    for (std::size_t size : block.sizes)
+      relaxation.neighbor_offsets.push_back(relaxation.neighbor_offsets.back() + size);
+  }
+  std::fill_n(is_neighbor.begin(), n, char(0)); // of others only
+  write_ghosts(known, is_neighbor, relaxation);
 }
 
 } // namespace internal
