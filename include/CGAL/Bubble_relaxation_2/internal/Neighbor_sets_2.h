@@ -54,6 +54,9 @@ public:
   const Index* begin(std::size_t i) const { return m_pool.data() + m_sets[i].first; }
   const Index* end(std::size_t i) const { return begin(i) + m_sets[i].size; }
 
+  /// how often sets have changed
+  std::size_t number_of_changes() const { return m_number_of_changes; }
+
   /// finds all neighbours anew with buckets
   template <class Concurrency_tag = Sequential_tag>
   void build(const Bubbles_2& bubbles)
@@ -104,6 +107,7 @@ public:
   /// takes bubble `i` out of all sets
   void remove(Index i)
   {
+    ++m_number_of_changes;
     for (const Index *j = begin(i), *last = end(i); j != last; ++j)
       erase(*j, i);
     m_sets[i].size = 0;
@@ -118,6 +122,7 @@ public:
   /// the same, by its reference
   void add(Index i, double x, double y, double d)
   {
+    ++m_number_of_changes;
     m_x.push_back(x);
     m_y.push_back(y);
     m_d.push_back(d);
@@ -141,6 +146,7 @@ public:
   template <class Concurrency_tag = Sequential_tag>
   void renew(const Bubbles_2& bubbles, const std::vector<Index>& outrun)
   {
+    ++m_number_of_changes;
     for (Index i : outrun) {
       m_x[i] = bubbles.x[i];
       m_y[i] = bubbles.y[i];
@@ -211,6 +217,7 @@ public:
   /// replaces the set of a bubble of another rank by what that rank tells of it
   void assign(Index i, const std::vector<Index>& set)
   {
+    ++m_number_of_changes;
     make_room(i, set.size());
     std::copy(set.begin(), set.end(), m_pool.begin() + static_cast<std::ptrdiff_t>(m_sets[i].first));
     m_sets[i].size = static_cast<std::uint32_t>(set.size());
@@ -309,6 +316,7 @@ private:
 
   void start(const Bubbles_2& bubbles, const Bubble_references_2& references)
   {
+    ++m_number_of_changes;
     m_sets.clear();
     m_sets.reserve(bubbles.size());
     m_pool.clear();
@@ -442,6 +450,7 @@ private:
   std::unique_ptr<Bubble_buckets_2> m_buckets;
   std::vector<std::vector<Index>> m_new_sets; // of those that are renewed at once
   std::vector<Index> m_found, m_left, m_joined;
+  std::size_t m_number_of_changes = 0;
 };
 
 } // namespace internal

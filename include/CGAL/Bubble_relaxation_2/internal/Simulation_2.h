@@ -326,7 +326,7 @@ private:
   {
     const std::vector<Index>& active = m_active.indices();
     m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements,
-                 [this](std::vector<double>& x, std::vector<double>& y) { m_team.share_positions(x, y); });
+                 [this](std::vector<double>& x, std::vector<double>& y) { m_team.share_positions(m_neighbors, x, y); });
     m_flags.start_step(active.size());
     move_all_of(active, true);
     m_team.send_moves(m_bubbles, active, m_flags.is_moving);

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_ALONE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Population_alone.h>
 
 #include <cstddef>
@@ -36,7 +37,7 @@ struct Simulation_alone
   /// whether another rank has to know where a bubble is
   bool is_at_border(Index) const { return false; }
   /// puts in where bubbles of other ranks are within a step
-  void share_positions(std::vector<double>&, std::vector<double>&) const {}
+  void share_positions(const Neighbor_sets_2&, std::vector<double>&, std::vector<double>&) const {}
   /// completes the neighbour sets of bubbles that other ranks own
   template <class Neighbor_sets>
   void share_sets(const Bubbles_2&, Neighbor_sets&)

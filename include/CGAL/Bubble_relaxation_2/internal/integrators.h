@@ -94,25 +94,29 @@ public:
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
                   const Boundary_2& boundary, Displacements& displacements, const Share& share = Share())
   {
-    const std::size_t n = b.size();
-    displacements.start_step(active.size());
+    const std::size_t n = active.size();
+    displacements.start_step(n);
     std::fill(displacements.x.begin(), displacements.x.end(), 0.);
     std::fill(displacements.y.begin(), displacements.y.end(), 0.);
     m_sum_vx.assign(n, 0);
     m_sum_vy.assign(n, 0);
     m_x = m_next_x = b.x;
     m_y = m_next_y = b.y;
-    m_vx = b.vx;
-    m_vy = b.vy;
+    m_vx.resize(n);
+    m_vy.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      m_vx[k] = b.vx[active[k]];
+      m_vy[k] = b.vy[active[k]];
+    }
     for (const Stage& stage : {Stage{1. / 6, 0.5}, Stage{1. / 3, 0.5}, Stage{1. / 3, 1.},
                                Stage{1. / 6, 0.}}) {
       advance(stage, b, active, neighbors, boundary, displacements);
       if (stage.ahead > 0)
         share(m_x, m_y);
     }
-    for (Index i : active) {
-      b.vx[i] += m_sum_vx[i];
-      b.vy[i] += m_sum_vy[i];
+    for (std::size_t k = 0; k < n; ++k) {
+      b.vx[active[k]] += m_sum_vx[k];
+      b.vy[active[k]] += m_sum_vy[k];
     }
   }
 
@@ -129,16 +133,16 @@ private:
       const Index i = active[k];
       Force f = resultant_force(m_force, neighbors, m_x.data(), m_y.data(), b.d.data(), i);
       f = boundary.project(b, i, f);
-      const double ax = (f.x - m_damping * m_vx[i]) / m_mass;
-      const double ay = (f.y - m_damping * m_vy[i]) / m_mass;
-      displacements.x[k] += sum * m_vx[i];
-      displacements.y[k] += sum * m_vy[i];
-      m_sum_vx[i] += sum * ax;
-      m_sum_vy[i] += sum * ay;
-      m_next_x[i] = b.x[i] + ahead * m_vx[i];
-      m_next_y[i] = b.y[i] + ahead * m_vy[i];
-      m_vx[i] = b.vx[i] + ahead * ax;
-      m_vy[i] = b.vy[i] + ahead * ay;
+      const double ax = (f.x - m_damping * m_vx[k]) / m_mass;
+      const double ay = (f.y - m_damping * m_vy[k]) / m_mass;
+      displacements.x[k] += sum * m_vx[k];
+      displacements.y[k] += sum * m_vy[k];
+      m_sum_vx[k] += sum * ax;
+      m_sum_vy[k] += sum * ay;
+      m_next_x[i] = b.x[i] + ahead * m_vx[k];
+      m_next_y[i] = b.y[i] + ahead * m_vy[k];
+      m_vx[k] = b.vx[i] + ahead * ax;
+      m_vy[k] = b.vy[i] + ahead * ay;
     });
     m_x.swap(m_next_x);
     m_y.swap(m_next_y);
@@ -146,7 +150,8 @@ private:
 
   Bubble_force_2 m_force;
   double m_step, m_mass, m_damping;
-  std::vector<double> m_x, m_y, m_next_x, m_next_y, m_vx, m_vy, m_sum_vx, m_sum_vy;
+  std::vector<double> m_x, m_y, m_next_x, m_next_y;     // of all bubbles
+  std::vector<double> m_vx, m_vy, m_sum_vx, m_sum_vy; // of the active ones
 };
 
 } // namespace internal

@@ -21,7 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -61,10 +61,11 @@ public:
     m_width = width;
     m_places.clear();
     m_holders.clear();
+    m_place_of_holders.clear();
+    m_number_of_ours = 0;
     m_sent.clear();
     m_received.clear();
     m_owner.clear();
-    m_is_at_border.clear();
     ++m_number_of_changes;
   }
 
@@ -72,11 +73,12 @@ public:
   void add(const Bubbles_2& b, Index i, int owner)
   {
     m_owner.push_back(owner);
-    m_is_at_border.push_back(0);
+    m_place_of_holders.push_back(no_index);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
-    if (owner == m_comm.rank())
+    if (owner == m_comm.rank()) {
+      ++m_number_of_ours;
       find_clearance(b, i);
-    else {
+    } else {
       m_received[owner].push_back(i);
       ++m_number_of_changes;
     }
@@ -88,7 +90,9 @@ public:
   const Messages<Index>& received() const { return m_received; }
 
   int owner(Index i) const { return m_owner[i]; }
-  bool is_at_border(Index i) const { return m_is_at_border[i] != 0; }
+
+  /// whether another rank has a bubble of ours
+  bool is_at_border(Index i) const { return m_place_of_holders[i] != no_index; }
 
   /// whether no other rank has to know of a bubble of ours
   bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
@@ -145,7 +149,10 @@ public:
     for (int turn = 0; turn < 2; ++turn) { // who gets to know a bubble knows what it needs
       Messages<Bubble_state_2> out;
       for (Index i : those)
-        tell(b, i, finder, state, out);
+        note_place(b, i);
+      tell_of_ours(b, those, finder, state, out);
+      if (m_width == 0) // else it is the same from the other side
+        tell_owners(b, those, finder, state, out);
       m_traffic.add_messages(out);
       those.clear();
       for (const auto& message : m_exchange(out))
@@ -205,21 +212,24 @@ private:
                      (most_moved + Boundary_2::longest_step) * b.d[i];
   }
 
-  template <class Finder, class State>
-  void tell(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
-            Messages<Bubble_state_2>& out)
+  void note_place(const Bubbles_2& b, Index i)
   {
-    Place& p = m_places[i];
-    p.x = b.x[i];
-    p.y = b.y[i];
-    const bool is_ours = m_owner[i] == m_comm.rank();
-    if (is_ours)
+    m_places[i].x = b.x[i];
+    m_places[i].y = b.y[i];
+    if (is_ours(i))
       find_clearance(b, i);
     set_limits(b, i);
-    if (is_ours)
-      tell_of(b, i, finder, state, out);
-    else if (m_width == 0) // else it is the same from the other side
-      tell_owner_of(b, i, finder, state, out);
+  }
+
+  bool is_ours(Index i) const { return m_owner[i] == m_comm.rank(); }
+
+  template <class Finder, class State>
+  void tell_of_ours(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
+                    Messages<Bubble_state_2>& out)
+  {
+    for (Index i : those)
+      if (is_ours(i))
+        tell_of(b, i, finder, state, out);
   }
 
   /// tells of a bubble of ours all ranks near it, and the owners of larger ones that reach it
@@ -231,22 +241,80 @@ private:
     if (clearance == 0)
       for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach_of(b, i)))
         give(i, rank, state, out);
-    if (m_received.empty() || m_width > 0)
+    if (m_width > 0 || is_known_to_all_around(i))
       return;
     finder.find_large(b.x[i], b.y[i], (std::max)(b.d[i], clearance / reach), reach, [&](Index j) {
-      if (m_owner[j] != m_comm.rank() && is_reached_by(b, j, i))
+      if (!is_ours(j) && is_reached_by(b, j, i))
         give(i, m_owner[j], state, out);
     });
   }
 
-  /// tells the owner of another's bubble of ours that it reaches
+  /// whether all ranks of which we have bubbles have this one of ours
+  bool is_known_to_all_around(Index i) const
+  {
+    return std::all_of(m_received.begin(), m_received.end(),
+                       [&](const Messages<Index>::value_type& list) { return has(list.first, i); });
+  }
+
+  /// whether another rank has a bubble of ours
+  bool has(int rank, Index i) const
+  {
+    if (!is_at_border(i))
+      return false;
+    const Ranks& ranks = m_holders[m_place_of_holders[i]];
+    return std::find(ranks.begin(), ranks.end(), rank) != ranks.end();
+  }
+
+  /// Tells the owners of others' bubbles of ours that these reach. Bubbles that follow each other mostly lie together,
+  /// and what a few of them reach is looked for at once.
   template <class Finder, class State>
-  void tell_owner_of(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
+  void tell_owners(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
+                   Messages<Bubble_state_2>& out)
+  {
+    std::vector<Index> group;
+    for (Index i : those) {
+      if (is_ours(i) || knows_all_of_ours(m_owner[i]))
+        continue;
+      if (!group.empty() && !lies_with(b, i, group))
+        tell_owner_of(b, std::exchange(group, {}), finder, state, out);
+      group.push_back(i);
+    }
+    if (!group.empty())
+      tell_owner_of(b, group, finder, state, out);
+  }
+
+  bool knows_all_of_ours(int rank) const
+  {
+    const auto sent = m_sent.find(rank);
+    return sent != m_sent.end() && sent->second.size() == m_number_of_ours;
+  }
+
+  bool lies_with(const Bubbles_2& b, Index i, const std::vector<Index>& group) const
+  {
+    constexpr std::size_t most = 8;
+    constexpr double farthest = 3, largest = 1.2; // in units of the first one's size
+    const Index first = group.front();
+    const double far = farthest * b.d[first];
+    return group.size() < most && m_owner[i] == m_owner[first] && b.d[i] <= largest * b.d[first] &&
+           CGAL::squared_distance(b.point(i), b.point(first)) <= far * far;
+  }
+
+  /// \pre the bubbles of the group have one owner
+  template <class Finder, class State>
+  void tell_owner_of(const Bubbles_2& b, const std::vector<Index>& group, const Finder& finder, const State& state,
                      Messages<Bubble_state_2>& out)
   {
-    finder.find_within(b.x[i], b.y[i], b.d[i], reach, [&](Index j) {
-      if (m_owner[j] == m_comm.rank() && is_reached_by(b, i, j))
-        give(j, m_owner[i], state, out);
+    const Index first = group.front();
+    const int owner = m_owner[first];
+    double d = 0, square_radius = 0;
+    for (Index i : group) {
+      d = (std::max)(d, b.d[i]);
+      square_radius = (std::max)(square_radius, CGAL::squared_distance(b.point(i), b.point(first)));
+    }
+    finder.find_within(b.x[first], b.y[first], d, reach + std::sqrt(square_radius) / d, [&](Index j) {
+      if (is_ours(j) && !has(owner, j) &&
+          std::any_of(group.begin(), group.end(), [&](Index i) { return is_reached_by(b, i, j); }))
+        give(j, owner, state, out);
     });
   }
 
@@ -260,13 +328,13 @@ private:
   template <class State>
   void give(Index i, int rank, const State& state, Messages<Bubble_state_2>& out)
   {
-    if (rank == m_comm.rank())
+    if (rank == m_comm.rank() || has(rank, i))
       return;
-    Ranks& ranks = m_holders[i];
-    if (std::find(ranks.begin(), ranks.end(), rank) != ranks.end())
-      return;
-    ranks.push_back(rank);
-    m_is_at_border[i] = 1;
+    if (!is_at_border(i)) {
+      m_place_of_holders[i] = static_cast<Index>(m_holders.size());
+      m_holders.emplace_back();
+    }
+    m_holders[m_place_of_holders[i]].push_back(rank);
     m_sent[rank].push_back(i);
     ++m_number_of_changes;
     out[rank].push_back(state(i));
@@ -279,10 +347,11 @@ private:
   std::optional<Clearance_2> m_clearance;
   double m_width = 0; // of all, or 0
   std::vector<int> m_owner; // of each bubble
-  std::vector<char> m_is_at_border;
   std::vector<Place> m_places;
-  std::unordered_map<Index, Ranks> m_holders; // the other ranks that have a bubble of ours
+  std::vector<Ranks> m_holders;          // the other ranks that have a bubble of ours
+  std::vector<Index> m_place_of_holders; // in these, of each bubble that others have
   Messages<Index> m_sent, m_received;
+  std::size_t m_number_of_ours = 0; // that ever were
   std::size_t m_number_of_changes = 0;
 };
 

@@ -19,8 +19,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Shared_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Stage_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
@@ -45,7 +45,7 @@ public:
   Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                     Checkpoints_2& checkpoints, const Relaxation_options& options)
     : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
-      m_interval(options.exchange_interval), m_halo(comm, exchange, m_traffic), m_moves(comm, m_traffic),
+      m_interval(options.exchange_interval), m_halo(comm, exchange, m_traffic), m_moves(comm, m_traffic), m_stages(comm),
       m_population(comm, exchange, m_halo), m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
       m_has_population(options.population != Bubble_population::NONE)
   {}
@@ -168,7 +168,7 @@ public:
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.number[i] >= first_new && !bubbles.is_ours(i))
         simulation.wake_around(static_cast<Index>(i));
-    if (is_unbalanced(bubbles))
+    if (is_unbalanced(bubbles, too_many))
       m_is_outgrown = m_is_far_from_home = true; // all migrate before the next step
   }
 
@@ -180,22 +180,11 @@ public:
 
   bool is_at_border(Index i) const { return m_halo.is_at_border(i); }
 
-  void share_positions(std::vector<double>& x, std::vector<double>& y) const
+  /// where bubbles are within a step; `sets` are their neighbours
+  void share_positions(const Neighbor_sets_2& sets, std::vector<double>& x, std::vector<double>& y)
   {
-    if (m_interval.is_used())
-      return;
-    Messages<Position> out, in;
-    for (const auto& list : m_halo.sent())
-      for (Index i : list.second)
-        out[list.first].push_back(Position{x[i], y[i]});
-    for (const auto& list : m_halo.received())
-      in[list.first].resize(list.second.size());
-    exchange_known(m_comm, out, in);
-    for (const auto& list : m_halo.received())
-      for (std::size_t n = 0; n < list.second.size(); ++n) {
-        x[list.second[n]] = in[list.first][n].x;
-        y[list.second[n]] = in[list.first][n].y;
-      }
+    if (!m_interval.is_used())
+      m_stages(m_halo, sets, x, y);
   }
 
   void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets)
@@ -257,11 +246,6 @@ private:
   struct Hole_side
   {
     double x, y, d;
-  };
-
-  struct Position
-  {
-    double x, y;
   };
 
   /// makes the halo, of one width or by the bubbles' sizes
@@ -393,10 +377,13 @@ private:
     simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
   }
 
-  /// Collective. Whether a rank has so many more bubbles than the mean that others wait for it.
-  bool is_unbalanced(const Bubbles_2& bubbles) const
+  /// more bubbles than the mean: so many that all migrate, and so many that they migrate to other parts if they do
+  static constexpr double too_many = 1.1, many = 1.01;
+
+  /// Collective. Whether a rank has so many times more bubbles than the mean that others wait for it.
+  bool is_unbalanced(const Bubbles_2& bubbles, double most) const
   {
-    constexpr double most = 1.1, few = 16;
+    const double few = 160 * (most - 1); // not worth while
     std::int64_t n = 0;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       n += bubbles.is_ours(i) && !bubbles.is_gone(i);
@@ -418,7 +405,7 @@ private:
   template <class Simulation>
   void migrate(Simulation& simulation, Bubbles_2& bubbles)
   {
-    if (is_unbalanced(bubbles))
+    if (is_unbalanced(bubbles, m_interval.is_used() ? too_many : many))
       balance(bubbles);
     std::vector<Bubble_state_2> ours;
     Messages<Bubble_state_2> out;
@@ -454,6 +441,7 @@ private:
   Traffic_2 m_traffic;
   Halo_2 m_halo;
   Moves_exchange_2 m_moves;
+  Stage_exchange_2 m_stages;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
   bool m_may_be_stopped, m_has_population, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false,
