@@ -364,13 +364,14 @@ private:
   template <class Simulation>
   void migrate_with_sets(Simulation& simulation, Bubbles_2& bubbles)
   {
+    balance_if_uneven(bubbles);
     Numbered_sets messages;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
         messages.add(m_partition->owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
                      static_cast<Index>(i));
     messages.exchange(m_exchange);
-    migrate(simulation, bubbles);
+    bring_home(simulation, bubbles);
     surround(simulation, bubbles);
     std::vector<std::vector<Index>> sets(bubbles.size());
     messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
@@ -390,9 +391,11 @@ private:
     return double(m_comm.largest(n)) > most * double(m_comm.sum(n)) / m_comm.size() + few;
   }
 
-  /// cuts the curve anew so that each rank has as many bubbles
-  void balance(const Bubbles_2& bubbles)
+  /// cuts the curve anew so that each rank has as many bubbles, if that is worth while
+  void balance_if_uneven(const Bubbles_2& bubbles)
   {
+    if (!is_unbalanced(bubbles, m_interval.is_used() ? too_many : many))
+      return;
     std::vector<Hilbert_curve_2::Key> keys;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
@@ -401,12 +404,17 @@ private:
     *m_partition = even_partition(m_comm, m_partition->curve(), keys);
   }
 
-  /// brings each bubble to the rank that owns its place now
   template <class Simulation>
   void migrate(Simulation& simulation, Bubbles_2& bubbles)
   {
-    if (is_unbalanced(bubbles, m_interval.is_used() ? too_many : many))
-      balance(bubbles);
+    balance_if_uneven(bubbles);
+    bring_home(simulation, bubbles);
+  }
+
+  /// brings each bubble to the rank that owns its place now
+  template <class Simulation>
+  void bring_home(Simulation& simulation, Bubbles_2& bubbles)
+  {
     std::vector<Bubble_state_2> ours;
     Messages<Bubble_state_2> out;
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
