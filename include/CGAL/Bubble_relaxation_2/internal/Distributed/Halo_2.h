@@ -34,7 +34,7 @@ namespace internal {
 ///
 /// This holds for where bubbles were when it was last looked after. It stays good enough, for `needed_reach`,
 /// while none has gone far or grown much, of which `is_outgrown_by()` tells; those are looked after again by
-/// `look_after()`. Ownership does not change: `is_far_from_home()` tells of a bubble that has left the part of its
+/// `look_after()`. Ownership does not change: `is_far_from_home()` tells of a bubble that may have left the part of its
 /// owner so far that all have to be distributed anew.
 ///
 /// For the paper's protocol it can have one width for all instead: then each bubble is known to the ranks whose
@@ -45,7 +45,7 @@ public:
   using Ranks = Hilbert_partition_2::Ranks;
 
   /// In sizes: neighbours of neighbours count. Bubbles may go as far as the second until they are looked after,
-  /// and then with the step in which they do; and as far as the third from where they were distributed.
+  /// and then with the step in which they do; and as far as the third from their owner's part.
   static constexpr double needed_reach = 3.5, most_moved = 0.3, farthest_from_home = 1,
                           reach = needed_reach + 2 * (most_moved + Boundary_2::longest_step) + farthest_from_home;
 
@@ -62,6 +62,8 @@ public:
     m_places.clear();
     m_holders.clear();
     m_place_of_holders.clear();
+    m_near_border.clear();
+    m_is_near_border.clear();
     m_number_of_ours = 0;
     m_sent.clear();
     m_received.clear();
@@ -74,6 +76,7 @@ public:
   {
     m_owner.push_back(owner);
     m_place_of_holders.push_back(no_index);
+    m_is_near_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
     if (owner == m_comm.rank()) {
       ++m_number_of_ours;
@@ -81,6 +84,7 @@ public:
     } else {
       m_received[owner].push_back(i);
       ++m_number_of_changes;
+      note_near_border(i);
     }
     set_limits(b, i);
   }
@@ -116,27 +120,31 @@ public:
     return left < 0 || square_moved > left * left;
   }
 
-  /// The bubbles that have gone a third of the way to this, and more: when one is to be looked after, they are too.
-  std::vector<Index> almost_outgrown(const Bubbles_2& b) const
+  /// Those that are to be looked after: the bubbles that have outgrown their places, of which `outgrown` are ours, and
+  /// of those near the border all that have gone a third of the way to this.
+  std::vector<Index> almost_outgrown(const Bubbles_2& b, const std::vector<Index>& outgrown) const
   {
     std::vector<Index> result;
-    for (std::size_t k = 0; k < m_places.size(); ++k) {
-      const Place& p = m_places[k];
-      const Index i = static_cast<Index>(k);
-      if (9 * CGAL::squared_distance(Point(p.x, p.y), b.point(k)) > p.most_moved * p.most_moved ||
+    for (Index i : m_near_border) {
+      const Place& p = m_places[i];
+      if (9 * CGAL::squared_distance(Point(p.x, p.y), b.point(i)) > p.most_moved * p.most_moved ||
           is_outgrown_by(b, i))
         result.push_back(i);
     }
+    for (Index i : outgrown)
+      if (!m_is_near_border[i])
+        result.push_back(i);
     return result;
   }
 
   /// how often one of the lists has got longer
   std::size_t number_of_changes() const { return m_number_of_changes; }
 
+  /// whether it may have gone far from its owner's part
   bool is_far_from_home(const Bubbles_2& b, Index i) const
   {
     const Place& p = m_places[i];
-    return std::hypot(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
+    return !is_surely_home(b, i) && std::hypot(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
   }
 
   /// Makes bubbles known to those who need them, and others to those who need them for these. `finder` is a
@@ -188,8 +196,8 @@ public:
   }
 
 private:
-  /// Where a bubble was when it was last looked after, and when all were distributed; how far it is from other
-  /// ranks' parts, if it is known to be as far as this; and how far it may go, and its disc reach.
+  /// Where a bubble was when it was last looked after, and when it was in its owner's part then; how far it was from
+  /// other ranks' parts, if it is known to be as far as this; and how far it may go, and its disc reach.
   struct Place
   {
     double x, y, home_x, home_y, clearance, most_moved, largest_disc;
@@ -201,6 +209,15 @@ private:
   void find_clearance(const Bubbles_2& b, Index i)
   {
     m_places[i].clearance = (*m_clearance)(b.x[i], b.y[i], reach_of(b, i));
+    if (m_places[i].clearance == 0)
+      note_near_border(i);
+  }
+
+  void note_near_border(Index i)
+  {
+    if (!m_is_near_border[i])
+      m_near_border.push_back(i);
+    m_is_near_border[i] = 1;
   }
 
   void set_limits(const Bubbles_2& b, Index i)
@@ -214,10 +231,15 @@ private:
 
   void note_place(const Bubbles_2& b, Index i)
   {
-    m_places[i].x = b.x[i];
-    m_places[i].y = b.y[i];
+    Place& p = m_places[i];
+    p.x = b.x[i];
+    p.y = b.y[i];
     if (is_ours(i))
       find_clearance(b, i);
+    if (p.clearance > 0 || m_partition->owner(p.x, p.y) == m_owner[i]) {
+      p.home_x = p.x;
+      p.home_y = p.y;
+    }
     set_limits(b, i);
   }
 
@@ -350,6 +372,8 @@ private:
   std::vector<Place> m_places;
   std::vector<Ranks> m_holders;          // the other ranks that have a bubble of ours
   std::vector<Index> m_place_of_holders; // in these, of each bubble that others have
+  std::vector<Index> m_near_border;      // others', and ours that other ranks need, or needed once
+  std::vector<char> m_is_near_border;    // the same, of each bubble
   Messages<Index> m_sent, m_received;
   std::size_t m_number_of_ours = 0; // that ever were
   std::size_t m_number_of_changes = 0;

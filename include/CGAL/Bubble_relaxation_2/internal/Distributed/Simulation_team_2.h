@@ -102,8 +102,9 @@ public:
     } else if (m_is_far_from_home)
       migrate_and_surround(simulation, bubbles);
     else
-      look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles));
-    m_is_outgrown_here = m_is_outgrown = m_is_far_from_home = false;
+      look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles, m_outgrown));
+    m_outgrown.clear();
+    m_is_outgrown = m_is_far_from_home = false;
   }
 
   /// After the steps of a round the paper's protocol ends, and the population is controlled as it always is.
@@ -218,7 +219,7 @@ public:
     const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
     std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
                                        static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
-                                       m_is_outgrown_here, m_is_far_here, is_stale};
+                                       !m_outgrown.empty(), m_is_far_here, is_stale};
     check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 6, MPI_INT64_T, MPI_SUM, m_comm.handle()));
     if (values[2] != 0)
       m_agreement.reach();
@@ -305,7 +306,7 @@ private:
   {
     for (Index i : moved)
       if (m_halo.is_outgrown_by(b, i)) {
-        m_is_outgrown_here = true;
+        m_outgrown.push_back(i);
         m_is_far_here = m_is_far_here || m_halo.is_far_from_home(b, i);
       }
   }
@@ -452,9 +453,10 @@ private:
   Stage_exchange_2 m_stages;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
-  bool m_may_be_stopped, m_has_population, m_is_outgrown_here = false, m_is_outgrown = false, m_is_far_here = false,
+  bool m_may_be_stopped, m_has_population, m_is_outgrown = false, m_is_far_here = false,
        m_is_far_from_home = false;
   std::vector<Index> m_others;
+  std::vector<Index> m_outgrown; // of those that moved since the halo was looked after
 };
 
 } // namespace internal

@@ -39,7 +39,8 @@ inline void compact_numbers(const Communicator& comm, Sparse_exchange& exchange,
   std::vector<std::int64_t> all;
   for (const auto& message : in)
     all.insert(all.end(), message.second.begin(), message.second.end());
-  std::sort(all.begin(), all.end());
+  if (!std::is_sorted(all.begin(), all.end()))
+    std::sort(all.begin(), all.end());
   const std::int64_t before = comm.sum_before(static_cast<std::int64_t>(all.size()));
   for (const auto& message : in) {
     auto place = all.begin();
