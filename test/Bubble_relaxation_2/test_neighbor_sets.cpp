@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/integrators.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Simulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <functional>
@@ -35,6 +36,14 @@ Bubbles_2 random_bubbles(std::size_t n, unsigned seed, const Size& size)
     b.add(Point(x, y), size(x, y), Bubbles_2::FACE, 0);
   }
   return b;
+}
+
+void sort_along_curve(Bubbles_2& b)
+{
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    points.push_back(b.point(i));
+  b.select(hilbert_order(Hilbert_curve_2(CGAL::Bbox_2(0, 0, 1, 1)), points));
 }
 
 std::vector<Index> brute_force(const Bubbles_2& b, std::size_t i, double radius)
@@ -65,13 +74,28 @@ const std::vector<std::pair<const char*, Size>> sizes{
 TEST(Neighbor_sets, equal_to_brute_force)
 {
   for (const auto& size : sizes)
-    for (double radius : {1.6, 1.7, 3.}) {
-      SCOPED_TRACE(size.first);
-      const Bubbles_2 b = random_bubbles(800, validation::seed(), size.second);
-      Neighbor_sets_2 sets(radius);
-      sets.build(b);
-      expect_equal_to_brute_force(b, sets);
-    }
+    for (double radius : {1.6, 1.7, 3.})
+      for (bool is_sorted : {false, true}) { // those that follow each other lie together, or not
+        SCOPED_TRACE(size.first);
+        Bubbles_2 b = random_bubbles(800, validation::seed(), size.second);
+        if (is_sorted)
+          sort_along_curve(b);
+        Neighbor_sets_2 sets(radius);
+        sets.build(b);
+        expect_equal_to_brute_force(b, sets);
+      }
+}
+
+TEST(Neighbor_sets, of_groups_with_gaps)
+{
+  Bubbles_2 b = random_bubbles(800, validation::seed(), sizes[1].second);
+  sort_along_curve(b);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (i % 3 == 0 || (i > 200 && i < 240))
+      b.remove(i);
+  Neighbor_sets_2 sets(2.);
+  sets.build(b);
+  expect_equal_to_brute_force(b, sets);
 }
 
 TEST(Neighbor_sets, adversarial_sets)

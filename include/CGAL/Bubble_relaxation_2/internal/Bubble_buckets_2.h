@@ -159,7 +159,7 @@ private:
   struct Wider_radius
   {
     double more, near, d;
-    double operator()(double size) const { return more + 0.5 * near * (d + size); }
+    double operator()(double size) const { return slack * (more + 0.5 * near * (d + size)); }
   };
 
   struct Distance

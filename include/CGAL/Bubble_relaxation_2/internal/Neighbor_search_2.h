@@ -96,11 +96,13 @@ private:
   bool find_candidates(std::size_t first, std::size_t last, Candidates& candidates) const
   {
     const auto x = range(m_x, first, last), y = range(m_y, first, last), d = range(m_d, first, last);
-    const double dx = 0.5 * (x.second - x.first), dy = 0.5 * (y.second - y.first);
-    if (!(d.second <= largest * d.first && 2 * (std::max)(dx, dy) <= widest * d.first))
+    const double width = x.second - x.first, height = y.second - y.first;
+    if (!(d.second <= largest * d.first && (std::max)(width, height) <= widest * d.first))
       return false;
+    const double cx = x.first + 0.5 * width, cy = y.first + 0.5 * height; // rounded: what counts is how far from there
+    const double dx = (std::max)(x.second - cx, cx - x.first), dy = (std::max)(y.second - cy, cy - y.first);
     candidates.clear();
-    m_buckets.for_each_near_some(x.first + dx, y.first + dy, std::sqrt(dx * dx + dy * dy), d.second,
+    m_buckets.for_each_near_some(cx, cy, std::sqrt(dx * dx + dy * dy), d.second,
                                  [&candidates](const Bubble_buckets_2::Entry& e) {
                                    candidates.x.push_back(e.x);
                                    candidates.y.push_back(e.y);

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Hilbert's curve: it goes through all cells, from each to one beside it, quarter by quarter, whatever the depth.
+
+#include <CGAL/Bubble_relaxation_2/internal/Hilbert_curve_2.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+using CGAL::Bubble_relaxation_2::internal::Hilbert_curve_2;
+
+namespace {
+
+struct Cell
+{
+  std::uint32_t x, y;
+};
+
+const CGAL::Bbox_2 box(0, 0, 1, 1);
+
+} // namespace
+
+class Curve : public testing::TestWithParam<bool>
+{
+protected:
+  const Hilbert_curve_2 curve{box, GetParam()};
+};
+
+TEST_P(Curve, visits_all_cells_one_beside_the_other)
+{
+  for (int depth = 1; depth <= 9; ++depth) {
+    SCOPED_TRACE(depth);
+    const std::uint32_t side = std::uint32_t(1) << depth;
+    std::vector<Cell> cells(side * side, Cell{side, side});
+    for (std::uint32_t x = 0; x < side; ++x)
+      for (std::uint32_t y = 0; y < side; ++y) {
+        const Hilbert_curve_2::Key key = curve.key_of_cell(x, y, depth);
+        ASSERT_LT(key, cells.size());
+        ASSERT_EQ(cells[key].x, side) << "two cells with one key";
+        cells[key] = Cell{x, y};
+      }
+    for (std::size_t k = 1; k < cells.size(); ++k)
+      ASSERT_EQ(std::abs(int(cells[k].x) - int(cells[k - 1].x)) + std::abs(int(cells[k].y) - int(cells[k - 1].y)), 1);
+    // the first half is left of the second, or below it
+    const Cell& last = cells[side * side / 2 - 1];
+    EXPECT_LT(GetParam() ? last.y : last.x, side / 2);
+  }
+}
+
+TEST_P(Curve, goes_through_a_cell_before_it_leaves_it)
+{
+  std::mt19937 engine(1);
+  for (int k = 0; k < 1000; ++k) {
+    const std::uint32_t x = engine(), y = engine();
+    const Hilbert_curve_2::Key key = curve.key_of_cell(x, y, Hilbert_curve_2::levels);
+    for (int depth = 1; depth < Hilbert_curve_2::levels; ++depth) {
+      const int finer = Hilbert_curve_2::levels - depth;
+      ASSERT_EQ(curve.key_of_cell(x >> finer, y >> finer, depth), key >> 2 * finer);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lying_and_upright, Curve, testing::Bool());
