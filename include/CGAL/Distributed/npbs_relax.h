@@ -194,7 +194,7 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
     const Surrounded_bubbles_2 surrounded = with_neighbors(bubbles, part.partition, options.neighbor_radius, ranks,
                                                            agreement, exchange);
     agreement.reach_after([&] {
-      write_neighbors(surrounded, options.neighbor_radius, result);
+      write_neighbors(surrounded, result);
       replacement.prepare(bubbles);
       progress.report(1);
     });

@@ -22,7 +22,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
-#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -197,7 +196,7 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
       own.add(record(all, i, 3 * static_cast<std::int64_t>(i)));
   }
   CGAL::Distributed::Relaxation_2<paper::K> written;
-  write_neighbors(with_neighbors(own, partition, 0.4, comm, agreement, exchange), 0.4, written);
+  write_neighbors(with_neighbors(own, partition, 0.4, comm, agreement, exchange), written);
   Neighbor_sets_2 expected(0.4);
   expected.build(all);
   ASSERT_EQ(written.neighbor_offsets.size(), own.size() + 1);
@@ -215,48 +214,6 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
                                                    first + std::ptrdiff_t(written.neighbor_offsets[k + 1])));
   }
   EXPECT_EQ(written.ghost_ids, std::vector<std::int64_t>(ghosts.begin(), ghosts.end()));
-}
-
-TEST(Distributed_relaxation, sets_at_borders_are_those_of_their_owners)
-{
-  using namespace CGAL::Bubble_relaxation_2::internal;
-  const Communicator comm(MPI_COMM_WORLD);
-  Sparse_exchange exchange(comm);
-  std::mt19937 engine(1);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  Bubbles_2 all, here;
-  for (int i = 0; i < 300; ++i)
-    all.add(Point(uniform(engine), uniform(engine)), 0.04 + 0.02 * uniform(engine), Bubbles_2::FACE, 0);
-  const Hilbert_partition_2 partition = distributed::partition(CGAL::Bbox_2(0, 0, 1, 1), all, comm.size(), true);
-  Traffic_2 traffic;
-  Halo_2 halo(comm, exchange, traffic);
-  halo.start(partition);
-  const auto add_here = [&](const Bubble_record_2& r, int owner) {
-    add(here, r, owner != comm.rank());
-    halo.add(here, static_cast<Index>(here.size()) - 1, owner);
-  };
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (partition.owner(all.x[i], all.y[i]) == comm.rank())
-      add_here(record(all, i, static_cast<std::int64_t>(i)), comm.rank());
-  std::vector<Index> own(here.size());
-  std::iota(own.begin(), own.end(), Index(0));
-  Bubbles_here_2 finder(here);
-  halo.look_after(
-    here, own, finder,
-    [&](Index i) { return Bubble_state_2{record(here, i, here.number[i]), Bubble_memory_2()}; },
-    [&](const Bubble_state_2& s, int owner) {
-      add_here(s.bubble, owner);
-      finder.add(here, static_cast<Index>(here.size()) - 1);
-    });
-  Neighbor_sets_2 sets(2), expected(2);
-  sets.build(here);
-  expected.build(here);
-  for (std::size_t i = own.size(); i < here.size(); ++i)
-    sets.assign(static_cast<Index>(i), {});
-  Shared_sets_2(halo, here)(exchange, sets);
-  for (std::size_t i = 0; i < here.size(); ++i)
-    EXPECT_EQ(std::vector<Index>(sets.begin(i), sets.end(i)),
-              std::vector<Index>(expected.begin(i), expected.end(i)));
 }
 
 TEST(Distributed_relaxation, d_of_the_outline)

@@ -54,7 +54,7 @@ inline Force resultant_force(const Bubble_force_2& force, const Neighbor_sets_2&
       sum.x += scale * dx;
       sum.y += scale * dy;
     } else { // two bubbles in one place part along the x axis, by their order
-      sum.x += (static_cast<Index>(i) < *j ? -1 : 1) * force(0);
+      sum.x += (neighbors.is_before(static_cast<Index>(i), *j) ? -1 : 1) * force(0);
     }
   }
   return sum;

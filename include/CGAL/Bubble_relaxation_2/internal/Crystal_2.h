@@ -94,6 +94,7 @@ public:
     insert_in_buckets(i);
   }
 
+  /// makes room for the births of `n` bubbles, when none were told yet
   void make_room_for_births(std::size_t n) { m_births.reserve(n); }
 
   /// Tells when the next bubble of which this was not told yet came in; if of one, then of all. Without it they

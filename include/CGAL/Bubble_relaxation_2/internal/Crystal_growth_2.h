@@ -95,7 +95,7 @@ public:
     : m_domain(domain), m_sizing(sizing), m_team(team), m_crystal(domain, bubbles), m_front(domain),
       m_propose(domain, sizing, m_crystal, m_front, lattice)
   {
-    const std::size_t expected = team.part_of(sizing.expected_number);
+    const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
     m_crystal.make_room_for(expected);
     for (std::size_t i = 0; i < directions.size(); ++i)
       m_crystal.direction(i) = Direction{std::cos(directions[i]), std::sin(directions[i])};

@@ -14,6 +14,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -105,6 +106,9 @@ public:
     return flip_doubtful();
   }
 
+  /// the triangles that were flipped since this was asked last, some of them several times
+  std::vector<Index> take_flipped() { return std::exchange(m_flipped, {}); }
+
 private:
   std::size_t flip_doubtful()
   {
@@ -132,9 +136,11 @@ private:
     if (is_delaunay(t, i, n, j))
       return false;
     flip(t, i, n, j);
-    for (Index changed : {t, n})
+    for (Index flipped : {t, n}) {
+      m_flipped.push_back(flipped);
       for (int k = 0; k < 3; ++k)
-        m_doubtful.push_back(Corner_2{changed, k});
+        m_doubtful.push_back(Corner_2{flipped, k});
+    }
     return true;
   }
 
@@ -183,6 +189,7 @@ private:
   Marked_triangulation_2& m_mesh;
   std::vector<Index> m_triangle_of; // one of each vertex
   std::vector<Corner_2> m_doubtful; // edges, each opposite to a vertex of a triangle
+  std::vector<Index> m_flipped;
 };
 
 } // namespace internal

@@ -41,8 +41,8 @@ public:
     : m_buckets(buckets), m_x(x), m_y(y), m_d(d), m_radius(radius)
   {}
 
-  /// Replaces `block` by the sets of the bubbles from `first` to `last`, without this, each in the order of `is_before`.
-  /// `is_gone(i)`: whether bubble `i` is not in the buckets
+  /// Replaces `block` by the sets of the bubbles from `first` to `last`, without this, each in the order of
+  /// `is_before`. `is_gone(i)`: whether bubble `i` is not in the buckets
   template <class Is_gone, class Is_before>
   void operator()(std::size_t first, std::size_t last, const Is_gone& is_gone, const Is_before& is_before,
                   Neighbor_block& block) const
@@ -53,6 +53,18 @@ public:
     for (; first < last; first = (std::min)(first + group_size, last))
       find_in_group(first, (std::min)(first + group_size, last), is_gone, is_before, candidates, block);
   }
+
+  /// adds the neighbours of one bubble, in any order
+  void find_neighbors(std::size_t i, std::vector<Index>& found) const
+  {
+    m_buckets.for_each_near(m_x[i], m_y[i], m_d[i], [&](Index j, double, double) {
+      if (static_cast<std::size_t>(j) != i)
+        found.push_back(j);
+      return true;
+    });
+  }
+
+  static constexpr std::size_t block_size = 512; ///< so many bubbles make a block that stays in a cache
 
 private:
   static constexpr std::size_t group_size = 8;
@@ -131,15 +143,6 @@ private:
       next += (dx * dx + dy * dy < reach * reach) & (candidates.index[k] != static_cast<Index>(i));
     }
     found.resize(static_cast<std::size_t>(next - found.data()));
-  }
-
-  void find_neighbors(std::size_t i, std::vector<Index>& found) const
-  {
-    m_buckets.for_each_near(m_x[i], m_y[i], m_d[i], [&](Index j, double, double) {
-      if (static_cast<std::size_t>(j) != i)
-        found.push_back(j);
-      return true;
-    });
   }
 
   const Bubble_buckets_2& m_buckets;

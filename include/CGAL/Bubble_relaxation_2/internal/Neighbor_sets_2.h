@@ -54,6 +54,12 @@ public:
   const Index* begin(std::size_t i) const { return m_pool.data() + m_sets[i].first; }
   const Index* end(std::size_t i) const { return begin(i) + m_sets[i].size; }
 
+  /// the order of sets: that of all bubbles, of which these may be a part
+  bool is_before(Index i, Index j) const
+  {
+    return m_numbers->empty() ? i < j : (*m_numbers)[i] < (*m_numbers)[j];
+  }
+
   /// how often sets have changed
   std::size_t number_of_changes() const { return m_number_of_changes; }
 
@@ -327,7 +333,8 @@ private:
     m_d = references.d;
   }
 
-  static constexpr std::size_t block_size = 512, least_blocks_at_once = 32, renewed_at_once = 8192;
+  static constexpr std::size_t block_size = Neighbor_search_2::block_size, least_blocks_at_once = 32,
+                               renewed_at_once = 8192;
   /// numbers that a set takes, with room for one more neighbour: about so many
   static constexpr std::size_t usual_number = 12;
 
@@ -345,22 +352,12 @@ private:
   void find_neighbors(std::size_t i, std::vector<Index>& found) const
   {
     const std::size_t before = found.size();
-    m_buckets->for_each_near(m_x[i], m_y[i], m_d[i], [&](Index j, double, double) {
-      if (static_cast<std::size_t>(j) != i)
-        found.push_back(j);
-      return true;
-    });
+    Neighbor_search_2(*m_buckets, m_x, m_y, m_d, m_radius).find_neighbors(i, found);
     const auto first = found.begin() + static_cast<std::ptrdiff_t>(before);
     if (m_numbers->empty())
       std::sort(first, found.end());
     else
       std::sort(first, found.end(), [this](Index j, Index k) { return is_before(j, k); });
-  }
-
-  /// the order of sets: that of all bubbles, of which these may be a part
-  bool is_before(Index i, Index j) const
-  {
-    return m_numbers->empty() ? i < j : (*m_numbers)[i] < (*m_numbers)[j];
   }
 
   void append(const Neighbor_block& block)

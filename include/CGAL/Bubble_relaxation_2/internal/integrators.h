@@ -150,7 +150,7 @@ private:
 
   Bubble_force_2 m_force;
   double m_step, m_mass, m_damping;
-  std::vector<double> m_x, m_y, m_next_x, m_next_y;     // of all bubbles
+  std::vector<double> m_x, m_y, m_next_x, m_next_y;   // of all bubbles
   std::vector<double> m_vx, m_vy, m_sum_vx, m_sum_vy; // of the active ones
 };
 

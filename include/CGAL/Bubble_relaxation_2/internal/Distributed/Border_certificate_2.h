@@ -21,20 +21,27 @@ namespace internal {
 
 /// Finds the triangles of a piece of a mesh, Delaunay for itself, that the whole may not have: there can be bubbles
 /// beyond the sides where the piece ends, and in the circles of triangles that reach across. The triangles whose
-/// circle reaches a side hang together, so they are found from there.
+/// circle reaches a side hang together, so they are found from there. The mesh may change from one time to the next,
+/// but not the number of its triangles.
 class Border_certificate_2
 {
 public:
   explicit Border_certificate_2(const Marked_triangulation_2& mesh)
     : m_mesh(mesh), m_seen_from(mesh.inside.size(), 0), m_is_doubtful(mesh.inside.size(), 0)
-  {
-    for (std::size_t t = 0; t < mesh.inside.size(); ++t)
-      for (int i = 0; i < 3 && mesh.inside[t]; ++i)
-        if (mesh.tr.neighbors[t][i] == no_index && mesh.edges[t][i] == no_index)
-          find_from(static_cast<Index>(t), i);
-  }
+  {}
 
-  const std::vector<Index>& doubtful() const { return m_doubtful; }
+  /// `at_border`: at least all triangles with a side where the piece ends
+  const std::vector<Index>& doubtful(const std::vector<Index>& at_border)
+  {
+    for (Index t : m_doubtful)
+      m_is_doubtful[t] = 0;
+    m_doubtful.clear();
+    for (Index t : at_border)
+      for (int i = 0; i < 3 && m_mesh.inside[t]; ++i)
+        if (m_mesh.tr.neighbors[t][i] == no_index && m_mesh.edges[t][i] == no_index)
+          find_from(t, i);
+    return m_doubtful;
+  }
 
 private:
   void find_from(Index start, int side)

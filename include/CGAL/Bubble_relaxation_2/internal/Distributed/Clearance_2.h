@@ -10,23 +10,14 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CLEARANCE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/length_at_most.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-/// The length of a vector or up to 9 % more, without a square root and for coordinates of any order.
-inline double length_at_most(double x, double y)
-{
-  x = std::abs(x);
-  y = std::abs(y);
-  return (std::max)(x, y) + 0.4143 * (std::min)(x, y); // an octagon in the unit circle: sqrt(2) - 1, rounded up
-}
 
 /// How far places are from other ranks' parts of the plane. It is asked of one place after the other, each near the
 /// last one: what was found there answers most questions.

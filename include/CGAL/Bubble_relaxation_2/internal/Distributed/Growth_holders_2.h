@@ -9,8 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/length_at_most.h>
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 

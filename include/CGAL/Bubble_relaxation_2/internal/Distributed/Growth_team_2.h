@@ -101,7 +101,7 @@ public:
   void start(Crystal& crystal, std::size_t expected)
   {
     const Bubbles_2& b = crystal.bubbles();
-    make_room(crystal, b.size() + expected);
+    make_room_for(expected, crystal);
     m_number_of_common = b.size() - m_seeds.size();
     for (std::size_t i = 0; i < b.size(); ++i) {
       const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
@@ -249,14 +249,16 @@ public:
   }
 
 private:
+  /// makes room for `n` more bubbles than the crystal has
   template <class Crystal>
-  void make_room(Crystal& crystal, std::size_t n)
+  void make_room_for(std::size_t n, Crystal& crystal)
   {
-    crystal.make_room_for_births(n);
-    m_holders->make_room_for(n);
-    m_is_in_front.reserve(n);
-    m_keys.reserve(n);
-    m_place_among_others.reserve(n);
+    const std::size_t all = crystal.size() + n;
+    crystal.make_room_for_births(all);
+    m_holders->make_room_for(all);
+    m_is_in_front.reserve(all);
+    m_keys.reserve(all);
+    m_place_among_others.reserve(all);
   }
 
   struct Place
@@ -374,7 +376,7 @@ private:
   Choice_exchange_2 m_choice;
   std::unique_ptr<Hilbert_partition_2> m_partition;
   std::unique_ptr<Growth_holders_2> m_holders;
-  std::unique_ptr<Bubble_buckets_2> m_others; // the bubbles that this rank has but does not own: few
+  std::unique_ptr<Bubble_buckets_2> m_others; // the bubbles that this rank has but does not own
   std::vector<Index> m_place_among_others;    // of each bubble in these, if it is one of them
   std::size_t m_number_of_common = 0;
   std::vector<std::int64_t> m_seeds; // numbers of those that this rank has, in the order of the crystal's bubbles

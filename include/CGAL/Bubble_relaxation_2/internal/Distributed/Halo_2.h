@@ -29,10 +29,10 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The bubbles of other ranks that lie around those of one, and who knows which of its own. Two bubbles nearer to
-/// each other than `reach` times the size of the larger one are known to the owners of both: each is sent to the
+/// each other than the reach times the size of the larger one are known to the owners of both: each is sent to the
 /// ranks whose parts a disc around it meets, and owners of larger ones are told of smaller ones around them.
 ///
-/// This holds for where bubbles were when it was last looked after. It stays good enough, for `needed_reach`,
+/// This holds for where bubbles were when it was last looked after. It stays good enough, for neighbours of neighbours,
 /// while none has gone far or grown much, of which `is_outgrown_by()` tells; those are looked after again by
 /// `look_after()`. Ownership does not change: `is_far_from_home()` tells of a bubble that may have left the part of its
 /// owner so far that all have to be distributed anew.
@@ -44,13 +44,15 @@ class Halo_2
 public:
   using Ranks = Hilbert_partition_2::Ranks;
 
-  /// In sizes: neighbours of neighbours count. Bubbles may go as far as the second until they are looked after,
-  /// and then with the step in which they do; and as far as the third from their owner's part.
-  static constexpr double needed_reach = 3.5, most_moved = 0.3, farthest_from_home = 1,
-                          reach = needed_reach + 2 * (most_moved + Boundary_2::longest_step) + farthest_from_home;
+  /// In sizes: bubbles may go as far as the first until they are looked after, and then with the step in which they
+  /// do; and as far as the second from their owner's part.
+  static constexpr double most_moved = 0.3, farthest_from_home = 1;
 
-  Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic)
-    : m_comm(comm), m_exchange(exchange), m_traffic(traffic)
+  /// `neighbor_radius`: of the neighbour sets
+  Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic, double neighbor_radius)
+    : m_comm(comm), m_exchange(exchange), m_traffic(traffic),
+      m_needed_reach((std::max)(least_needed_reach, 2 * neighbor_radius)),
+      m_reach(m_needed_reach + away_from_part + most_moved + Boundary_2::longest_step)
   {}
 
   /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own
@@ -64,6 +66,7 @@ public:
     m_place_of_holders.clear();
     m_near_border.clear();
     m_is_near_border.clear();
+    m_has_gone_far = false;
     m_number_of_ours = 0;
     m_sent.clear();
     m_received.clear();
@@ -116,29 +119,34 @@ public:
     const double x = b.x[i] - p.x, y = b.y[i] - p.y, square_moved = x * x + y * y;
     if (square_moved > p.most_moved * p.most_moved)
       return true;
-    const double left = p.largest_disc - needed_reach * b.d[i];
+    const double left = p.largest_disc - (m_needed_reach + away_from_part) * b.d[i];
     return left < 0 || square_moved > left * left;
   }
 
-  /// Those that are to be looked after: the bubbles that have outgrown their places, of which `outgrown` are ours, and
-  /// of those near the border all that have gone a third of the way to this.
+  /// Those that are to be looked after: the bubbles that have outgrown their places, which are `outgrown`, and of those
+  /// near the border all that have gone a third of the way to this.
   std::vector<Index> almost_outgrown(const Bubbles_2& b, const std::vector<Index>& outgrown) const
   {
     std::vector<Index> result;
     for (Index i : m_near_border) {
       const Place& p = m_places[i];
+      if (b.is_gone(i))
+        continue;
       if (9 * CGAL::squared_distance(Point(p.x, p.y), b.point(i)) > p.most_moved * p.most_moved ||
           is_outgrown_by(b, i))
         result.push_back(i);
     }
     for (Index i : outgrown)
-      if (!m_is_near_border[i])
+      if (!m_is_near_border[i] && !b.is_gone(i))
         result.push_back(i);
     return result;
   }
 
   /// how often one of the lists has got longer
   std::size_t number_of_changes() const { return m_number_of_changes; }
+
+  /// whether a bubble that was looked after may have gone far from its owner's part; until all are distributed anew
+  bool has_gone_far() const { return m_has_gone_far; }
 
   /// whether it may have gone far from its owner's part
   bool is_far_from_home(const Bubbles_2& b, Index i) const
@@ -196,6 +204,12 @@ public:
   }
 
 private:
+  /// The control of the population looks so far; and neighbours of neighbours count.
+  static constexpr double least_needed_reach = 3.5;
+
+  /// how far a bubble may be from its owner's part, with what it has moved since it was looked after
+  static constexpr double away_from_part = farthest_from_home + most_moved + Boundary_2::longest_step;
+
   /// Where a bubble was when it was last looked after, and when it was in its owner's part then; how far it was from
   /// other ranks' parts, if it is known to be as far as this; and how far it may go, and its disc reach.
   struct Place
@@ -204,7 +218,7 @@ private:
   };
 
   /// how far away the ranks are that get to know a bubble of ours
-  double reach_of(const Bubbles_2& b, Index i) const { return m_width > 0 ? m_width : reach * b.d[i]; }
+  double reach_of(const Bubbles_2& b, Index i) const { return m_width > 0 ? m_width : m_reach * b.d[i]; }
 
   void find_clearance(const Bubbles_2& b, Index i)
   {
@@ -224,9 +238,8 @@ private:
   {
     Place& p = m_places[i];
     // one of others that far away is so large that it has as much of a margin in its own size
-    p.most_moved = most_moved * (std::max)(b.d[i], p.clearance / (reach + most_moved));
-    p.largest_disc = (std::max)(p.clearance, (reach - farthest_from_home) * b.d[i]) -
-                     (most_moved + Boundary_2::longest_step) * b.d[i];
+    p.most_moved = most_moved * (std::max)(b.d[i], p.clearance / (m_reach + most_moved));
+    p.largest_disc = (std::max)(p.clearance, m_reach * b.d[i]);
   }
 
   void note_place(const Bubbles_2& b, Index i)
@@ -240,6 +253,7 @@ private:
       p.home_x = p.x;
       p.home_y = p.y;
     }
+    m_has_gone_far = m_has_gone_far || is_far_from_home(b, i);
     set_limits(b, i);
   }
 
@@ -265,7 +279,7 @@ private:
         give(i, rank, state, out);
     if (m_width > 0 || is_known_to_all_around(i))
       return;
-    finder.find_large(b.x[i], b.y[i], (std::max)(b.d[i], clearance / reach), reach, [&](Index j) {
+    finder.find_large(b.x[i], b.y[i], (std::max)(b.d[i], clearance / m_reach), m_reach, [&](Index j) {
       if (!is_ours(j) && is_reached_by(b, j, i))
         give(i, m_owner[j], state, out);
     });
@@ -333,16 +347,16 @@ private:
       d = (std::max)(d, b.d[i]);
       square_radius = (std::max)(square_radius, CGAL::squared_distance(b.point(i), b.point(first)));
     }
-    finder.find_within(b.x[first], b.y[first], d, reach + std::sqrt(square_radius) / d, [&](Index j) {
+    finder.find_within(b.x[first], b.y[first], d, m_reach + std::sqrt(square_radius) / d, [&](Index j) {
       if (is_ours(j) && !has(owner, j) &&
           std::any_of(group.begin(), group.end(), [&](Index i) { return is_reached_by(b, i, j); }))
         give(j, owner, state, out);
     });
   }
 
-  static bool is_reached_by(const Bubbles_2& b, Index i, Index j)
+  bool is_reached_by(const Bubbles_2& b, Index i, Index j) const
   {
-    const double far = reach * b.d[i];
+    const double far = m_reach * b.d[i];
     return CGAL::squared_distance(b.point(i), b.point(j)) < far * far;
   }
 
@@ -367,13 +381,15 @@ private:
   Traffic_2& m_traffic;
   const Hilbert_partition_2* m_partition = nullptr;
   std::optional<Clearance_2> m_clearance;
-  double m_width = 0; // of all, or 0
+  double m_needed_reach, m_reach; // in sizes
+  double m_width = 0;             // of all, or 0
   std::vector<int> m_owner; // of each bubble
   std::vector<Place> m_places;
   std::vector<Ranks> m_holders;          // the other ranks that have a bubble of ours
   std::vector<Index> m_place_of_holders; // in these, of each bubble that others have
-  std::vector<Index> m_near_border;      // others', and ours that other ranks need, or needed once
+  std::vector<Index> m_near_border;      // others', and ours whose disc met another part once
   std::vector<char> m_is_near_border;    // the same, of each bubble
+  bool m_has_gone_far = false;
   Messages<Index> m_sent, m_received;
   std::size_t m_number_of_ours = 0; // that ever were
   std::size_t m_number_of_changes = 0;

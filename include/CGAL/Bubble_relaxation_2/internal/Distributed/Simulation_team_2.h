@@ -45,8 +45,9 @@ public:
   Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                     Checkpoints_2& checkpoints, const Relaxation_options& options)
     : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
-      m_interval(options.exchange_interval), m_halo(comm, exchange, m_traffic), m_moves(comm, m_traffic), m_stages(comm),
-      m_population(comm, exchange, m_halo), m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
+      m_interval(options.exchange_interval), m_halo(comm, exchange, m_traffic, options.neighbor_radius),
+      m_moves(comm, m_traffic), m_stages(comm), m_population(comm, exchange, m_halo),
+      m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
       m_has_population(options.population != Bubble_population::NONE)
   {}
 
@@ -217,14 +218,15 @@ public:
   Step_sums sum(const Step_sums& sums)
   {
     const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
+    const bool is_far_here = m_is_far_here || (!m_interval.is_used() && m_halo.has_gone_far());
     std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
                                        static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
-                                       !m_outgrown.empty(), m_is_far_here, is_stale};
+                                       !m_outgrown.empty() || is_far_here, is_far_here, is_stale};
     check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 6, MPI_INT64_T, MPI_SUM, m_comm.handle()));
     if (values[2] != 0)
       m_agreement.reach();
-    m_is_outgrown = values[3] != 0;
-    m_is_far_from_home = values[4] != 0;
+    m_is_outgrown = m_is_outgrown || values[3] != 0; // until the next step
+    m_is_far_from_home = m_is_far_from_home || values[4] != 0;
     m_is_far_here = false;
     if (values[0] == 0 && values[5] != 0) { // they rest among others that may have moved
       m_interval.make_due();
@@ -385,7 +387,7 @@ private:
   /// Collective. Whether a rank has so many times more bubbles than the mean that others wait for it.
   bool is_unbalanced(const Bubbles_2& bubbles, double most) const
   {
-    const double few = 160 * (most - 1); // not worth while
+    const double few = 160 * (most - 1); // bubbles more than that make no difference
     std::int64_t n = 0;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       n += bubbles.is_ours(i) && !bubbles.is_gone(i);

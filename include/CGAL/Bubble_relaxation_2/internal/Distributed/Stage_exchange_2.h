@@ -9,8 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_STAGE_EXCHANGE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_STAGE_EXCHANGE_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 
 #include <algorithm>
@@ -57,7 +59,7 @@ private:
   struct Place
   {
     double x, y;
-    std::int32_t position; ///< in the list of the halo
+    std::int64_t position; ///< in the list of the halo
   };
 
   void find_neighbors_of_others(const Halo_2& halo, const Neighbor_sets_2& sets)
@@ -69,7 +71,7 @@ private:
       for (std::size_t n = 0; n < list.second.size(); ++n) {
         const Index i = list.second[n];
         if (std::any_of(sets.begin(i), sets.end(i), [&](Index j) { return halo.owner(j) == list.first; }))
-          message.push_back(Place{0, 0, static_cast<std::int32_t>(n)});
+          message.push_back(Place{0, 0, static_cast<std::int64_t>(n)});
       }
     }
     m_halo_changes = halo.number_of_changes();

@@ -35,7 +35,9 @@ class Treatment_team_2
 {
 public:
   Treatment_team_2(const Communicator& comm, const Mesh_piece_2& piece)
-    : m_comm(comm), m_piece(piece), m_targets(piece.mesh.known.size()), m_was_moved(piece.mesh.known.size(), 0)
+    : m_comm(comm), m_piece(piece), m_targets(piece.mesh.known.size()),
+      m_beside_others(triangles_beside_others(piece.mesh.known.bubbles, piece.mesh.triangulation)),
+      m_certificate(piece.mesh.triangulation), m_was_moved(piece.mesh.known.size(), 0)
   {
     for (const auto& list : piece.sent)
       for (std::size_t k = 0; k < list.second.size(); ++k)
@@ -96,10 +98,13 @@ public:
   {
     if (is_alone())
       return;
-    for (std::size_t t = 0; t < marked.inside.size(); ++t)
+    follow_flips(mesh);
+    for (Index t : m_beside_others)
       if (marked.inside[t] && has_moved_vertex(marked.tr.vertices[t]))
-        mesh.restore_delaunay_around(static_cast<Index>(t));
-    m_knows_too_little = !forget_doubtful(m_piece.mesh.known.bubbles, marked) || m_knows_too_little;
+        mesh.restore_delaunay_around(t);
+    follow_flips(mesh);
+    m_knows_too_little =
+      !forget_doubtful(m_piece.mesh.known.bubbles, m_beside_others, m_certificate, marked) || m_knows_too_little;
   }
 
   void add_neighbors_of_others(const Editable_triangulation_2& mesh, const Bubbles_2& b, std::vector<Index>& result)
@@ -107,8 +112,8 @@ public:
     if (is_alone())
       return;
     const Flat_triangulation_2& tr = mesh.triangulation();
-    for (std::size_t t = 0; t < tr.vertices.size(); ++t)
-      if (mesh.is_inside(static_cast<Index>(t)) && has_moved_vertex(tr.vertices[t]))
+    for (Index t : m_beside_others)
+      if (mesh.is_inside(t) && has_moved_vertex(tr.vertices[t]))
         for (Index v : tr.vertices[t])
           if (b.is_ours(v) && b.can_move(v))
             result.push_back(v);
@@ -131,6 +136,13 @@ private:
   };
 
   bool is_alone() const { return m_comm.size() == 1; }
+
+  /// flipped triangles may have a bubble of another rank now
+  void follow_flips(Editable_triangulation_2& mesh)
+  {
+    const std::vector<Index> flipped = mesh.take_flipped();
+    m_beside_others.insert(m_beside_others.end(), flipped.begin(), flipped.end());
+  }
 
   bool has_moved_vertex(const std::array<Index, 3>& v) const
   {
@@ -206,6 +218,8 @@ private:
   const Mesh_piece_2& m_piece;
   /// of each own bubble: the ranks that know it, and its position in the lists of both
   std::vector<boost::container::small_vector<std::pair<int, std::int32_t>, 1>> m_targets;
+  std::vector<Index> m_beside_others; // triangles, and all that were flipped
+  Border_certificate_2 m_certificate;
   std::vector<char> m_was_moved; // of others' bubbles, in this sweep
   std::vector<Index> m_moved;    // those
   bool m_knows_too_little = false, m_has_failed = false;

@@ -14,17 +14,32 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Forgets the triangles at the border of a piece that the whole mesh may not have; returns whether only those between
-/// others' bubbles had to be forgotten, so that the piece is still wide enough.
-inline bool forget_doubtful(const Bubbles_2& bubbles, Marked_triangulation_2& piece)
+/// the triangles of a piece with a bubble of another rank: among them all at its border
+inline std::vector<Index> triangles_beside_others(const Bubbles_2& bubbles, const Marked_triangulation_2& piece)
 {
-  const Border_certificate_2 certificate(piece);
-  for (Index t : certificate.doubtful()) {
+  std::vector<Index> result;
+  for (std::size_t t = 0; t < piece.inside.size(); ++t) {
+    const std::array<Index, 3>& v = piece.tr.vertices[t];
+    if (piece.inside[t] && (bubbles.is_foreign[v[0]] || bubbles.is_foreign[v[1]] || bubbles.is_foreign[v[2]]))
+      result.push_back(static_cast<Index>(t));
+  }
+  return result;
+}
+
+/// Forgets the triangles at the border of a piece that the whole mesh may not have; returns whether only those between
+/// others' bubbles had to be forgotten, so that the piece is still wide enough. `beside_others`: at least all triangles
+/// with a bubble of another rank. `certificate`: of the piece
+inline bool forget_doubtful(const Bubbles_2& bubbles, const std::vector<Index>& beside_others,
+                            Border_certificate_2& certificate, Marked_triangulation_2& piece)
+{
+  for (Index t : certificate.doubtful(beside_others)) {
     const std::array<Index, 3>& vertices = piece.tr.vertices[t];
     if (std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return !bubbles.is_foreign[v]; }))
       return false;
@@ -36,6 +51,13 @@ inline bool forget_doubtful(const Bubbles_2& bubbles, Marked_triangulation_2& pi
       }
   }
   return true;
+}
+
+/// the same, once
+inline bool forget_doubtful(const Bubbles_2& bubbles, Marked_triangulation_2& piece)
+{
+  Border_certificate_2 certificate(piece);
+  return forget_doubtful(bubbles, triangles_beside_others(bubbles, piece), certificate, piece);
 }
 
 } // namespace internal

@@ -36,6 +36,7 @@ struct Surrounded_bubbles_2
 {
   Known_bubbles_2 known;
   std::size_t number_of_own = 0;
+  double radius = 0; ///< of the sets
   std::unique_ptr<Bubble_buckets_2> buckets; ///< with all of them, if there are any
 };
 
@@ -51,8 +52,11 @@ public:
   Neighbors_of_ranks_2(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition, double radius,
                        const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
     : m_partition(partition), m_radius(radius), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
-      m_result{Known_bubbles_2(own, comm.rank()), own.size(), nullptr}, m_known(m_result.known)
+      m_result{Known_bubbles_2(own, comm.rank()), own.size(), radius, nullptr}, m_known(m_result.known)
   {}
+
+  Neighbors_of_ranks_2(const Neighbors_of_ranks_2&) = delete;
+  Neighbors_of_ranks_2& operator=(const Neighbors_of_ranks_2&) = delete;
 
   /// Collective.
   Surrounded_bubbles_2 operator()()
@@ -145,6 +149,7 @@ private:
 };
 
 /// Collective. The bubbles of this rank, and all bubbles of others that are neighbours of one of them.
+/// \pre the numbers of `own` ascend
 inline Surrounded_bubbles_2 with_neighbors(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition,
                                            double radius, const Communicator& comm, Agreement& agreement,
                                            Sparse_exchange& exchange)

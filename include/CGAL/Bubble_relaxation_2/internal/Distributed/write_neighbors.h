@@ -43,21 +43,21 @@ void write_ghosts(const Known_bubbles_2& known, const std::vector<char>& is_ghos
 /// Writes the neighbour sets of the bubbles of a rank into a `Relaxation_2`, and what it has to know of neighbours
 /// that others own.
 template <class Relaxation>
-void write_neighbors(const Surrounded_bubbles_2& bubbles, double radius, Relaxation& relaxation)
+void write_neighbors(const Surrounded_bubbles_2& bubbles, Relaxation& relaxation)
 {
-  constexpr std::size_t block_size = 512, usual_number = 7;
+  constexpr std::size_t block_size = Neighbor_search_2::block_size, usual_number = 7;
   const Known_bubbles_2& known = bubbles.known;
   const std::size_t n = bubbles.number_of_own;
   const auto is_gone = [](std::size_t) { return false; };
   const auto is_before = [&known](Index i, Index j) { return known.numbers[i] < known.numbers[j]; };
-  relaxation.neighbor_radius = radius;
+  relaxation.neighbor_radius = bubbles.radius;
   relaxation.neighbors.reserve(usual_number * n);
   relaxation.neighbor_offsets.reserve(n + 1);
   relaxation.neighbor_offsets.push_back(0);
   if (n == 0)
     return;
   std::vector<char> is_neighbor(known.size(), 0);
-  const Neighbor_search_2 find(*bubbles.buckets, known.bubbles.x, known.bubbles.y, known.bubbles.d, radius);
+  const Neighbor_search_2 find(*bubbles.buckets, known.bubbles.x, known.bubbles.y, known.bubbles.d, bubbles.radius);
   Neighbor_block block;
   for (std::size_t first = 0; first < n; first += block_size) {
     find(first, (std::min)(first + block_size, n), is_gone, is_before, block);
