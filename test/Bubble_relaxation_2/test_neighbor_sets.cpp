@@ -86,6 +86,18 @@ TEST(Neighbor_sets, equal_to_brute_force)
       }
 }
 
+TEST(Neighbor_sets, rounding_does_not_hide_a_neighbor_from_a_group)
+{
+  Bubbles_2 b;
+  for (int i = 0; i < 8; ++i)
+    b.add(Point(i - 9, 0), 1, Bubbles_2::FACE, 0);
+  b.add(Point(-std::ldexp(1., -52), 0), 1, Bubbles_2::FACE, 0); // a little nearer than 2 to the last one
+  Neighbor_sets_2 sets(2.);
+  sets.build(b);
+  expect_equal_to_brute_force(b, sets);
+  EXPECT_EQ(sets.end(8) - sets.begin(8), 1);
+}
+
 TEST(Neighbor_sets, of_groups_with_gaps)
 {
   Bubbles_2 b = random_bubbles(800, validation::seed(), sizes[1].second);
