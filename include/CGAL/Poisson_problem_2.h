@@ -20,8 +20,7 @@ namespace CGAL {
 
 A Poisson problem: - div grad u = f in a domain, with u = g on a part of its boundary and du/dn = h on the rest.
 
-A function that is not set is zero. With \link Parallel_tag `Parallel_tag` \endlink functions are called by
-several threads at once.
+A function that is not set is zero. With `Parallel_tag` functions are called by several threads at once.
 
 \tparam Kernel_ a kernel of \cgal
 
