@@ -195,7 +195,7 @@ public:
     for (const auto& message : m_exchange(asked))
       for (const Asked& place : message.second)
         find(place, [&](Index j) {
-          if (m_owner[j] == m_comm.rank())
+          if (is_ours(j))
             give(j, message.first, state, out);
         });
     for (const auto& message : m_exchange(out))

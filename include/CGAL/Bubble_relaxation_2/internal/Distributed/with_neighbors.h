@@ -51,7 +51,7 @@ class Neighbors_of_ranks_2
 public:
   Neighbors_of_ranks_2(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition, double radius,
                        const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
-    : m_partition(partition), m_radius(radius), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+    : m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
       m_result{Known_bubbles_2(own, comm.rank()), own.size(), radius, nullptr}, m_known(m_result.known)
   {}
 
@@ -90,8 +90,8 @@ private:
     const Bubbles_2& b = m_known.bubbles;
     Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < m_result.number_of_own; ++i)
-      if (clearance(b.x[i], b.y[i], slack * m_radius * b.d[i]) == 0)
-        for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], slack * m_radius * b.d[i]))
+      if (clearance(b.x[i], b.y[i], slack * m_result.radius * b.d[i]) == 0)
+        for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], slack * m_result.radius * b.d[i]))
           tell(static_cast<Index>(i), rank, out);
   }
 
@@ -132,13 +132,12 @@ private:
   {
     const Bubbles_2& b = m_known.bubbles;
     if (!m_result.buckets && b.size() != 0)
-      m_result.buckets = std::make_unique<Bubble_buckets_2>(m_radius, b.d[0], b.x[0], b.y[0], b.size());
+      m_result.buckets = std::make_unique<Bubble_buckets_2>(m_result.radius, b.d[0], b.x[0], b.y[0], b.size());
     for (std::size_t i = first; i < b.size(); ++i)
       m_result.buckets->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
   }
 
   const Hilbert_partition_2& m_partition;
-  double m_radius;
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
