@@ -11,12 +11,10 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -73,73 +71,6 @@ inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubble
     pieces.push_back(piece);
   }
   return pieces;
-}
-
-/// Finds bubbles on an edge whose order along it is lost in rounding, or would be: told of all from source to
-/// target, one after the other.
-class Crowd_on_edge
-{
-public:
-  explicit Crowd_on_edge(double length) : m_length(length) {}
-
-  /// whether the next bubble, of size `d` at `s`, is too near to the last that is not, or to an end
-  bool has(double s, double d)
-  {
-    constexpr double least_gap = 1e-3; // of the size; simulated bubbles are far above
-    const double gap = least_gap * d / m_length;
-    if (s - m_last < gap || 1 - s < gap)
-      return true;
-    m_last = s;
-    return false;
-  }
-
-private:
-  double m_length, m_last = 0;
-};
-
-inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
-{
-  const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(domain, b);
-  for (std::size_t e = 0; e < on_edge.size(); ++e) {
-    Crowd_on_edge crowd(domain.length(static_cast<Index>(e)));
-    for (Index i : on_edge[e])
-      if (crowd.has(b.s[i], b.d[i]))
-        b.remove(i);
-  }
-}
-
-/// Of bubbles in one place removes all but one of the lowest dimension.
-template <class Concurrency_tag = Sequential_tag>
-void remove_those_in_one_place(Bubbles_2& b)
-{
-  struct Place
-  {
-    double x, y;
-    Index i;
-  };
-  std::vector<Place> places;
-  places.reserve(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (!b.is_gone(i))
-      places.push_back(Place{b.x[i], b.y[i], static_cast<Index>(i)});
-  parallel_sort<Concurrency_tag>(places, [&](const Place& p, const Place& q) {
-    return std::tie(p.x, p.y, b.dimension[p.i], p.i) < std::tie(q.x, q.y, b.dimension[q.i], q.i);
-  });
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < places.size(); ++k)
-    if (places[k].x == places[last].x && places[k].y == places[last].y)
-      b.remove(places[k].i);
-    else
-      last = k;
-}
-
-/// Removes bubbles that cannot be told apart in the triangulation: those above.
-template <class Concurrency_tag = Sequential_tag>
-void remove_coincident(const Domain_2& domain, Bubbles_2& b)
-{
-  remove_crowded_on_edges(domain, b);
-  remove_those_in_one_place<Concurrency_tag>(b);
-  b.forget_gone();
 }
 
 /// Makes the constrained Delaunay triangulation of the bubbles with the domain marked, in arrays; returns

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Outline_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Sizing_field_ref_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_on_edges.h>
+#include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
 
 #include <algorithm>
 #include <array>

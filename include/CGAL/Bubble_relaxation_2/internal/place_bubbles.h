@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/place_frontal.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_rhombic.h>
+#include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/sort_in_space.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 
@@ -163,7 +164,7 @@ Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizi
 {
   Bubbles_2 bubbles = place_on_outline(reading.domain, outline_of_mesh(reading), On_edges::KEEP, sizing);
   keep_in_faces(reading, sizing, bubbles);
-  remove_coincident<Concurrency_tag>(reading.domain, bubbles);
+  remove_coincident(reading.domain, bubbles);
   sort_in_space<Concurrency_tag>(reading.domain, bubbles);
   return bubbles;
 }
@@ -191,7 +192,7 @@ Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, co
     Growth_alone alone;
     place_frontal<Concurrency_tag>(domain, sizing, bubbles, alone);
   }
-  remove_coincident<Concurrency_tag>(domain, bubbles);
+  remove_coincident(domain, bubbles);
   sort_in_space<Concurrency_tag>(domain, bubbles);
   return bubbles;
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/relax.h>
+#include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -41,7 +42,7 @@ Bubbles_2 simulate_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading,
     relax<Concurrency_tag, Semi_implicit_euler<Concurrency_tag>>(reading.domain, sizing, options,
                                                                  bubbles, alone, progress, report);
   bubbles.forget_gone();
-  remove_coincident<Concurrency_tag>(reading.domain, bubbles);
+  remove_coincident(reading.domain, bubbles);
   return bubbles;
 }
 

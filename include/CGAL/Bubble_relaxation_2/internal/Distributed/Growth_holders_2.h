@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -38,6 +37,7 @@ public:
   {
     internal::make_room_for(n, m_places);
     internal::make_room_for(n, m_owner);
+    internal::make_room_for(n, m_place_of_others);
   }
 
   int owner(std::size_t i) const { return m_owner[i]; }
@@ -51,6 +51,7 @@ public:
     if (clearance < radius)
       clearance = find_clearance(x, y, radius);
     m_places.push_back(Place{x, y, clearance});
+    m_place_of_others.push_back(no_index);
     m_owner.push_back(clearance > 0 ? m_rank : m_partition.owner(x, y));
     if (clearance == 0 && is_ours(static_cast<std::size_t>(i)))
       for (int r : m_partition.owners_in_disc(x, y, radius))
@@ -81,8 +82,7 @@ public:
   const Ranks& others(Index i) const
   {
     static const Ranks none;
-    const auto found = m_others.find(i);
-    return found == m_others.end() ? none : found->second;
+    return m_place_of_others[i] == no_index ? none : m_others[m_place_of_others[i]];
   }
 
   bool has(Index i, int rank) const
@@ -93,8 +93,13 @@ public:
 
   void add_holder(Index i, int rank)
   {
-    if (!has(i, rank))
-      m_others[i].push_back(rank);
+    if (has(i, rank))
+      return;
+    if (m_place_of_others[i] == no_index) {
+      m_place_of_others[i] = static_cast<Index>(m_others.size());
+      m_others.emplace_back();
+    }
+    m_others[m_place_of_others[i]].push_back(rank);
   }
 
 private:
@@ -126,7 +131,8 @@ private:
   const int m_rank;
   std::vector<int> m_owner;
   std::vector<Place> m_places;
-  std::unordered_map<Index, Ranks> m_others; // of ours that others have
+  std::vector<Ranks> m_others;          // that have a bubble of ours
+  std::vector<Index> m_place_of_others; // in these, of each bubble that others have
 };
 
 } // namespace internal

@@ -164,6 +164,7 @@ public:
   {
     Messages<Growth_proposal_2> out;
     std::vector<Growth_proposal_2> ours;
+    ours.reserve(bubbles.size());
     for (const Growth_proposal_2& p : bubbles) {
       const Index parent = p.from == foreign ? no_index : p.from;
       if (m_holders->is_ours_alone(p.x, p.y, reach * p.d, parent)) {
@@ -176,14 +177,17 @@ public:
         else if (p.from != foreign && !m_holders->has(p.from, rank)) // else it has decided on it too
           out[rank].push_back(p);
     }
+    const auto is_before = [](const Growth_proposal_2& p, const Growth_proposal_2& q) {
+      return std::tie(p.misfit, p.x, p.y) < std::tie(q.misfit, q.x, q.y);
+    };
+    const auto own = static_cast<std::ptrdiff_t>(ours.size()); // which are the best first
     for (const auto& message : m_exchange(out))
       for (Growth_proposal_2 p : message.second) {
         p.from = foreign;
         ours.push_back(p);
       }
-    std::sort(ours.begin(), ours.end(), [](const Growth_proposal_2& p, const Growth_proposal_2& q) {
-      return std::tie(p.misfit, p.x, p.y) < std::tie(q.misfit, q.x, q.y);
-    });
+    std::sort(ours.begin() + own, ours.end(), is_before);
+    std::inplace_merge(ours.begin(), ours.begin() + own, ours.end(), is_before);
     bubbles.swap(ours);
   }
 

@@ -55,8 +55,9 @@ public:
       m_reach(m_needed_reach + away_from_part + most_moved + Boundary_2::longest_step)
   {}
 
-  /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own
-  void start(const Hilbert_partition_2& partition, double width = 0)
+  /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own; `expected`: about so
+  /// many bubbles will be added
+  void start(const Hilbert_partition_2& partition, double width = 0, std::size_t expected = 0)
   {
     m_partition = &partition;
     m_clearance.emplace(partition, m_comm.rank());
@@ -71,6 +72,10 @@ public:
     m_sent.clear();
     m_received.clear();
     m_owner.clear();
+    m_owner.reserve(expected);
+    m_places.reserve(expected);
+    m_place_of_holders.reserve(expected);
+    m_is_near_border.reserve(expected);
     ++m_number_of_changes;
   }
 

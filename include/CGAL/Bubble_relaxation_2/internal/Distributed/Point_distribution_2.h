@@ -55,8 +55,9 @@ public:
     std::vector<Keyed_record_2> records;
     m_agreement.reach_after([&] { records = keyed(points); });
     add_missing_corners(records, are_numbered);
-    m_partition = even_partition(m_comm, m_partition.curve(), records);
-    records = bring_home(m_partition, m_exchange, m_comm.rank(), records);
+    const auto places = places_on_curve(records);
+    m_partition = even_partition(m_comm, m_partition.curve(), places);
+    records = bring_home(m_partition, m_exchange, m_comm.rank(), places);
     m_agreement.reach_after([&] {
       check_places(records);
       estimate_sizes(records);
@@ -106,6 +107,7 @@ private:
   std::vector<Keyed_record_2> keyed(const Numbered_bubbles_2& points) const
   {
     std::vector<Keyed_record_2> records;
+    records.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       records.push_back(keyed(record(points.bubbles, i, points.numbers[i])));
     return records;

@@ -255,7 +255,7 @@ private:
   template <class Simulation>
   void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
   {
-    m_halo.start(*m_partition, width);
+    m_halo.start(*m_partition, width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
     std::vector<Index> near_others;
     for (std::size_t k = 0; k < bubbles.size(); ++k) {
       const Index i = static_cast<Index>(k);

@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <iterator>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -41,41 +41,59 @@ struct Keyed_record_2
   }
 };
 
-/// sorts large records, each of which is moved once only
-template <class Record>
-void sort_large(std::vector<Record>& records)
+/// where on the curve a record is; to be sorted in place of it, since records are large
+template <class Keyed_record>
+struct Place_on_curve
 {
-  if (std::is_sorted(records.begin(), records.end()))
-    return;
-  std::vector<std::size_t> order(records.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return records[i] < records[j]; });
-  std::vector<Record> sorted;
-  sorted.reserve(records.size());
-  for (std::size_t i : order)
-    sorted.push_back(records[i]);
-  records.swap(sorted);
+  Hilbert_curve_2::Key key;
+  const Keyed_record* record;
+
+  bool operator<(const Place_on_curve& p) const { return key != p.key ? key < p.key : *record < *p.record; }
+};
+
+/// the places of records, in their order on the curve
+template <class Keyed_record>
+std::vector<Place_on_curve<Keyed_record>> places_on_curve(const std::vector<Keyed_record>& records)
+{
+  std::vector<Place_on_curve<Keyed_record>> places;
+  places.reserve(records.size());
+  for (const Keyed_record& r : records)
+    places.push_back({r.key, &r});
+  if (!std::is_sorted(places.begin(), places.end()))
+    std::sort(places.begin(), places.end());
+  return places;
 }
 
 /// brings each bubble, with its key, to the rank that owns its place, sorted along the curve
 template <class Keyed_record>
 std::vector<Keyed_record> bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
-                                     const std::vector<Keyed_record>& records)
+                                     const std::vector<Place_on_curve<Keyed_record>>& sorted)
 {
-  std::vector<Keyed_record> home;
-  home.reserve(records.size());
+  using Place = Place_on_curve<Keyed_record>;
+  std::vector<Place> home;
   Messages<Keyed_record> out;
-  for (const Keyed_record& r : records) {
-    const int owner = partition.owner(r.key);
+  for (auto first = sorted.begin(); first != sorted.end();) { // the owners ascend, too
+    const int owner = partition.owner(first->key);
+    const auto last = std::partition_point(
+      first, sorted.end(), [&](const Place& p) { return partition.owner(p.key) == owner; });
     if (owner == rank)
-      home.push_back(r);
+      home.assign(first, last);
     else
-      out[owner].push_back(r);
+      std::transform(first, last, std::back_inserter(out[owner]), [](const Place& p) { return *p.record; });
+    first = last;
   }
-  for (const auto& message : exchange(out))
-    home.insert(home.end(), message.second.begin(), message.second.end());
-  sort_large(home);
-  return home;
+  const Messages<Keyed_record> in = exchange(out);
+  const auto own = static_cast<std::ptrdiff_t>(home.size());
+  for (const auto& message : in)
+    for (const Keyed_record& r : message.second)
+      home.push_back({r.key, &r});
+  std::sort(home.begin() + own, home.end());
+  std::inplace_merge(home.begin(), home.begin() + own, home.end());
+  std::vector<Keyed_record> records;
+  records.reserve(home.size());
+  for (const Place& p : home)
+    records.push_back(*p.record);
+  return records;
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
@@ -103,15 +121,15 @@ inline Numbered_bubbles_2 bring_home(const Hilbert_partition_2& partition, Spars
   return bubbles;
 }
 
-/// cuts the curve so that all ranks own equally many of the bubbles, whichever rank has them now
-inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
-                                          const std::vector<Keyed_record_2>& records)
+/// cuts the curve so that all ranks own equally many of some records, whichever rank has them now
+template <class Keyed_record>
+Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+                                   const std::vector<Place_on_curve<Keyed_record>>& sorted)
 {
   std::vector<Hilbert_curve_2::Key> keys;
-  keys.reserve(records.size());
-  for (const Keyed_record_2& r : records)
-    keys.push_back(r.key);
-  std::sort(keys.begin(), keys.end());
+  keys.reserve(sorted.size());
+  for (const auto& place : sorted)
+    keys.push_back(place.key);
   return even_partition(comm, curve, keys);
 }
 

@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
 
 #include <cstddef>
 #include <utility>
@@ -145,11 +146,13 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
   Bubbles_2& bubbles = placed.bubbles;
   remove_crowded_on_edges(domain, bubbles);
   std::vector<Keyed_record_2> records;
+  records.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (!bubbles.is_gone(i) && placed.is_ours[i])
       records.push_back(Keyed_record_2{curve.key(bubbles.x[i], bubbles.y[i]), record(bubbles, i, 0)});
-  const Hilbert_partition_2 partition = even_partition(comm, curve, records);
-  records = bring_home(partition, exchange, comm.rank(), records);
+  const auto places = places_on_curve(records);
+  const Hilbert_partition_2 partition = even_partition(comm, curve, places);
+  records = bring_home(partition, exchange, comm.rank(), places);
   forget_coincident(records);
   return Placed_part_2{number_along_curve(comm, records), partition};
 }

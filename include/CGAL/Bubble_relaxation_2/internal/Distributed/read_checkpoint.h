@@ -52,11 +52,9 @@ public:
     std::vector<Keyed_checkpoint_record_2> keyed;
     for (const Checkpoint_record_2& r : read_records(file, header))
       keyed.push_back(Keyed_checkpoint_record_2{curve.key(r.x, r.y), r});
-    std::vector<Hilbert_curve_2::Key> keys; // sorted as the records are
-    for (const Keyed_checkpoint_record_2& k : keyed)
-      keys.push_back(k.key);
-    Restart_2 result{header, even_partition(m_comm, curve, keys), {}};
-    for (const Keyed_checkpoint_record_2& k : bring_home(result.partition, exchange, m_comm.rank(), keyed))
+    const auto places = places_on_curve(keyed);
+    Restart_2 result{header, even_partition(m_comm, curve, places), {}};
+    for (const Keyed_checkpoint_record_2& k : bring_home(result.partition, exchange, m_comm.rank(), places))
       result.states.push_back(bubble_state(k.record));
     std::sort(result.states.begin(), result.states.end());
     return result;

@@ -12,10 +12,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreed_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Simulation_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/compact_numbers.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Number_compaction.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/relax.h>
+#include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -54,7 +55,7 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
   Numbered_bubbles_2 home = bring_home(partition, exchange, comm.rank(), {std::move(bubbles), std::move(numbers)});
   remove_those_in_one_place(home.bubbles);
   home.forget_gone();
-  compact_numbers(comm, exchange, end, home.numbers);
+  Number_compaction(comm, exchange, end)(home.numbers);
   return Placed_part_2{std::move(home), partition};
 }
 
