@@ -48,6 +48,11 @@ public:
   /// the statistics of no triangle at all
   Mesh_quality_2() = default;
 
+  /// the same statistics in another number type
+  template <class Other_FT>
+  explicit Mesh_quality_2(const Mesh_quality_2<Other_FT>& other) : m(other.m)
+  {}
+
 #ifndef DOXYGEN_RUNNING
   explicit Mesh_quality_2(Bubble_relaxation_2::internal::Mesh_statistics_2 statistics)
     : m(statistics)
@@ -126,6 +131,9 @@ public:
   /// @}
 
 private:
+  template <class>
+  friend class Mesh_quality_2;
+
   Bubble_relaxation_2::internal::Mesh_statistics_2 m;
 };
 

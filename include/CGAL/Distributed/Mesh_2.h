@@ -19,6 +19,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ namespace Distributed {
 \ingroup PkgBubbleRelaxation2Ref
 
 What one rank has of a triangle mesh that is spread over the ranks of an MPI communicator. It is made by
-`CGAL::Distributed::triangulate()`.
+`CGAL::Distributed::triangulate()` and `CGAL::Distributed::npbs_mesh()`.
 
 A rank has its own points, all triangles around them, and the vertices of these triangles that other ranks
 own, the ghosts. Each point and each triangle is owned by one rank: a triangle by the owner of that of its
@@ -56,13 +57,25 @@ public:
   using Global_id = std::int64_t;
 
 #ifndef DOXYGEN_RUNNING
-  Mesh_2(const Bubble_relaxation_2::internal::Distributed_mesh_2& mesh, const Mesh_quality_2<double>& quality,
-         MPI_Comm comm, int rank, int number_of_ranks)
-    : m_comm(comm), m_rank(rank), m_number_of_ranks(number_of_ranks), m_quality(quality)
+  /// without points. `comm` is null for a rank that has no part in the mesh
+  explicit Mesh_2(MPI_Comm comm) : m_comm(comm)
   {
+    if (comm == MPI_COMM_NULL)
+      return;
+    MPI_Comm_rank(comm, &m_rank);
+    MPI_Comm_size(comm, &m_number_of_ranks);
+  }
+
+  Mesh_2(const Bubble_relaxation_2::internal::Distributed_mesh_2& mesh, const Mesh_quality_2<double>& quality,
+         MPI_Comm comm)
+    : Mesh_2(comm)
+  {
+    m_quality = quality;
     std::vector<Index> local(mesh.known.size(), -1);
+    make_room_for(mesh);
     add_owned_points(mesh, local);
     m_owned_points = m_points.size();
+    add_ghosts(mesh, local);
     add_triangles(mesh, true, local);
     m_owned_triangles = m_vertices.size();
     add_triangles(mesh, false, local);
@@ -146,6 +159,18 @@ public:
 private:
   using Part = Bubble_relaxation_2::internal::Distributed_mesh_2;
 
+  void make_room_for(const Part& mesh)
+  {
+    const std::size_t points = mesh.known.size(), triangles = mesh.triangulation.tr.number_of_triangles();
+    m_points.reserve(points);
+    m_ids.reserve(points);
+    m_owners.reserve(points);
+    m_sizes.reserve(points);
+    m_dimensions.reserve(points);
+    m_vertices.reserve(triangles);
+    m_is_constrained.reserve(triangles);
+  }
+
   void add_owned_points(const Part& mesh, std::vector<Index>& local)
   {
     for (std::size_t i = 0; i < mesh.known.size(); ++i)
@@ -164,20 +189,26 @@ private:
     m_dimensions.push_back(b.dimension[i]);
   }
 
-  void add_triangles(const Part& mesh, bool are_owned, std::vector<Index>& local)
+  void add_ghosts(const Part& mesh, std::vector<Index>& local)
+  {
+    std::vector<Index> ghosts;
+    for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
+      if (mesh.is_final[t])
+        for (Index v : mesh.triangulation.tr.vertices[t])
+          if (local[v] == -1) {
+            ghosts.push_back(v);
+            local[v] = 0; // is set when all are known
+          }
+    std::sort(ghosts.begin(), ghosts.end()); // as their ids
+    for (Index v : ghosts)
+      add_point(mesh, static_cast<std::size_t>(v), local);
+  }
+
+  void add_triangles(const Part& mesh, bool are_owned, const std::vector<Index>& local)
   {
     const auto& marked = mesh.triangulation;
-    const auto is_taken = [&](std::size_t t) { return mesh.is_final[t] && (mesh.is_owned[t] != 0) == are_owned; };
-    const std::size_t n = marked.tr.number_of_triangles();
-    std::vector<char> is_needed(mesh.known.size(), 0);
-    for (std::size_t t = 0; t < n; ++t)
-      for (Index v : marked.tr.vertices[t])
-        is_needed[v] |= is_taken(t);
-    for (std::size_t i = 0; i < local.size(); ++i)
-      if (is_needed[i] && local[i] == -1)
-        add_point(mesh, i, local);
-    for (std::size_t t = 0; t < n; ++t) {
-      if (!is_taken(t))
+    for (std::size_t t = 0; t < mesh.is_final.size(); ++t) {
+      if (!mesh.is_final[t] || (mesh.is_owned[t] != 0) != are_owned)
         continue;
       const auto& v = marked.tr.vertices[t];
       const auto& e = marked.edges[t];
@@ -187,7 +218,7 @@ private:
   }
 
   MPI_Comm m_comm;
-  int m_rank, m_number_of_ranks;
+  int m_rank = 0, m_number_of_ranks = 0;
   std::size_t m_owned_points = 0, m_owned_triangles = 0;
   std::vector<Point_2> m_points;
   std::vector<Global_id> m_ids;

@@ -11,25 +11,14 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/check_given_points.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/add_up_report.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/evaluate_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/own_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/read_same_domain.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/read_same_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/treat_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/relax_by_all.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/with_neighbors.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/with_same_sizing_field.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/write_neighbors.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Distributed/Relaxation_2.h>
 
 #include <mpi.h>
-
 
 namespace CGAL {
 namespace Distributed {
@@ -41,7 +30,8 @@ namespace Distributed {
 ranks of an MPI communicator together. All ranks must call it.
 
 Each rank places and simulates the bubbles of its piece of the domain and gets the points there, with their
-neighbours, and no rank ever has all of them. `triangulate()` makes the mesh of the points.
+neighbours, and no rank ever has all of them. `npbs_mesh()` does the same and gives each rank its part of their mesh
+instead of the neighbours.
 
 The points, their ids, their neighbours and the report do not depend on the number of ranks, to the last bit. They
 are those of one rank: the vertices of the mesh that `CGAL::npbs_relax()` makes, and the nodes and neighbour sets of
@@ -152,6 +142,7 @@ What the sizing function or the callback throws on one rank is thrown on all, as
 all ranks are as they were.
 
 \sa `CGAL::npbs_relax()`
+\sa `CGAL::Distributed::npbs_mesh()`
 \sa `CGAL::Distributed::triangulate()`
 */
 template <class PointSet, class CDT, class NamedParameters = parameters::Default_named_parameters>
@@ -159,48 +150,13 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  const Communicator ranks(comm);
-  Agreement agreement(ranks);
-  Sparse_exchange exchange(ranks);
-
   Relaxation_2<typename CDT::Geom_traits> result;
-  auto& report = result.report;
-  Phase_timer reading_time(report.seconds.reading);
-  const Relaxation_options options = read_same_options(np, ranks, agreement);
-  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value, options);
-  Progress progress(options.callback, options.number_of_rounds);
-  const Same_domain_2<CDT> same = read_same_domain(domain, np, ranks, agreement);
-  const Domain_reading_2<CDT>& reading = *same.reading;
-  check_same_vertices(ranks, reading);
-  with_same_sizing_field(domain, np, same, options, ranks, agreement, [&](const auto& sizing, const auto& wanted) {
-    Numbered_bubbles_2 given;
-    agreement.reach_after([&] { given = read_bubbles(points, reading.domain, sizing); });
-    reading_time.stop();
-
-    const Placed_part_2 part = simulate_distributed(ranks, exchange, agreement, domain, reading, sizing, options,
-                                                    progress, report, given);
-    agreement.reach(); // the callback may have thrown, or d after the last step
-    add_up_report(ranks, report);
-    if (report.stop_reason == Bubble_stop_reason::STOPPED_BY_CALLBACK)
-      return;
-    const Distributed_mesh_2 mesh = treat_distributed(reading, sizing, options, given, part, ranks, agreement,
-                                                      exchange, report);
-    evaluate_distributed(mesh, wanted, ranks, agreement, report);
-
-    Phase_timer writing_time(report.seconds.writing);
-    Point_replacement_2<PointSet> replacement(points);
-    Numbered_bubbles_2 bubbles;
-    agreement.reach_after([&] { bubbles = own_bubbles(mesh, ranks.rank(), sizing); });
-    const Surrounded_bubbles_2 surrounded = with_neighbors(bubbles, part.partition, options.neighbor_radius, ranks,
-                                                           agreement, exchange);
-    agreement.reach_after([&] {
-      write_neighbors(surrounded, result);
-      replacement.prepare(bubbles);
-      progress.report(1);
-    });
-    replacement.finish(); // nothing can fail on any rank from here on
+  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto&) {
+    const Surrounded_bubbles_2 surrounded =
+      with_neighbors(relaxed.bubbles, relaxed.partition, relaxed.options.neighbor_radius, relaxed.comm,
+                     relaxed.agreement, relaxed.exchange);
+    relaxed.agreement.reach_after([&] { write_neighbors(surrounded, result); });
   });
-  find_slowest(ranks, report.seconds);
   return result;
 }
 

@@ -124,7 +124,7 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
     const Distributed_mesh_2 mesh = distributed_triangulate(reading->domain, own, distribute.partition(), ranks,
                                                             agreement, exchange);
     const auto quality = distributed_quality(mesh, sizing, ranks, agreement);
-    return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm, ranks.rank(), ranks.size());
+    return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm);
   };
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);

@@ -22,19 +22,23 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The bubbles of a mesh that a rank owns, in the order of their numbers. d is asked anew where they are: neither
-/// the simulation nor the treatment asks it again for every little displacement.
+/// Asks d anew where bubbles are: neither the simulation nor the treatment asks it again for every little displacement.
 template <class Sizing>
-Numbered_bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank, const Sizing& sizing)
+void ask_sizes(Known_bubbles_2& known, const Sizing& sizing)
+{
+  for (std::size_t i = 0; i < known.size(); ++i)
+    known.bubbles.d[i] = sizing(known.bubbles.point(i));
+}
+
+/// The bubbles of a mesh that a rank owns, in the order of their numbers.
+inline Numbered_bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank)
 {
   const Known_bubbles_2& known = mesh.known;
   Numbered_bubbles_2 result;
   result.make_room_for(known.size());
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (known.owners[i] == rank) {
+    if (known.owners[i] == rank)
       result.add(record(known.bubbles, i, known.numbers[i]));
-      result.bubbles.d.back() = sizing(known.bubbles.point(i));
-    }
   return result;
 }
 

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_DISTRIBUTED_NPBS_MESH_H
+#define CGAL_DISTRIBUTED_NPBS_MESH_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/relax_by_all.h>
+#include <CGAL/Bubble_relaxation_enums.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
+#include <CGAL/Distributed/Mesh_2.h>
+
+#include <mpi.h>
+
+namespace CGAL {
+namespace Distributed {
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
+What `CGAL::Distributed::npbs_mesh()` gives to a rank, beside its points.
+
+\tparam Kernel_ the kernel of the points
+*/
+template <class Kernel_>
+struct Relaxed_mesh_2
+{
+  using Kernel = Kernel_;
+
+  /// What all ranks together did, and the mesh of all points, as in `Relaxation_2`.
+  Bubble_relaxation_report_2<typename Bubble_relaxation_2::internal::Quality_number<Kernel>::type> report;
+
+  /// This rank's part of the mesh. It owns the points that the rank got, in the same order, and knows the triangles
+  /// around them.
+  Mesh_2<Kernel> mesh;
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief places the vertices of a mesh in a domain as `CGAL::Distributed::npbs_relax()` does, and gives each rank its
+part of the mesh. All ranks must call it.
+
+The points, their properties and the report are those of `npbs_relax()`. The triangles of all ranks together are
+those of the triangulation that `CGAL::npbs_relax()` makes, and that `triangulate()` would make of the points; but the
+ranks have them already, since their qualities decide about the last moves, and nothing has to be triangulated again.
+There are no neighbour sets, and the time for these is saved.
+
+\tparam PointSet a `CGAL::Point_set_3<K::Point_2, K::Vector_2>`
+\tparam CDT as in `CGAL::npbs_relax()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param points as in `CGAL::Distributed::npbs_relax()`
+\param domain as in `CGAL::Distributed::npbs_relax()`
+\param comm the communicator, which must exist as long as the mesh is to be written with `Mesh_2::write_pvtu()`. For all
+else a duplicate of it is used, so no message of others is in the way
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of
+`CGAL::Distributed::npbs_relax()`. `neighbor_radius` decides about the simulation only
+
+\returns a `Relaxed_mesh_2`. After a callback has returned `false` the mesh has no points and no triangles
+
+\throws what `CGAL::Distributed::npbs_relax()` throws. After any exception the points of all ranks are as they were.
+
+\sa `CGAL::Distributed::npbs_relax()`
+\sa `CGAL::Distributed::triangulate()`
+*/
+template <class PointSet, class CDT, class NamedParameters = parameters::Default_named_parameters>
+auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
+               const NamedParameters& np = parameters::default_values())
+{
+  using namespace Bubble_relaxation_2::internal;
+  using Kernel = typename CDT::Geom_traits;
+  Relaxed_mesh_2<Kernel> result{{}, Mesh_2<Kernel>(comm)};
+  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto& report) {
+    relaxed.agreement.reach_after([&] {
+      result.mesh = Mesh_2<Kernel>(relaxed.mesh, Mesh_quality_2<double>(report.quality), comm);
+    });
+  });
+  return result;
+}
+
+} // namespace Distributed
+} // namespace CGAL
+
+#endif // CGAL_DISTRIBUTED_NPBS_MESH_H
