@@ -9,9 +9,10 @@
 // What several ranks gain, what they hold and send, and what a model makes of that.
 //
 //   mpirun -n 2 --bind-to core distributed speed [--runs 5] [--interval 10] [--paper] [1192 1e5 1e6]
-//       seconds of CGAL::Distributed::npbs_relax() on all ranks, and with the paper's protocol and so many steps
-//       between exchanges (0: without), against those of CGAL::npbs_relax() on one, with so many vertices; whether
-//       the meshes are the same. With the defaults, or all with the paper's parameters, as in its example of a ring:
+//       seconds of CGAL::Distributed::npbs_mesh() and npbs_relax() on all ranks, and with the paper's protocol and so
+//       many steps between exchanges (0: without), against those of CGAL::npbs_relax() and npbs_place_nodes() on one,
+//       with so many vertices; whether the meshes are the same. With the defaults, or all with the paper's parameters,
+//       as in its example of a ring:
 //       distributed speed --paper --interval 50 1192
 //   mpirun -n 64 distributed counts [--interval 10] [1e5]
 //       bubbles, ghosts, neighbours, messages and bytes of a rank, on 2, 4, 8, 16, 64 of the ranks, whose number may

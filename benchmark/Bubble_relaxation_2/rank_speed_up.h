@@ -11,17 +11,19 @@
 
 #include "ranks.h"
 
+#include <CGAL/Distributed/npbs_mesh.h>
 #include <CGAL/Distributed/npbs_relax.h>
-#include <CGAL/Distributed/triangulate.h>
 #include <CGAL/Point_set_3.h>
+#include <CGAL/npbs_place_nodes.h>
 
 #include <iomanip>
 #include <iostream>
 #include <string>
 
-/// How much faster all ranks are than `CGAL::npbs_relax()`, which is run by one while the others sleep. The runs take
-/// turns, so that a slow while of the machine meets all, and the fastest of each counts, since other processes can
-/// only slow them down. Prints a row for each program.
+/// How much faster all ranks are than the programs without ranks, each of which is run by one while the others sleep:
+/// `npbs_relax()` makes a mesh, as `Distributed::npbs_mesh()` does; `npbs_place_nodes()` makes nodes with neighbour sets,
+/// as `Distributed::npbs_relax()` does. The runs take turns, so that a slow while of the machine meets all, and the
+/// fastest of each counts, since other processes can only slow them down. Prints a row for each program.
 class Rank_speed_up
 {
 public:
@@ -37,10 +39,11 @@ public:
     if (m_rank != 0)
       return;
     std::cout << "the fastest of " << m_number_of_runs << " runs in turn, on " << m_number_of_ranks
-              << " ranks; seconds; the mesh by triangulate() comes on top\n"
+              << " ranks; seconds; speed-up over npbs_relax() without ranks, and over the program without ranks that "
+                 "makes the same\n"
               << std::fixed << std::left << std::setw(8) << "domain" << std::right << std::setw(9) << "vertices" << "  "
-              << std::left << std::setw(18) << "program" << std::right << std::setw(9) << "seconds" << std::setw(9)
-              << "speed-up" << std::setw(9) << "mesh" << std::setw(10) << "with it" << std::setw(9) << "mean q"
+              << std::left << std::setw(21) << "program" << std::setw(7) << "makes" << std::right << std::setw(9)
+              << "seconds" << std::setw(9) << "speed-up" << std::setw(6) << "same" << std::setw(9) << "mean q"
               << std::setw(8) << "min q" << std::setw(7) << "steps";
     for (const char* phase :
          {"reading", "placement", "renewal", "motion", "population", "treatment", "writing", "evaluation"})
@@ -53,32 +56,37 @@ public:
   bool operator()(const paper::Domain& domain, const NamedParameters& parameters) const
   {
     const auto np = parameters.sizing_function(domain.d);
-    Run sequential, all, papers;
+    Run mesh, nodes, mesh_of_all, nodes_of_all, papers;
     for (int i = 0; i < m_number_of_runs; ++i) {
-      keep_faster(run_alone(domain, np), sequential, i);
-      keep_faster(run_by_all(domain, np), all, i);
+      keep_faster(mesh_alone(domain, np), mesh, i);
+      keep_faster(mesh_by_all(domain, np), mesh_of_all, i);
+      keep_faster(nodes_alone(domain, np), nodes, i);
+      keep_faster(nodes_by_all(domain, np), nodes_of_all, i);
       if (m_interval > 0)
-        keep_faster(run_by_all(domain, np.exchange_interval(m_interval)), papers, i);
+        keep_faster(nodes_by_all(domain, np.exchange_interval(m_interval)), papers, i);
     }
-    bool is_equal = true;
-    if (m_rank == 0) {
-      is_equal = is_same(sequential.report, all.report);
-      print(domain, "npbs_relax", sequential, sequential);
-      print(domain, std::to_string(m_number_of_ranks) + " ranks", all, sequential);
-      if (m_interval > 0)
-        print(domain, "the paper's, s=" + std::to_string(m_interval), papers, sequential);
-      if (!is_equal)
-        std::cout << "DIFFERENT from one rank" << std::endl;
-    }
+    if (m_rank != 0)
+      return true;
+    const std::string ranks = std::to_string(m_number_of_ranks) + " ranks: ";
+    print(domain, "npbs_relax", "mesh", mesh, mesh.seconds, mesh.seconds);
+    print(domain, ranks + "npbs_mesh", "mesh", mesh_of_all, mesh.seconds, mesh.seconds);
+    print(domain, "npbs_place_nodes", "nodes", nodes, mesh.seconds, nodes.seconds);
+    print(domain, ranks + "npbs_relax", "nodes", nodes_of_all, mesh.seconds, nodes.seconds);
+    if (m_interval > 0)
+      print(domain, "the paper's, s=" + std::to_string(m_interval), "nodes", papers, mesh.seconds, nodes.seconds);
+    const bool is_equal = is_same(mesh.report, mesh_of_all.report) && is_same(mesh.report, nodes_of_all.report);
+    if (!is_equal)
+      std::cout << "DIFFERENT from one rank" << std::endl;
     return is_equal;
   }
 
 private:
+  using Points = CGAL::Point_set_3<paper::Point, paper::K::Vector_2>;
   using Report = CGAL::Bubble_relaxation_report_2<double>;
 
   struct Run
   {
-    double seconds = 0, mesh_seconds = 0; ///< of the slowest rank
+    double seconds = 0; ///< of the slowest rank
     Report report;
   };
 
@@ -89,37 +97,62 @@ private:
   }
 
   template <class NamedParameters>
-  static Run run_alone(const paper::Domain& domain, const NamedParameters& np)
+  static Run mesh_alone(const paper::Domain& domain, const NamedParameters& np)
   {
     Run run;
     on_first_rank([&] {
       paper::CDT cdt = paper::triangulate(domain);
-      const double start = MPI_Wtime();
-      run.report = CGAL::npbs_relax(cdt, np);
-      run.seconds = MPI_Wtime() - start;
+      run.seconds = seconds_of([&] { run.report = CGAL::npbs_relax(cdt, np); });
     });
-    MPI_Bcast(&run.seconds, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
     return run;
   }
 
   template <class NamedParameters>
-  static Run run_by_all(const paper::Domain& domain, const NamedParameters& np)
+  static Run nodes_alone(const paper::Domain& domain, const NamedParameters& np)
+  {
+    Run run;
+    on_first_rank([&] {
+      const paper::CDT cdt = paper::triangulate(domain);
+      run.seconds = seconds_of([&] { run.report = CGAL::npbs_place_nodes(cdt, np).report; });
+    });
+    return run;
+  }
+
+  template <class NamedParameters>
+  static Run mesh_by_all(const paper::Domain& domain, const NamedParameters& np)
   {
     const paper::CDT cdt = paper::triangulate(domain);
-    CGAL::Point_set_3<paper::Point, paper::K::Vector_2> points;
+    Points points;
     Run run;
-    run.seconds = slowest([&] { run.report = CGAL::Distributed::npbs_relax(points, cdt, MPI_COMM_WORLD, np).report; });
-    run.mesh_seconds = slowest([&] { CGAL::Distributed::triangulate(points, cdt, MPI_COMM_WORLD, np); });
+    run.seconds =
+      of_slowest([&] { run.report = CGAL::Distributed::npbs_mesh(points, cdt, MPI_COMM_WORLD, np).report; });
+    return run;
+  }
+
+  template <class NamedParameters>
+  static Run nodes_by_all(const paper::Domain& domain, const NamedParameters& np)
+  {
+    const paper::CDT cdt = paper::triangulate(domain);
+    Points points;
+    Run run;
+    run.seconds =
+      of_slowest([&] { run.report = CGAL::Distributed::npbs_relax(points, cdt, MPI_COMM_WORLD, np).report; });
     return run;
   }
 
   template <class Work>
-  static double slowest(const Work& work)
+  static double seconds_of(const Work& work)
   {
-    MPI_Barrier(MPI_COMM_WORLD);
     const double start = MPI_Wtime();
     work();
-    double seconds = MPI_Wtime() - start;
+    return MPI_Wtime() - start;
+  }
+
+  template <class Work>
+  static double of_slowest(const Work& work)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    double seconds = seconds_of(work);
     MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     return seconds;
   }
@@ -130,22 +163,30 @@ private:
            a.quality.mean_quality() == b.quality.mean_quality() && a.quality.worst_x() == b.quality.worst_x();
   }
 
-  static void print(const paper::Domain& domain, const std::string& program, const Run& run, const Run& sequential)
+  /// `mesh_seconds`, `same_seconds`: of the programs without ranks, of which the second one makes the same
+  static void print(const paper::Domain& domain, const std::string& program, const char* makes, const Run& run,
+                    double mesh_seconds, double same_seconds)
   {
-    const double with_mesh = run.seconds + run.mesh_seconds;
     std::cout << std::left << std::setw(8) << domain.name << std::right << std::setw(9) << run.report.number_of_vertices
-              << "  " << std::left << std::setw(18) << program << std::right << std::setprecision(4) << std::setw(9)
-              << run.seconds << std::setprecision(2) << std::setw(9) << sequential.seconds / run.seconds
-              << std::setprecision(4) << std::setw(9) << run.mesh_seconds << std::setprecision(2) << std::setw(10)
-              << sequential.seconds / with_mesh << std::setprecision(4) << std::setw(9)
-              << run.report.quality.mean_quality() << std::setprecision(3) << std::setw(8)
-              << run.report.quality.minimum_quality() << std::setw(7) << run.report.number_of_steps
-              << std::setprecision(4);
-    const auto& s = run.report.seconds;
+              << "  " << std::left << std::setw(21) << program << std::setw(7) << makes << std::right
+              << std::setprecision(4) << std::setw(9) << run.seconds << std::setprecision(2) << std::setw(9)
+              << mesh_seconds / run.seconds << std::setw(6) << same_seconds / run.seconds;
+    print_report(run.report);
+    std::cout << std::setprecision(2) << std::setw(6) << load_average() << std::endl;
+  }
+
+  static void print_report(const Report& report)
+  {
+    if (report.number_of_triangles > 0)
+      std::cout << std::setprecision(4) << std::setw(9) << report.quality.mean_quality() << std::setprecision(3)
+                << std::setw(8) << report.quality.minimum_quality();
+    else // nodes have no mesh
+      std::cout << std::setw(9) << "-" << std::setw(8) << "-";
+    std::cout << std::setw(7) << report.number_of_steps << std::setprecision(4);
+    const auto& s = report.seconds;
     for (double phase :
          {s.reading, s.placement, s.renewal, s.motion, s.population, s.treatment, s.writing, s.evaluation})
       std::cout << std::setw(11) << phase;
-    std::cout << std::setprecision(2) << std::setw(6) << load_average() << std::endl;
   }
 
   int m_number_of_runs, m_interval, m_rank = 0, m_number_of_ranks = 1;

@@ -16,8 +16,7 @@
 #include "mpi_session.h"
 #include "size_formula.h"
 
-#include <CGAL/Distributed/npbs_relax.h>
-#include <CGAL/Distributed/triangulate.h>
+#include <CGAL/Distributed/npbs_mesh.h>
 #include <CGAL/Point_set_3.h>
 
 #include <boost/program_options.hpp>
@@ -68,17 +67,17 @@ Arguments read_arguments(int argc, char** argv)
   return arguments;
 }
 
-/// places and simulates the nodes, then makes and writes the mesh
+/// makes the mesh and writes it
 template <class NamedParameters>
 void mesh(const Mpi_session& session, const Domain& domain, const std::string& output, const NamedParameters& np)
 {
   CGAL::Point_set_3<Point, Kernel::Vector_2> points; // those of this rank
-  const auto relaxation = CGAL::Distributed::npbs_relax(points, domain.cdt, MPI_COMM_WORLD, np);
+  const auto result = CGAL::Distributed::npbs_mesh(points, domain.cdt, MPI_COMM_WORLD, np);
   if (session.is_first())
-    std::cout << relaxation.report;
+    std::cout << result.report;
   if (output.empty())
     return;
-  CGAL::Distributed::triangulate(points, domain.cdt, MPI_COMM_WORLD, np).write_pvtu(output);
+  result.mesh.write_pvtu(output);
   if (session.is_first())
     std::cout << output << " of " << session.number_of_ranks() << " ranks" << std::endl;
 }

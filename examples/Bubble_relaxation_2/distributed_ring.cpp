@@ -17,8 +17,7 @@
 #include "paper_domains.h"
 #include "svg_picture.h"
 
-#include <CGAL/Distributed/npbs_relax.h>
-#include <CGAL/Distributed/triangulate.h>
+#include <CGAL/Distributed/npbs_mesh.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/npbs_relax.h>
 
@@ -134,12 +133,11 @@ int run(const Mpi_session& session)
   const auto np = P::sizing_function(ring.d);
 
   Points initial, points; // those of this rank
-  CGAL::Distributed::npbs_relax(initial, cdt, MPI_COMM_WORLD, np.number_of_rounds(0));
-  const auto relaxation = CGAL::Distributed::npbs_relax(points, cdt, MPI_COMM_WORLD, np);
-  const Mesh mesh = CGAL::Distributed::triangulate(points, cdt, MPI_COMM_WORLD, np);
+  CGAL::Distributed::npbs_mesh(initial, cdt, MPI_COMM_WORLD, np.number_of_rounds(0));
+  const auto result = CGAL::Distributed::npbs_mesh(points, cdt, MPI_COMM_WORLD, np);
 
   const std::vector<Node> first = gather_nodes(session, initial), nodes = gather_nodes(session, points);
-  const std::vector<Triangle> triangles = gather_triangles(session, mesh);
+  const std::vector<Triangle> triangles = gather_triangles(session, result.mesh);
   bool is_equal = true;
   session.all_or_none([&] {
     if (!session.is_first())
@@ -148,7 +146,7 @@ int run(const Mpi_session& session)
     draw_nodes("initial", "initial nodes", first);
     draw_nodes("result", "result", nodes);
     is_equal = are_those_of_one_rank(nodes, cdt, ring.d);
-    std::cout << relaxation.report << session.number_of_ranks() << " ranks: "
+    std::cout << result.report << session.number_of_ranks() << " ranks: "
               << (is_equal ? "the same nodes as one rank, bit for bit" : "NOT the nodes of one rank") << std::endl;
   });
   return is_equal ? 0 : 1;

@@ -68,7 +68,7 @@ public:
     double smallest = smallest_quality(mesh);
     if (smallest >= Defect_treatment_2<Sequential_tag>::treated_quality)
       return counts;
-    Treated_piece piece{widen(mesh, m_first_reach), m_first_reach, true};
+    Treated_piece piece{widen(std::move(mesh), m_first_reach), m_first_reach, true};
     counts.treated = smooth(piece, smallest);
     if (may_operate)
       operate(piece, smallest, counts);
@@ -104,9 +104,9 @@ private:
     bool is_as_wide; ///< as `reach` says
   };
 
-  Mesh_piece_2 widen(const Distributed_mesh_2& mesh, double reach) const
+  Mesh_piece_2 widen(Distributed_mesh_2&& mesh, double reach) const
   {
-    return Mesh_widening_2(mesh, m_partition, m_comm, m_agreement, m_exchange)(reach);
+    return Mesh_widening_2(std::move(mesh), m_partition, m_comm, m_agreement, m_exchange)(reach);
   }
 
   /// when it is too narrow: makes it as wide as it was, or twice as wide
@@ -114,7 +114,7 @@ private:
   {
     if (p.is_as_wide)
       p.reach *= 2;
-    p.piece = widen(p.piece.mesh, p.reach);
+    p.piece = widen(std::move(p.piece.mesh), p.reach);
     p.is_as_wide = true;
   }
 

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_GROWTH_HOLDERS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/length_at_most.h>
 #include <CGAL/Bubble_relaxation_2/internal/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
@@ -27,8 +28,6 @@ namespace internal {
 class Growth_holders_2
 {
 public:
-  using Ranks = Hilbert_partition_2::Ranks;
-
   /// `rank`: this one
   Growth_holders_2(const Hilbert_partition_2& partition, int rank) : m_partition(partition), m_rank(rank) {}
 
@@ -37,7 +36,7 @@ public:
   {
     internal::make_room_for(n, m_places);
     internal::make_room_for(n, m_owner);
-    internal::make_room_for(n, m_place_of_others);
+    m_others.make_room_for(n);
   }
 
   int owner(std::size_t i) const { return m_owner[i]; }
@@ -51,7 +50,7 @@ public:
     if (clearance < radius)
       clearance = find_clearance(x, y, radius);
     m_places.push_back(Place{x, y, clearance});
-    m_place_of_others.push_back(no_index);
+    m_others.add_empty();
     m_owner.push_back(clearance > 0 ? m_rank : m_partition.owner(x, y));
     if (clearance == 0 && is_ours(static_cast<std::size_t>(i)))
       for (int r : m_partition.owners_in_disc(x, y, radius))
@@ -79,27 +78,14 @@ public:
   }
 
   /// the other ranks that have a bubble of ours
-  const Ranks& others(Index i) const
-  {
-    static const Ranks none;
-    return m_place_of_others[i] == no_index ? none : m_others[m_place_of_others[i]];
-  }
+  const Lists_of_few<int>::List& others(Index i) const { return m_others[i]; }
 
-  bool has(Index i, int rank) const
-  {
-    const Ranks& ranks = others(i);
-    return rank == m_rank || std::find(ranks.begin(), ranks.end(), rank) != ranks.end();
-  }
+  bool has(Index i, int rank) const { return rank == m_rank || m_others.has(i, rank); }
 
   void add_holder(Index i, int rank)
   {
-    if (has(i, rank))
-      return;
-    if (m_place_of_others[i] == no_index) {
-      m_place_of_others[i] = static_cast<Index>(m_others.size());
-      m_others.emplace_back();
-    }
-    m_others[m_place_of_others[i]].push_back(rank);
+    if (!has(i, rank))
+      m_others.add(i, rank);
   }
 
 private:
@@ -131,8 +117,7 @@ private:
   const int m_rank;
   std::vector<int> m_owner;
   std::vector<Place> m_places;
-  std::vector<Ranks> m_others;          // that have a bubble of ours
-  std::vector<Index> m_place_of_others; // in these, of each bubble that others have
+  Lists_of_few<int> m_others; // that have a bubble of ours
 };
 
 } // namespace internal

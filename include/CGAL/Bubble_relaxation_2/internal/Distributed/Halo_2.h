@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Traffic_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 
@@ -42,11 +43,9 @@ namespace internal {
 class Halo_2
 {
 public:
-  using Ranks = Hilbert_partition_2::Ranks;
-
   /// In sizes: bubbles may go as far as the first until they are looked after, and then with the step in which they
   /// do; and as far as the second from their owner's part.
-  static constexpr double most_moved = 0.3, farthest_from_home = 1;
+  static constexpr double most_moved = 0.5, farthest_from_home = 1;
 
   /// `neighbor_radius`: of the neighbour sets
   Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic, double neighbor_radius)
@@ -64,7 +63,7 @@ public:
     m_width = width;
     m_places.clear();
     m_holders.clear();
-    m_place_of_holders.clear();
+    m_holders.make_room_for(expected);
     m_near_border.clear();
     m_is_near_border.clear();
     m_has_gone_far = false;
@@ -74,7 +73,6 @@ public:
     m_owner.clear();
     m_owner.reserve(expected);
     m_places.reserve(expected);
-    m_place_of_holders.reserve(expected);
     m_is_near_border.reserve(expected);
     ++m_number_of_changes;
   }
@@ -83,7 +81,7 @@ public:
   void add(const Bubbles_2& b, Index i, int owner)
   {
     m_owner.push_back(owner);
-    m_place_of_holders.push_back(no_index);
+    m_holders.add_empty();
     m_is_near_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
     if (owner == m_comm.rank()) {
@@ -104,7 +102,7 @@ public:
   int owner(Index i) const { return m_owner[i]; }
 
   /// whether another rank has a bubble of ours
-  bool is_at_border(Index i) const { return m_place_of_holders[i] != no_index; }
+  bool is_at_border(Index i) const { return !m_holders.is_empty(i); }
 
   /// whether no other rank has to know of a bubble of ours
   bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
@@ -298,13 +296,7 @@ private:
   }
 
   /// whether another rank has a bubble of ours
-  bool has(int rank, Index i) const
-  {
-    if (!is_at_border(i))
-      return false;
-    const Ranks& ranks = m_holders[m_place_of_holders[i]];
-    return std::find(ranks.begin(), ranks.end(), rank) != ranks.end();
-  }
+  bool has(int rank, Index i) const { return m_holders.has(i, rank); }
 
   /// Tells the owners of others' bubbles of ours that these reach. Bubbles that follow each other mostly lie together,
   /// and what a few of them reach is looked for at once.
@@ -371,11 +363,7 @@ private:
   {
     if (rank == m_comm.rank() || has(rank, i))
       return;
-    if (!is_at_border(i)) {
-      m_place_of_holders[i] = static_cast<Index>(m_holders.size());
-      m_holders.emplace_back();
-    }
-    m_holders[m_place_of_holders[i]].push_back(rank);
+    m_holders.add(i, rank);
     m_sent[rank].push_back(i);
     ++m_number_of_changes;
     out[rank].push_back(state(i));
@@ -390,8 +378,7 @@ private:
   double m_width = 0;             // of all, or 0
   std::vector<int> m_owner; // of each bubble
   std::vector<Place> m_places;
-  std::vector<Ranks> m_holders;          // the other ranks that have a bubble of ours
-  std::vector<Index> m_place_of_holders; // in these, of each bubble that others have
+  Lists_of_few<int> m_holders; // the other ranks that have a bubble of ours
   std::vector<Index> m_near_border;      // others', and ours whose disc met another part once
   std::vector<char> m_is_near_border;    // the same, of each bubble
   bool m_has_gone_far = false;

@@ -11,8 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
-
-#include <boost/container/small_vector.hpp>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -40,18 +39,15 @@ public:
       return;
     }
     m_number_of_changes = halo.number_of_changes();
-    for (Index i : m_at_border)
-      m_targets[i].clear();
-    m_at_border.clear();
+    m_targets.empty_all();
     m_targets.resize(number_of_bubbles);
     free_requests();
     m_sends.clear();
     m_receives.clear();
     for (const auto& list : halo.sent()) {
-      m_at_border.insert(m_at_border.end(), list.second.begin(), list.second.end());
       for (std::size_t position = 0; position < list.second.size(); ++position)
-        m_targets[list.second[position]].push_back(
-          Target{static_cast<std::int32_t>(m_sends.size()), static_cast<std::int32_t>(position)});
+        m_targets.add(list.second[position],
+                      {static_cast<std::int32_t>(m_sends.size()), static_cast<std::int32_t>(position)});
       m_sends.push_back(Send{list.first, {}});
     }
     for (const auto& list : halo.received())
@@ -150,8 +146,7 @@ private:
   const Communicator& m_comm;
   Traffic_2& m_traffic;
   std::size_t m_number_of_changes = 0; // of the halo, when it was connected
-  std::vector<boost::container::small_vector<Target, 1>> m_targets; // of each bubble
-  std::vector<Index> m_at_border;                                   // those with targets
+  Lists_of_few<Target> m_targets;      // of each bubble
   std::vector<Send> m_sends;
   std::vector<Receive> m_receives;
   std::vector<MPI_Request> m_receive_requests, m_send_requests;

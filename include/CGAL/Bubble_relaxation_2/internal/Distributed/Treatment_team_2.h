@@ -10,12 +10,11 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/forget_doubtful.h>
 #include <CGAL/Bubble_relaxation_2/internal/Greedy_coloring_2.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,7 +40,7 @@ public:
   {
     for (const auto& list : piece.sent)
       for (std::size_t k = 0; k < list.second.size(); ++k)
-        m_targets[list.second[k]].emplace_back(list.first, static_cast<std::int32_t>(k));
+        m_targets.add(list.second[k], {list.first, static_cast<std::int32_t>(k)});
   }
 
   bool goes_on(bool here)
@@ -67,7 +66,7 @@ public:
     const std::vector<Index> at_border = vertices_beside_others(mesh, candidates);
     std::vector<Index> changed, foreign;
     for (Index v : candidates)
-      if (!m_targets[v].empty())
+      if (!m_targets.is_empty(v))
         changed.push_back(v);
     for (bool is_wrong = true; is_wrong; is_wrong = m_comm.any(!changed.empty())) {
       take_colors(share<Color>(changed, [&](Index v) { return Color{0, coloring[v]}; }), coloring, foreign);
@@ -173,7 +172,7 @@ private:
     std::vector<Index> result;
     for (Index v : candidates) {
       bool is_beside = false;
-      if (!m_targets[v].empty()) // all with a neighbour of another rank have
+      if (!m_targets.is_empty(v)) // all with a neighbour of another rank have
         for (const Corner_2& c : mesh.star(v))
           for (Index w : mesh.triangulation().vertices[c.triangle])
             is_beside = is_beside || m_piece.mesh.known.bubbles.is_foreign[w];
@@ -204,7 +203,7 @@ private:
       queue.erase(queue.begin());
       if (!coloring.color(mesh, v))
         continue;
-      if (!m_targets[v].empty())
+      if (!m_targets.is_empty(v))
         changed.push_back(v);
       for (const Corner_2& c : mesh.star(v))
         for (Index w : mesh.triangulation().vertices[c.triangle])
@@ -217,7 +216,7 @@ private:
   const Communicator& m_comm;
   const Mesh_piece_2& m_piece;
   /// of each own bubble: the ranks that know it, and its position in the lists of both
-  std::vector<boost::container::small_vector<std::pair<int, std::int32_t>, 1>> m_targets;
+  Lists_of_few<std::pair<int, std::int32_t>> m_targets;
   std::vector<Index> m_beside_others; // triangles, and all that were flipped
   Border_certificate_2 m_certificate;
   std::vector<char> m_was_moved; // of others' bubbles, in this sweep

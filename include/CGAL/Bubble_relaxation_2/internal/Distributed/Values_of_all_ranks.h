@@ -55,12 +55,15 @@ public:
     std::array<std::uint64_t, n> found{}, rest;
     std::copy(positions.begin(), positions.end(), rest.begin());
     for (int shift = 56; shift >= 0; shift -= 8) {
-      std::vector<std::uint64_t> counts(n * 256, 0);
-      const auto leave = [&](std::uint64_t candidate) { return !count(candidate, shift, found, counts); };
+      const std::vector<std::uint64_t> known = distinct(found);
+      std::vector<std::uint64_t> counts(known.size() * 256, 0);
+      const auto leave = [&](std::uint64_t candidate) { return !count(candidate, shift, known, counts); };
       candidates.erase(std::remove_if(candidates.begin(), candidates.end(), leave), candidates.end());
       add_up(counts.data(), counts.size());
-      for (std::size_t k = 0; k < n; ++k)
-        add_byte(&counts[k * 256], found[k], rest[k]);
+      for (std::size_t k = 0; k < n; ++k) {
+        const auto place = std::lower_bound(known.begin(), known.end(), found[k]) - known.begin();
+        add_byte(&counts[static_cast<std::size_t>(place) * 256], found[k], rest[k]);
+      }
     }
     std::array<double, n> result;
     std::transform(found.begin(), found.end(), result.begin(), number);
@@ -89,19 +92,27 @@ private:
     return result;
   }
 
-  /// counts the next byte of a candidate for each position that it is still a candidate of; whether there is one
+  /// what is known of the values at several positions, sorted: at first there is little that differs
   template <std::size_t n>
-  static bool count(std::uint64_t candidate, int shift, const std::array<std::uint64_t, n>& found,
+  static std::vector<std::uint64_t> distinct(const std::array<std::uint64_t, n>& found)
+  {
+    std::vector<std::uint64_t> result(found.begin(), found.end());
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// counts the next byte of a candidate that begins as one of those that are known; whether it does
+  static bool count(std::uint64_t candidate, int shift, const std::vector<std::uint64_t>& known,
                     std::vector<std::uint64_t>& counts)
   {
-    const std::uint64_t known = shift == 56 ? 0 : candidate >> (shift + 8);
-    bool is_any = false;
-    for (std::size_t k = 0; k < n; ++k)
-      if (known == found[k]) {
+    const std::uint64_t first_bytes = shift == 56 ? 0 : candidate >> (shift + 8);
+    for (std::size_t k = 0; k < known.size(); ++k)
+      if (known[k] == first_bytes) {
         ++counts[k * 256 + (candidate >> shift & 255)];
-        is_any = true;
+        return true;
       }
-    return is_any;
+    return false;
   }
 
   static void add_byte(const std::uint64_t* counts, std::uint64_t& found, std::uint64_t& rest)

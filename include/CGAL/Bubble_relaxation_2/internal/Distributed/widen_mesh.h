@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Edge_label.h>
 
@@ -28,15 +29,20 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Gives each rank the triangles around its own ones. A bubble goes to the ranks with a part of a disc around it,
-/// and to those with a neighbour of it; of the other ranks' triangles those count whose vertices all came so.
+/// and to those with a neighbour of it; of the other ranks' triangles those count whose vertices all came so. Own
+/// bubbles and triangles stay where they are in memory, as far as others do not come before them.
 class Mesh_widening_2
 {
 public:
   /// \pre the edges of `mesh` are labelled, and its final triangles are right
-  Mesh_widening_2(const Distributed_mesh_2& mesh, const Hilbert_partition_2& partition, const Communicator& comm,
+  Mesh_widening_2(Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition, const Communicator& comm,
                   Agreement& agreement, Sparse_exchange& exchange)
-    : m_mesh(mesh), m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange)
+    : m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+      m_piece{std::move(mesh), {}, {}}, m_mesh(m_piece.mesh)
   {}
+
+  Mesh_widening_2(const Mesh_widening_2&) = delete;
+  Mesh_widening_2& operator=(const Mesh_widening_2&) = delete;
 
   /// Collective. `reach`: the radius of the discs in units of the bubbles' sizes.
   Mesh_piece_2 operator()(double reach)
@@ -50,11 +56,10 @@ public:
     const Messages<Bubble_record_2> others = m_exchange(bubbles);
     const Messages<Triangle> others_triangles = m_exchange(triangles);
     m_agreement.reach_after([&] {
-      collect_bubbles(bubbles, others);
-      add_own_triangles();
+      take_in(others);
+      keep_final_triangles();
       add_triangles(others_triangles);
       link_open_sides();
-      m_piece.mesh.mark_triangles(m_comm.rank());
     });
     return std::move(m_piece);
   }
@@ -84,7 +89,7 @@ private:
   void find_takers(double reach)
   {
     const Bubbles_2& b = m_mesh.known.bubbles;
-    m_position.assign(m_mesh.known.size(), no_index);
+    m_takers.resize(m_mesh.known.size());
     Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < m_mesh.known.size(); ++i)
       if (is_own(static_cast<Index>(i)) && clearance(b.x[i], b.y[i], reach * b.d[i]) == 0)
@@ -109,134 +114,149 @@ private:
 
   void add_taker(Index i, int rank)
   {
-    if (rank == m_comm.rank())
-      return;
-    if (m_position[i] == no_index) {
-      m_position[i] = static_cast<Index>(m_takers.size());
-      m_takers.emplace_back();
-    }
-    Hilbert_partition_2::Ranks& takers = m_takers[m_position[i]];
-    if (std::find(takers.begin(), takers.end(), rank) == takers.end())
-      takers.push_back(rank);
+    if (rank != m_comm.rank() && !m_takers.has(i, rank))
+      m_takers.add(i, rank);
   }
 
-  void tell(Messages<Bubble_record_2>& bubbles, Messages<Triangle>& triangles) const
+  void tell(Messages<Bubble_record_2>& bubbles, Messages<Triangle>& triangles)
   {
     const Known_bubbles_2& known = m_mesh.known;
     for (std::size_t i = 0; i < known.size(); ++i)
-      if (m_position[i] != no_index)
-        for (int rank : m_takers[m_position[i]])
-          bubbles[rank].push_back(record(known.bubbles, i, known.numbers[i]));
+      for (int rank : m_takers[static_cast<Index>(i)]) {
+        bubbles[rank].push_back(record(known.bubbles, i, known.numbers[i]));
+        m_piece.sent[rank].push_back(static_cast<Index>(i)); // as yet
+      }
     for (std::size_t t = 0; t < m_mesh.is_owned.size(); ++t) {
-      const Index position = m_mesh.is_owned[t] ? m_position[m_mesh.first_vertex(t)] : no_index;
-      if (position == no_index)
+      const Index first = m_mesh.first_vertex(t);
+      if (!m_mesh.is_owned[t] || m_takers.is_empty(first))
         continue;
       const std::array<Index, 3>& v = m_mesh.triangulation.tr.vertices[t];
-      for (int rank : m_takers[position])
+      for (int rank : m_takers[first])
         triangles[rank].push_back(Triangle{{known.numbers[v[0]], known.numbers[v[1]], known.numbers[v[2]]},
                                            m_mesh.triangulation.edges[t]});
     }
   }
 
-  void collect_bubbles(const Messages<Bubble_record_2>& sent, const Messages<Bubble_record_2>& received)
+  /// Keeps own bubbles and takes in others', all in the order of their numbers.
+  void take_in(const Messages<Bubble_record_2>& others)
   {
-    Known_bubbles_2& known = m_piece.mesh.known;
-    known.make_room_for(m_mesh.known.size());
-    for (std::size_t i = 0; i < m_mesh.known.size(); ++i)
-      if (is_own(static_cast<Index>(i)))
-        known.add(record(m_mesh.known.bubbles, i, m_mesh.known.numbers[i]), m_comm.rank());
-    for (const auto& message : received)
-      for (const Bubble_record_2& r : message.second)
+    Known_bubbles_2& known = m_mesh.known;
+    const Index before = static_cast<Index>(known.size());
+    known.bubbles.forget_parts();
+    std::vector<Index> order;
+    order.reserve(known.size());
+    for (Index i = 0; i < before; ++i)
+      if (is_own(i))
+        order.push_back(i);
+    const auto own = static_cast<std::ptrdiff_t>(order.size());
+    for (const auto& message : others)
+      for (const Bubble_record_2& r : message.second) {
+        order.push_back(static_cast<Index>(known.size()));
+        m_piece.received[message.first].push_back(order.back());
         known.add(r, message.first);
-    known.sort();
+      }
+    const auto is_before = [&known](Index i, Index j) { return known.numbers[i] < known.numbers[j]; };
+    std::sort(order.begin() + own, order.end(), is_before);
+    std::inplace_merge(order.begin(), order.begin() + own, order.end(), is_before);
+    find_places(order, before);
+    known.select(order);
+    for (auto* lists : {&m_piece.sent, &m_piece.received})
+      for (auto& list : *lists)
+        for (Index& i : list.second)
+          i = m_place[i];
+    tell_parts();
+  }
+
+  /// where bubbles will be that are now at `order[0], order[1], …`; those before `first_new` were there
+  void find_places(const std::vector<Index>& order, Index first_new)
+  {
+    const Known_bubbles_2& known = m_mesh.known;
+    m_place.assign(known.size(), no_index);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      m_place[order[k]] = static_cast<Index>(k);
+      if (order[k] >= first_new)
+        m_ghosts.emplace_back(known.numbers[order[k]], static_cast<Index>(k));
+    }
+    for (Index i = 0; i < first_new; ++i)
+      if (!is_own(i))
+        m_place[i] = ghost(known.numbers[i]);
+  }
+
+  /// the place of a bubble of others with a number, `no_index` if there is none
+  Index ghost(std::int64_t number) const
+  {
+    const auto found = std::lower_bound(m_ghosts.begin(), m_ghosts.end(), std::make_pair(number, Index(0)));
+    return found != m_ghosts.end() && found->first == number ? found->second : no_index;
+  }
+
+  void tell_parts()
+  {
+    Known_bubbles_2& known = m_mesh.known;
+    std::vector<Point>& points = m_mesh.triangulation.tr.points;
     known.bubbles.number = known.numbers;
-    known.bubbles.is_foreign.reserve(known.size());
-    for (std::int32_t owner : known.owners)
-      known.bubbles.is_foreign.push_back(owner != m_comm.rank());
-    for (const auto* side : {&sent, &received})
-      for (const auto& message : *side)
-        for (const Bubble_record_2& r : message.second)
-          (side == &sent ? m_piece.sent : m_piece.received)[message.first].push_back(known.index(r.number));
-    m_piece.mesh.triangulation.tr.points.reserve(known.size());
-    for (std::size_t i = 0; i < known.size(); ++i)
-      m_piece.mesh.triangulation.tr.points.push_back(known.bubbles.point(i));
+    known.bubbles.is_foreign.resize(known.size());
+    points.resize(known.size());
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      known.bubbles.is_foreign[i] = !is_own(static_cast<Index>(i));
+      points[i] = known.bubbles.point(i);
+    }
   }
 
-  void add(const std::array<Index, 3>& vertices, const std::array<Index, 3>& neighbors,
-           const std::array<Index, 3>& edges)
+  void keep_final_triangles()
   {
-    Marked_triangulation_2& m = m_piece.mesh.triangulation;
-    m.tr.vertices.push_back(vertices);
-    m.tr.neighbors.push_back(neighbors);
-    m.edges.push_back(edges);
-    m.inside.push_back(1);
-  }
-
-  void add_own_triangles()
-  {
-    const Marked_triangulation_2& m = m_mesh.triangulation;
+    Marked_triangulation_2& m = m_mesh.triangulation;
     std::vector<Index> number(m.inside.size(), no_index);
-    Index next = 0;
+    std::size_t next = 0;
     for (std::size_t t = 0; t < number.size(); ++t)
       if (m_mesh.is_final[t])
-        number[t] = next++;
-    make_room_for_triangles(static_cast<std::size_t>(next));
-    const std::vector<Index> index = indices_in_piece();
+        number[t] = static_cast<Index>(next++);
     for (std::size_t t = 0; t < number.size(); ++t) {
       if (number[t] == no_index)
         continue;
-      std::array<Index, 3> vertices, neighbors;
+      const std::size_t k = static_cast<std::size_t>(number[t]);
       for (int i = 0; i < 3; ++i) {
-        vertices[i] = index[m.tr.vertices[t][i]];
         const Index n = m.tr.neighbors[t][i];
-        neighbors[i] = n == no_index ? no_index : number[n];
+        m.tr.vertices[k][i] = m_place[m.tr.vertices[t][i]];
+        m.tr.neighbors[k][i] = n == no_index ? no_index : number[n];
       }
-      add(vertices, neighbors, m.edges[t]);
+      m.edges[k] = m.edges[t];
+      m_mesh.is_owned[k] = m_mesh.is_owned[t];
     }
+    m.tr.vertices.resize(next);
+    m.tr.neighbors.resize(next);
+    m.edges.resize(next);
+    m.inside.assign(next, 1);
+    m_mesh.is_owned.resize(next);
+    m_mesh.is_final.assign(next, 1);
   }
 
-  void make_room_for_triangles(std::size_t n)
-  {
-    Marked_triangulation_2& m = m_piece.mesh.triangulation;
-    m.tr.vertices.reserve(n);
-    m.tr.neighbors.reserve(n);
-    m.edges.reserve(n);
-    m.inside.reserve(n);
-  }
-
-  /// of the bubbles of the mesh, as far as the piece has them
-  std::vector<Index> indices_in_piece() const
-  {
-    const std::vector<std::int64_t>&from = m_mesh.known.numbers, &to = m_piece.mesh.known.numbers;
-    std::vector<Index> index(from.size(), no_index);
-    for (std::size_t i = 0, k = 0; i < from.size() && k < to.size(); ++i) {
-      while (k < to.size() && to[k] < from[i])
-        ++k;
-      if (k < to.size() && to[k] == from[i])
-        index[i] = static_cast<Index>(k);
-    }
-    return index;
-  }
-
+  /// of others'
   void add_triangles(const Messages<Triangle>& received)
   {
-    const Known_bubbles_2& known = m_piece.mesh.known;
     for (const auto& message : received)
       for (const Triangle& t : message.second) {
         std::array<Index, 3> v;
         for (int i = 0; i < 3; ++i)
-          v[i] = known.index(t.vertices[i]);
-        const bool is_new = std::all_of(v.begin(), v.end(), [&](Index i) {
-          return i != no_index && known.owners[i] != m_comm.rank();
-        });
-        if (is_new)
-          add(v, {no_index, no_index, no_index}, t.edges);
+          v[i] = ghost(t.vertices[i]);
+        if (std::find(v.begin(), v.end(), no_index) == v.end()) // else it has an own vertex, or one that is too far away
+          add(v, t.edges);
       }
+  }
+
+  void add(const std::array<Index, 3>& vertices, const std::array<Index, 3>& edges)
+  {
+    Marked_triangulation_2& m = m_mesh.triangulation;
+    m.tr.vertices.push_back(vertices);
+    m.tr.neighbors.push_back({no_index, no_index, no_index});
+    m.edges.push_back(edges);
+    m.inside.push_back(1);
+    m_mesh.is_owned.push_back(0);
+    m_mesh.is_final.push_back(0);
   }
 
   void link_open_sides()
   {
-    Flat_triangulation_2& tr = m_piece.mesh.triangulation.tr;
+    Flat_triangulation_2& tr = m_mesh.triangulation.tr;
     std::vector<Open_side> sides;
     for (std::size_t t = 0; t < tr.neighbors.size(); ++t)
       for (int i = 0; i < 3; ++i)
@@ -254,14 +274,15 @@ private:
     }
   }
 
-  const Distributed_mesh_2& m_mesh;
   const Hilbert_partition_2& m_partition;
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
-  std::vector<Hilbert_partition_2::Ranks> m_takers; // of own bubbles that others have to know
-  std::vector<Index> m_position;                    // in these, of each bubble
+  Lists_of_few<int> m_takers; // the other ranks that have to know a bubble
   Mesh_piece_2 m_piece;
+  Distributed_mesh_2& m_mesh;                            // of the piece
+  std::vector<Index> m_place;                            // of each bubble that was there or came
+  std::vector<std::pair<std::int64_t, Index>> m_ghosts;  // others' bubbles, by their numbers, and where they are
 };
 
 } // namespace internal
