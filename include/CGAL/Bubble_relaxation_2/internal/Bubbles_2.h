@@ -119,15 +119,16 @@ struct Bubbles_2
   /// keeps the bubbles `order[0], order[1], …` in this order and forgets the others
   void select(const std::vector<Index>& order)
   {
+    const bool in_place = is_in_place(order);
     for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
-      select(*a, order);
-    select(dimension, order);
-    select(place, order);
-    select(tag, order);
+      select(*a, order, in_place);
+    select(dimension, order, in_place);
+    select(place, order, in_place);
+    select(tag, order, in_place);
     if (!number.empty())
-      select(number, order);
+      select(number, order, in_place);
     if (!is_foreign.empty())
-      select(is_foreign, order);
+      select(is_foreign, order, in_place);
   }
 
   /// all are here now
@@ -141,14 +142,36 @@ struct Bubbles_2
   template <class T>
   static void select(std::vector<T>& array, const std::vector<Index>& order)
   {
+    select(array, order, is_in_place(order));
+  }
+
+  void stop(std::size_t i) { vx[i] = vy[i] = 0; }
+
+private:
+  /// whether none gets a later place: then one after the other can go where it belongs
+  static bool is_in_place(const std::vector<Index>& order)
+  {
+    for (std::size_t k = 0; k < order.size(); ++k)
+      if (static_cast<std::size_t>(order[k]) < k)
+        return false;
+    return true;
+  }
+
+  template <class T>
+  static void select(std::vector<T>& array, const std::vector<Index>& order, bool in_place)
+  {
+    if (in_place) {
+      for (std::size_t k = 0; k < order.size(); ++k)
+        array[k] = array[order[k]];
+      array.resize(order.size());
+      return;
+    }
     std::vector<T> selected;
-    selected.reserve(order.size());
+    selected.reserve(order.size() + order.size() / 8); // ranks will add others'
     for (Index i : order)
       selected.push_back(array[i]);
     array.swap(selected);
   }
-
-  void stop(std::size_t i) { vx[i] = vy[i] = 0; }
 };
 
 } // namespace internal

@@ -323,10 +323,13 @@ private:
   void start(const Bubbles_2& bubbles, const Bubble_references_2& references)
   {
     ++m_number_of_changes;
+    const std::size_t n = bubbles.size() + bubbles.size() / 8; // with those that will be added
     m_sets.clear();
-    m_sets.reserve(bubbles.size());
+    m_sets.reserve(n);
     m_pool.clear();
-    m_pool.reserve(usual_number * bubbles.size());
+    m_pool.reserve(usual_number * n);
+    for (std::vector<double>* a : {&m_x, &m_y, &m_d})
+      a->reserve(n);
     m_numbers = &bubbles.number;
     m_x = references.x;
     m_y = references.y;

@@ -88,8 +88,9 @@ public:
           checkpoint_record(Bubble_state_2{record(bubbles, i, bubbles.number[i]),
                                            simulation.memory(static_cast<Index>(i))})});
     std::vector<Checkpoint_record_2> records;
-    for (const Keyed_checkpoint_record_2& k : bring_home(partition, m_exchange, m_comm.rank(), places_on_curve(keyed)))
-      records.push_back(k.record);
+    const auto home = bring_home(partition, m_exchange, m_comm.rank(), places_on_curve(keyed));
+    for (const auto& place : home.places)
+      records.push_back(place.record->record);
     write_checkpoint(m_comm, m_agreement, m_options.checkpoint_path, header(simulation, number_of_all, report),
                      records);
   }

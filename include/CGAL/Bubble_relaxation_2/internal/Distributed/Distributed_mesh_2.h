@@ -46,15 +46,18 @@ struct Distributed_mesh_2
   void mark_triangles(int rank)
   {
     const std::size_t n = triangulation.tr.number_of_triangles();
-    is_final.assign(n, 0);
-    is_owned.assign(n, 0);
-    for (std::size_t t = 0; t < n; ++t) {
-      if (!triangulation.inside[t])
-        continue;
-      for (Index v : triangulation.tr.vertices[t])
-        is_final[t] |= known.owners[v] == rank;
-      is_owned[t] = known.owners[first_vertex(t)] == rank;
-    }
+    is_final.resize(n);
+    is_owned.resize(n);
+    for (std::size_t t = 0; t < n; ++t)
+      mark_triangle(t, rank);
+  }
+
+  void mark_triangle(std::size_t t, int rank)
+  {
+    const auto is_own = [&](Index v) { return known.owners[v] == rank; };
+    const std::array<Index, 3>& v = triangulation.tr.vertices[t];
+    is_final[t] = triangulation.inside[t] && (is_own(v[0]) || is_own(v[1]) || is_own(v[2]));
+    is_owned[t] = is_final[t] && is_own(first_vertex(t));
   }
 };
 

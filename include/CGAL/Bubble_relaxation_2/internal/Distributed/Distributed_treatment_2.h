@@ -130,7 +130,8 @@ private:
         m_domain, piece.mesh.triangulation, bubbles, team)();
       if (team.has_failed())
         continue;
-      piece.mesh.mark_triangles(m_comm.rank());
+      for (Index t : team.changed_triangles())
+        piece.mesh.mark_triangle(static_cast<std::size_t>(t), m_comm.rank());
       const double smallest_now = smallest_quality(piece.mesh);
       const bool moves_outline =
         std::any_of(moved.begin(), moved.end(), [&](Index v) { return bubbles.is_on_edge(v); });

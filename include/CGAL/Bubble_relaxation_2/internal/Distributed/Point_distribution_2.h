@@ -57,7 +57,7 @@ public:
     add_missing_corners(records, are_numbered);
     const auto places = places_on_curve(records);
     m_partition = even_partition(m_comm, m_partition.curve(), places);
-    records = bring_home(m_partition, m_exchange, m_comm.rank(), places);
+    records = bring_home(m_partition, m_exchange, m_comm.rank(), places).records();
     m_agreement.reach_after([&] {
       check_places(records);
       estimate_sizes(records);

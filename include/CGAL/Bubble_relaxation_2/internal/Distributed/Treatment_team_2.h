@@ -95,9 +95,9 @@ public:
 
   void restore_border(Editable_triangulation_2& mesh, Marked_triangulation_2& marked)
   {
+    follow_flips(mesh);
     if (is_alone())
       return;
-    follow_flips(mesh);
     for (Index t : m_beside_others)
       if (marked.inside[t] && has_moved_vertex(marked.tr.vertices[t]))
         mesh.restore_delaunay_around(t);
@@ -120,6 +120,9 @@ public:
       m_was_moved[v] = 0;
     m_moved.clear();
   }
+
+  /// the triangles that are not marked as what they are now, and perhaps some more
+  const std::vector<Index>& changed_triangles() const { return m_beside_others; }
 
 private:
   struct Color

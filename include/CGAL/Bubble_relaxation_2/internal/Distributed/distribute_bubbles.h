@@ -64,36 +64,49 @@ std::vector<Place_on_curve<Keyed_record>> places_on_curve(const std::vector<Keye
   return places;
 }
 
-/// brings each bubble, with its key, to the rank that owns its place, sorted along the curve
+/// The records that belong to a rank, in their order on the curve.
 template <class Keyed_record>
-std::vector<Keyed_record> bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
-                                     const std::vector<Place_on_curve<Keyed_record>>& sorted)
+struct Records_at_home
+{
+  std::vector<Place_on_curve<Keyed_record>> places;
+  Messages<Keyed_record> others; ///< what came from other ranks; some of the places lead here
+
+  std::vector<Keyed_record> records() const
+  {
+    std::vector<Keyed_record> result;
+    result.reserve(places.size());
+    for (const Place_on_curve<Keyed_record>& p : places)
+      result.push_back(*p.record);
+    return result;
+  }
+};
+
+/// brings each bubble, with its key, to the rank that owns its place; those that are there already stay in memory
+template <class Keyed_record>
+Records_at_home<Keyed_record> bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
+                                         const std::vector<Place_on_curve<Keyed_record>>& sorted)
 {
   using Place = Place_on_curve<Keyed_record>;
-  std::vector<Place> home;
+  Records_at_home<Keyed_record> home;
   Messages<Keyed_record> out;
   for (auto first = sorted.begin(); first != sorted.end();) { // the owners ascend, too
     const int owner = partition.owner(first->key);
     const auto last = std::partition_point(
       first, sorted.end(), [&](const Place& p) { return partition.owner(p.key) == owner; });
     if (owner == rank)
-      home.assign(first, last);
+      home.places.assign(first, last);
     else
       std::transform(first, last, std::back_inserter(out[owner]), [](const Place& p) { return *p.record; });
     first = last;
   }
-  const Messages<Keyed_record> in = exchange(out);
-  const auto own = static_cast<std::ptrdiff_t>(home.size());
-  for (const auto& message : in)
+  home.others = exchange(out);
+  const auto own = static_cast<std::ptrdiff_t>(home.places.size());
+  for (const auto& message : home.others)
     for (const Keyed_record& r : message.second)
-      home.push_back({r.key, &r});
-  std::sort(home.begin() + own, home.end());
-  std::inplace_merge(home.begin(), home.begin() + own, home.end());
-  std::vector<Keyed_record> records;
-  records.reserve(home.size());
-  for (const Place& p : home)
-    records.push_back(*p.record);
-  return records;
+      home.places.push_back({r.key, &r});
+  std::sort(home.places.begin() + own, home.places.end());
+  std::inplace_merge(home.places.begin(), home.places.begin() + own, home.places.end());
+  return home;
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
@@ -131,16 +144,6 @@ Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve
   for (const auto& place : sorted)
     keys.push_back(place.key);
   return even_partition(comm, curve, keys);
-}
-
-/// Of bubbles in one place the one of the lowest dimension stays.
-inline void forget_coincident(std::vector<Keyed_record_2>& sorted)
-{
-  sorted.erase(std::unique(sorted.begin(), sorted.end(),
-                           [](const Keyed_record_2& r, const Keyed_record_2& s) {
-                             return r.bubble.x == s.bubble.x && r.bubble.y == s.bubble.y;
-                           }),
-               sorted.end());
 }
 
 /// Numbers bubbles along the curve, the first of all ranks by 0.

@@ -11,16 +11,18 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreed_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubbles_on_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Given_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Growth_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Rhombic_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -142,19 +144,20 @@ Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Ag
 inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exchange& exchange,
                                            const Domain_2& domain, Placement_2& placed)
 {
-  const Hilbert_curve_2 curve = hilbert_curve(domain);
   Bubbles_2& bubbles = placed.bubbles;
   remove_crowded_on_edges(domain, bubbles);
-  std::vector<Keyed_record_2> records;
-  records.reserve(bubbles.size());
+  Bubbles_on_curve_2 on_curve(hilbert_curve(domain), bubbles);
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (!bubbles.is_gone(i) && placed.is_ours[i])
-      records.push_back(Keyed_record_2{curve.key(bubbles.x[i], bubbles.y[i]), record(bubbles, i, 0)});
-  const auto places = places_on_curve(records);
-  const Hilbert_partition_2 partition = even_partition(comm, curve, places);
-  records = bring_home(partition, exchange, comm.rank(), places);
-  forget_coincident(records);
-  return Placed_part_2{number_along_curve(comm, records), partition};
+      on_curve.add(static_cast<Index>(i));
+  on_curve.sort();
+  const Hilbert_partition_2 partition = on_curve.even_partition(comm);
+  on_curve.bring_home(partition, exchange, comm.rank());
+  on_curve.forget_coincident();
+  on_curve.select();
+  std::vector<std::int64_t> numbers(bubbles.size());
+  std::iota(numbers.begin(), numbers.end(), comm.sum_before(static_cast<std::int64_t>(numbers.size())));
+  return Placed_part_2{Numbered_bubbles_2{std::move(bubbles), std::move(numbers)}, partition};
 }
 
 /// The initial bubbles, each on the rank that owns its place. All ranks put bubbles on the outline, which all of

@@ -54,8 +54,9 @@ public:
       keyed.push_back(Keyed_checkpoint_record_2{curve.key(r.x, r.y), r});
     const auto places = places_on_curve(keyed);
     Restart_2 result{header, even_partition(m_comm, curve, places), {}};
-    for (const Keyed_checkpoint_record_2& k : bring_home(result.partition, exchange, m_comm.rank(), places))
-      result.states.push_back(bubble_state(k.record));
+    const auto home = bring_home(result.partition, exchange, m_comm.rank(), places);
+    for (const auto& place : home.places)
+      result.states.push_back(bubble_state(place.record->record));
     std::sort(result.states.begin(), result.states.end());
     return result;
   }

@@ -73,11 +73,11 @@ std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchan
     team.start(restart);
     return static_cast<std::size_t>(restart.header.initial_bubbles);
   }
-  const Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options, points);
-  bubbles.make_room_for(part.bubbles.size() + part.bubbles.size() / 8); // others' too
-  for (std::size_t i = 0; i < part.bubbles.size(); ++i)
-    add(bubbles, record(part.bubbles.bubbles, i, part.bubbles.numbers[i]), false);
+  Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options, points);
   team.start(part);
+  bubbles = std::move(part.bubbles.bubbles);
+  bubbles.number = std::move(part.bubbles.numbers);
+  bubbles.is_foreign.assign(bubbles.size(), 0);
   return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
 }
 

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_BUBBLES_ON_CURVE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_BUBBLES_ON_CURVE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The order of a rank's bubbles along the curve. Bubbles stay where they are in memory until the end: what is sorted
+/// are their keys.
+class Bubbles_on_curve_2
+{
+public:
+  Bubbles_on_curve_2(const Hilbert_curve_2& curve, Bubbles_2& bubbles) : m_curve(curve), m_bubbles(bubbles)
+  {
+    m_places.reserve(bubbles.size());
+  }
+
+  void add(Index i) { m_places.push_back(Place{m_curve.key(m_bubbles.x[i], m_bubbles.y[i]), i}); }
+
+  void sort() { sort_from(0); }
+
+  /// Collective. Cuts the curve so that all ranks own equally many bubbles. \pre they are sorted
+  Hilbert_partition_2 even_partition(const Communicator& comm) const
+  {
+    std::vector<Hilbert_curve_2::Key> keys;
+    keys.reserve(m_places.size());
+    for (const Place& p : m_places)
+      keys.push_back(p.key);
+    return internal::even_partition(comm, m_curve, keys);
+  }
+
+  /// Collective. Those that other ranks own go there, and others' come here. \pre they are sorted
+  void bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank)
+  {
+    std::vector<Place> home;
+    Messages<Bubble_record_2> out;
+    for (auto first = m_places.begin(); first != m_places.end();) { // the owners ascend, too
+      const int owner = partition.owner(first->key);
+      const auto last = std::partition_point(
+        first, m_places.end(), [&](const Place& p) { return partition.owner(p.key) == owner; });
+      if (owner == rank)
+        home.assign(first, last);
+      else
+        for (auto p = first; p != last; ++p)
+          out[owner].push_back(record(m_bubbles, static_cast<std::size_t>(p->index), 0));
+      first = last;
+    }
+    m_places.swap(home);
+    const std::size_t own = m_places.size();
+    for (const auto& message : exchange(out))
+      for (const Bubble_record_2& r : message.second) {
+        internal::add(m_bubbles, r);
+        add(static_cast<Index>(m_bubbles.size() - 1));
+      }
+    sort_from(own);
+  }
+
+  /// Of bubbles in one place the one of the lowest dimension stays. \pre they are sorted
+  void forget_coincident()
+  {
+    m_places.erase(std::unique(m_places.begin(), m_places.end(),
+                               [this](const Place& p, const Place& q) {
+                                 return p.key == q.key && m_bubbles.x[p.index] == m_bubbles.x[q.index] &&
+                                        m_bubbles.y[p.index] == m_bubbles.y[q.index];
+                               }),
+                   m_places.end());
+  }
+
+  /// keeps these bubbles in this order and forgets the others; no more is to be done with this then
+  void select()
+  {
+    std::vector<Index> order;
+    order.reserve(m_places.size());
+    for (const Place& p : m_places)
+      order.push_back(p.index);
+    m_bubbles.select(order);
+  }
+
+private:
+  struct Place
+  {
+    Hilbert_curve_2::Key key;
+    Index index;
+  };
+
+  /// \pre those before `first` are sorted
+  void sort_from(std::size_t first)
+  {
+    const auto is_before = [this](const Place& p, const Place& q) {
+      return p.key != q.key ? p.key < q.key : values(p) < values(q);
+    };
+    const auto middle = m_places.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(middle, m_places.end(), is_before);
+    std::inplace_merge(m_places.begin(), middle, m_places.end(), is_before);
+  }
+
+  std::tuple<double, double, int, Index> values(const Place& p) const
+  {
+    const Index i = p.index;
+    return std::make_tuple(m_bubbles.x[i], m_bubbles.y[i], int(m_bubbles.dimension[i]), i);
+  }
+
+  const Hilbert_curve_2 m_curve;
+  Bubbles_2& m_bubbles;
+  std::vector<Place> m_places;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_BUBBLES_ON_CURVE_2_H
