@@ -286,3 +286,15 @@ TEST(Mesh_quality, of_an_exact_kernel_is_in_double)
   const CGAL::Mesh_quality_2<double> q = CGAL::mesh_quality_2(cdt);
   EXPECT_NEAR(q.minimum_quality(), 2 * (std::sqrt(2.) - 1), 1e-14);
 }
+
+TEST(Mesh_quality, in_another_number_type)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  cdt.insert(Point(0.5, 0.4));
+  const auto q = CGAL::mesh_quality_2(cdt);
+  const CGAL::Mesh_quality_2<float> single(q);
+  EXPECT_EQ(single.mean_quality(), static_cast<float>(q.mean_quality()));
+  EXPECT_EQ(single.worst_y(), static_cast<float>(q.worst_y()));
+  EXPECT_EQ(single.number_of_triangles(), q.number_of_triangles());
+  EXPECT_EQ(single.histogram(), q.histogram());
+}

@@ -57,10 +57,10 @@ public:
   using Global_id = std::int64_t;
 
 #ifndef DOXYGEN_RUNNING
-  /// without points. `comm` is null for a rank that has no part in the mesh
+  /// without points
   explicit Mesh_2(MPI_Comm comm) : m_comm(comm)
   {
-    if (comm == MPI_COMM_NULL)
+    if (comm == MPI_COMM_NULL) // no user gets this mesh: making it throws
       return;
     MPI_Comm_rank(comm, &m_rank);
     MPI_Comm_size(comm, &m_number_of_ranks);
@@ -72,10 +72,12 @@ public:
   {
     m_quality = quality;
     std::vector<Index> local(mesh.known.size(), -1);
-    make_room_for(mesh);
     add_owned_points(mesh, local);
     m_owned_points = m_points.size();
     add_ghosts(mesh, local);
+    const auto triangles = static_cast<std::size_t>(std::count(mesh.is_final.begin(), mesh.is_final.end(), 1));
+    m_vertices.reserve(triangles);
+    m_is_constrained.reserve(triangles);
     add_triangles(mesh, true, local);
     m_owned_triangles = m_vertices.size();
     add_triangles(mesh, false, local);
@@ -126,7 +128,7 @@ public:
   /// @}
 
   /// The statistics of the mesh of all ranks, the same on each, and for any number of ranks. There are lengths
-  /// of edges if a sizing function was given.
+  /// of edges if `triangulate()` was given a sizing function, or if `npbs_mesh()` made the mesh.
   const Mesh_quality_2<double>& quality() const { return m_quality; }
 
   /*!
@@ -159,20 +161,21 @@ public:
 private:
   using Part = Bubble_relaxation_2::internal::Distributed_mesh_2;
 
-  void make_room_for(const Part& mesh)
+  /// makes room for `n` more
+  void make_room_for_points(std::size_t n)
   {
-    const std::size_t points = mesh.known.size(), triangles = mesh.triangulation.tr.number_of_triangles();
-    m_points.reserve(points);
-    m_ids.reserve(points);
-    m_owners.reserve(points);
-    m_sizes.reserve(points);
-    m_dimensions.reserve(points);
-    m_vertices.reserve(triangles);
-    m_is_constrained.reserve(triangles);
+    n += m_points.size();
+    m_points.reserve(n);
+    m_ids.reserve(n);
+    m_owners.reserve(n);
+    m_sizes.reserve(n);
+    m_dimensions.reserve(n);
   }
 
   void add_owned_points(const Part& mesh, std::vector<Index>& local)
   {
+    make_room_for_points(
+      static_cast<std::size_t>(std::count(mesh.known.owners.begin(), mesh.known.owners.end(), m_rank)));
     for (std::size_t i = 0; i < mesh.known.size(); ++i)
       if (mesh.known.owners[i] == m_rank)
         add_point(mesh, i, local);
@@ -200,6 +203,7 @@ private:
             local[v] = 0; // is set when all are known
           }
     std::sort(ghosts.begin(), ghosts.end()); // as their ids
+    make_room_for_points(ghosts.size());
     for (Index v : ghosts)
       add_point(mesh, static_cast<std::size_t>(v), local);
   }

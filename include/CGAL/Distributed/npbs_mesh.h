@@ -11,7 +11,9 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/own_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/relax_by_all.h>
+#include <CGAL/Bubble_relaxation_2/internal/Mesh_quality_accumulator_2.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -45,10 +47,10 @@ struct Relaxed_mesh_2
 /*!
 \ingroup PkgBubbleRelaxation2Functions
 
-\brief places the vertices of a mesh in a domain as `CGAL::Distributed::npbs_relax()` does, and gives each rank its
-part of the mesh. All ranks must call it.
+\brief makes a mesh of a domain by the node placement method by bubble simulation (NPBS), on all ranks of an MPI
+communicator together, each of which gets its part: what `CGAL::npbs_relax()` does on one. All ranks must call it.
 
-The points, their properties and the report are those of `npbs_relax()`. The triangles of all ranks together are
+The points, their properties and the report are those of `CGAL::Distributed::npbs_relax()`. The triangles of all ranks together are
 those of the triangulation that `CGAL::npbs_relax()` makes, and that `triangulate()` would make of the points; but the
 ranks have them already, since their qualities decide about the last moves, and nothing has to be triangulated again.
 There are no neighbour sets, and the time for these is saved.
@@ -78,8 +80,10 @@ auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
   using namespace Bubble_relaxation_2::internal;
   using Kernel = typename CDT::Geom_traits;
   Relaxed_mesh_2<Kernel> result{{}, Mesh_2<Kernel>(comm)};
-  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto& report) {
+  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto& sizing,
+                                                              const auto& report) {
     relaxed.agreement.reach_after([&] {
+      ask_ghost_sizes(relaxed.mesh, relaxed.comm.rank(), sizing);
       result.mesh = Mesh_2<Kernel>(relaxed.mesh, Mesh_quality_2<double>(report.quality), comm);
     });
   });

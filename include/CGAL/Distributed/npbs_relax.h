@@ -26,8 +26,8 @@ namespace Distributed {
 /*!
 \ingroup PkgBubbleRelaxation2Functions
 
-\brief places the vertices of a mesh in a domain by the node placement method by bubble simulation (NPBS), on all
-ranks of an MPI communicator together. All ranks must call it.
+\brief places nodes in a domain by the node placement method by bubble simulation (NPBS), on all ranks of an MPI
+communicator together: what `CGAL::npbs_place_nodes()` does on one. All ranks must call it.
 
 Each rank places and simulates the bubbles of its piece of the domain and gets the points there, with their
 neighbours, and no rank ever has all of them. `npbs_mesh()` does the same and gives each rank its part of their mesh
@@ -151,7 +151,7 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
 {
   using namespace Bubble_relaxation_2::internal;
   Relaxation_2<typename CDT::Geom_traits> result;
-  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto&) {
+  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto&, const auto&) {
     const Surrounded_bubbles_2 surrounded =
       with_neighbors(relaxed.bubbles, relaxed.partition, relaxed.options.neighbor_radius, relaxed.comm,
                      relaxed.agreement, relaxed.exchange);

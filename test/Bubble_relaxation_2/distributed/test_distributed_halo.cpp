@@ -89,7 +89,7 @@ protected:
         const bool is_needed = distance < needed_reach * (std::max)(m_all.d[i], m_all.d[j]);
         ASSERT_TRUE(!is_needed || known.count(static_cast<std::int64_t>(j)) == 1) << i << " does not see " << j;
       }
-      constexpr double farthest = 1.7; // Halo_2::farthest_from_home, a step, and what it may move unseen
+      constexpr double farthest = Halo_2::away_from_part;
       const auto owners = m_partition.owners_in_disc(m_all.x[i], m_all.y[i], farthest * m_all.d[i]);
       ASSERT_NE(std::find(owners.begin(), owners.end(), m_comm.rank()), owners.end()) << i << " is far away";
     }

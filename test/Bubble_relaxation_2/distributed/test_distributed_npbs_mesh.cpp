@@ -108,6 +108,29 @@ std::vector<Triangle> triangles_of_all(const Mesh& mesh)
   return all;
 }
 
+struct Owned_vertex
+{
+  Vertex vertex;
+  std::int32_t owner;
+};
+
+/// Collective. What a rank knows of ghosts is what their owners know.
+void expect_ghosts_of_owners(const Mesh& mesh)
+{
+  std::vector<Owned_vertex> own;
+  for (const Vertex& v : owned_points(mesh))
+    own.push_back(Owned_vertex{v, rank()});
+  std::vector<Owned_vertex> all = of_all(own);
+  std::sort(all.begin(), all.end(),
+            [](const Owned_vertex& v, const Owned_vertex& w) { return v.vertex.id < w.vertex.id; });
+  for (std::size_t i = mesh.number_of_owned_points(); i < mesh.number_of_points(); ++i) {
+    const Owned_vertex& v = all.at(static_cast<std::size_t>(mesh.global_id(i)));
+    EXPECT_TRUE((v.vertex == Vertex{mesh.global_id(i), mesh.point(i).x(), mesh.point(i).y(), mesh.size(i),
+                                    mesh.dimension(i)}));
+    EXPECT_EQ(v.owner, mesh.owner(i));
+  }
+}
+
 /// a rank knows all triangles around its points, and who owns what
 void expect_ghost_layer(const Mesh& mesh, const std::vector<Triangle>& all)
 {
@@ -167,6 +190,7 @@ CGAL::Bubble_relaxation_report_2<double> expect_mesh_of_one_rank(const paper::CD
   EXPECT_TRUE(own == owned_points(result.mesh));
   const std::vector<Triangle> all = triangles_of_all(result.mesh);
   expect_ghost_layer(result.mesh, all);
+  expect_ghosts_of_owners(result.mesh);
   const Mesh anew = CGAL::Distributed::triangulate(points, domain, MPI_COMM_WORLD, np);
   EXPECT_TRUE(all == triangles_of_all(anew));
   EXPECT_EQ(result.mesh.quality().mean_quality(), result.report.quality.mean_quality());
@@ -213,6 +237,11 @@ TEST(Npbs_mesh, without_treatment)
                           parameters::sizing_function(d.d).defect_treatment(false).number_of_rounds(1));
 }
 
+TEST(Npbs_mesh, d_of_the_outline)
+{
+  expect_mesh_of_one_rank(paper::triangulate(paper::comb(1.5)), CGAL::parameters::default_values());
+}
+
 TEST(Npbs_mesh, ranks_may_have_nothing)
 {
   paper::CDT cdt;
@@ -237,9 +266,8 @@ TEST(Npbs_mesh, is_empty_after_cancellation)
 {
   const paper::Domain d = paper::square_with_hole(1);
   Points points;
-  points.insert(Point(0.1, 0.1));
-  points.remove(points.begin());
-  points.collect_garbage();
+  const Point given(0.6 + 0.01 * rank(), 0.9);
+  points.insert(given);
   const bool stops = rank() == last_rank();
   const auto result = CGAL::Distributed::npbs_mesh(
     points, paper::triangulate(d), MPI_COMM_WORLD,
@@ -249,7 +277,8 @@ TEST(Npbs_mesh, is_empty_after_cancellation)
   EXPECT_EQ(result.mesh.number_of_triangles(), 0u);
   EXPECT_EQ(result.mesh.rank(), rank());
   EXPECT_EQ(result.mesh.number_of_ranks(), distributed::size());
-  EXPECT_EQ(points.size(), 0u);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points.point(*points.begin()), given);
   EXPECT_FALSE(points.has_property_map<std::int64_t>("global_id"));
 }
 
@@ -258,17 +287,21 @@ TEST(Npbs_mesh, all_throw_what_d_throws_on_one_rank)
   const paper::Domain d = paper::square_with_hole(1);
   const paper::CDT cdt = paper::triangulate(d);
   Points points;
+  const Point given(0.6 + 0.01 * rank(), 0.9);
+  points.insert(given);
   const bool throws = rank() == last_rank();
   int calls = 0;
   const auto size = [&](const Point& p) {
-    if (throws && ++calls > 2000)
+    if (throws && ++calls > 300) // when there are bubbles
       throw std::domain_error("no size here");
     return d.d(p);
   };
   expect_same_exception<std::domain_error>("no size here", [&] {
     CGAL::Distributed::npbs_mesh(points, cdt, MPI_COMM_WORLD, parameters::sizing_function(size));
   });
-  EXPECT_EQ(points.size(), 0u);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points.point(*points.begin()), given);
+  EXPECT_FALSE(points.has_property_map<std::int64_t>("global_id"));
 }
 
 } // namespace

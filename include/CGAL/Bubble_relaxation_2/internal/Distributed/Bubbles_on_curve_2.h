@@ -87,14 +87,15 @@ public:
                    m_places.end());
   }
 
-  /// keeps these bubbles in this order and forgets the others; no more is to be done with this then
+  /// Keeps these bubbles in this order and forgets the others, once; makes room for those of other ranks that will be
+  /// added.
   void select()
   {
     std::vector<Index> order;
     order.reserve(m_places.size());
     for (const Place& p : m_places)
       order.push_back(p.index);
-    m_bubbles.select(order);
+    m_bubbles.select(order, order.size() / 8);
   }
 
 private:

@@ -47,6 +47,9 @@ public:
   /// do; and as far as the second from their owner's part.
   static constexpr double most_moved = 0.5, farthest_from_home = 1;
 
+  /// how far a bubble may be from its owner's part, with what it has moved since it was looked after
+  static constexpr double away_from_part = farthest_from_home + most_moved + Boundary_2::longest_step;
+
   /// `neighbor_radius`: of the neighbour sets
   Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic, double neighbor_radius)
     : m_comm(comm), m_exchange(exchange), m_traffic(traffic),
@@ -209,9 +212,6 @@ public:
 private:
   /// The control of the population looks so far; and neighbours of neighbours count.
   static constexpr double least_needed_reach = 3.5;
-
-  /// how far a bubble may be from its owner's part, with what it has moved since it was looked after
-  static constexpr double away_from_part = farthest_from_home + most_moved + Boundary_2::longest_step;
 
   /// Where a bubble was when it was last looked after, and when it was in its owner's part then; how far it was from
   /// other ranks' parts, if it is known to be as far as this; and how far it may go, and its disc reach.

@@ -35,7 +35,7 @@ public:
   /// makes room for `n` more bubbles
   void make_room_for(std::size_t n) { internal::make_room_for(n, m_place); }
 
-  /// there are `n` bubbles, of which those that come new have empty lists
+  /// There are `n` bubbles, of which those that come new have empty lists. \pre they are not fewer than before
   void resize(std::size_t n) { m_place.resize(n, no_index); }
 
   /// one more bubble
@@ -60,6 +60,7 @@ public:
 
   bool is_empty(Index i) const { return m_place[i] == no_index; }
 
+  /// good until the next `add()`
   const List& operator[](Index i) const
   {
     static const List none;

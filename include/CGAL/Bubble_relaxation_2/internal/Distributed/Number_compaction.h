@@ -33,7 +33,7 @@ public:
     : m_comm(comm), m_exchange(exchange), m_end(end)
   {}
 
-  /// Collective.
+  /// Collective. To be called once.
   void operator()(std::vector<std::int64_t>& numbers)
   {
     find_own(numbers);

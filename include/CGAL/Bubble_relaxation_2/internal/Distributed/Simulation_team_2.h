@@ -10,17 +10,16 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubble_census.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubbles_here_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Migration_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Shared_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Stage_exchange_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
@@ -45,8 +44,9 @@ public:
   Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                     Checkpoints_2& checkpoints, const Relaxation_options& options)
     : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
-      m_interval(options.exchange_interval), m_halo(comm, exchange, m_traffic, options.neighbor_radius),
-      m_moves(comm, m_traffic), m_stages(comm), m_population(comm, exchange, m_halo),
+      m_interval(options.exchange_interval), m_migration(comm, exchange, m_traffic),
+      m_halo(comm, exchange, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
+      m_population(comm, exchange, m_halo),
       m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
       m_has_population(options.population != Bubble_population::NONE)
   {}
@@ -54,17 +54,17 @@ public:
   /// Begins with bubbles that are numbered from 0 on, each on the rank that owns its place, sorted.
   void start(const Placed_part_2& part)
   {
-    m_partition = std::make_unique<Hilbert_partition_2>(part.partition);
+    m_migration.start(part.partition);
     m_number_of_all = m_comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
-    m_population.start(*m_partition, m_number_of_all);
+    m_population.start(partition(), m_number_of_all);
   }
 
   /// Begins with bubbles that were simulated before.
   void start(const Restart_2& restart)
   {
-    m_partition = std::make_unique<Hilbert_partition_2>(restart.partition);
+    m_migration.start(restart.partition);
     m_number_of_all = restart.header.number_of_all;
-    m_population.start(*m_partition, m_number_of_all);
+    m_population.start(partition(), m_number_of_all);
   }
 
   template <class Simulation, class Report>
@@ -80,7 +80,7 @@ public:
   template <class Simulation, class Report>
   void end_round(const Simulation& simulation, const Bubbles_2& bubbles, Report& report)
   {
-    m_checkpoints.end_round(simulation, bubbles, *m_partition, m_population.next_number(), report);
+    m_checkpoints.end_round(simulation, bubbles, partition(), m_population.next_number(), report);
   }
 
   /// Gives the bubbles of each rank their surroundings before the first step.
@@ -134,12 +134,12 @@ public:
       // one that is asked for, and not known anyway, is not much larger; it may have left the part of its owner
       const double size = neighbors.reference_d(i);
       const double most = (0.5 * neighbors.radius() * (Triangulation::far + largest_ratio) +
-                           largest_ratio * (Halo_2::farthest_from_home + 1)) * size;
+                           largest_ratio * Halo_2::away_from_part) * size;
       if (!bubbles.is_ours(i) || bubbles.is_gone(i) || m_halo.is_ours_within(bubbles, i, most) ||
           !Triangulation::is_beside_wide_hole(bubbles, neighbors, i))
         continue;
       const Hole_side side{neighbors.reference_x(i), neighbors.reference_y(i), Triangulation::far * size};
-      for (int rank : m_partition->owners_in_disc(side.x, side.y, most))
+      for (int rank : partition().owners_in_disc(side.x, side.y, most))
         if (rank != m_comm.rank())
           asked[rank].push_back(side);
     }
@@ -170,7 +170,7 @@ public:
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.number[i] >= first_new && !bubbles.is_ours(i))
         simulation.wake_around(static_cast<Index>(i));
-    if (is_unbalanced(bubbles, too_many))
+    if (m_migration.is_due(bubbles))
       m_is_outgrown = m_is_far_from_home = true; // all migrate before the next step
   }
 
@@ -240,7 +240,7 @@ public:
   /// whether a bubble of any rank has gone so far that the halo is to be made anew, or it is time for that
   bool is_outgrown() const { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
 
-  const Hilbert_partition_2& partition() const { return *m_partition; }
+  const Hilbert_partition_2& partition() const { return m_migration.partition(); }
 
   const Traffic_2& traffic() const { return m_traffic; }
 
@@ -255,7 +255,7 @@ private:
   template <class Simulation>
   void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
   {
-    m_halo.start(*m_partition, width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
+    m_halo.start(partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
     std::vector<Index> near_others;
     for (std::size_t k = 0; k < bubbles.size(); ++k) {
       const Index i = static_cast<Index>(k);
@@ -274,7 +274,7 @@ private:
   void mark_those_that_left(Bubbles_2& b, const std::vector<Index>& active)
   {
     for (Index i : active)
-      if (!m_halo.is_surely_home(b, i) && m_partition->owner(b.x[i], b.y[i]) != m_comm.rank()) {
+      if (!m_halo.is_surely_home(b, i) && partition().owner(b.x[i], b.y[i]) != m_comm.rank()) {
         m_interval.mark(b, i);
         ++m_traffic.waits;
       }
@@ -367,89 +367,34 @@ private:
   template <class Simulation>
   void migrate_with_sets(Simulation& simulation, Bubbles_2& bubbles)
   {
-    balance_if_uneven(bubbles);
+    m_migration.balance(bubbles, m_interval.is_used());
     Numbered_sets messages;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-        messages.add(m_partition->owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
+        messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
                      static_cast<Index>(i));
     messages.exchange(m_exchange);
-    bring_home(simulation, bubbles);
+    m_migration.bring_home(simulation, bubbles);
     surround(simulation, bubbles);
     std::vector<std::vector<Index>> sets(bubbles.size());
     messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
     simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
   }
 
-  /// more bubbles than the mean: so many that all migrate, and so many that they migrate to other parts if they do
-  static constexpr double too_many = 1.1, many = 1.01;
-
-  /// Collective. Whether a rank has so many times more bubbles than the mean that others wait for it.
-  bool is_unbalanced(const Bubbles_2& bubbles, double most) const
-  {
-    const double few = 160 * (most - 1); // bubbles more than that make no difference
-    std::int64_t n = 0;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      n += bubbles.is_ours(i) && !bubbles.is_gone(i);
-    return double(m_comm.largest(n)) > most * double(m_comm.sum(n)) / m_comm.size() + few;
-  }
-
-  /// cuts the curve anew so that each rank has as many bubbles, if that is worth while
-  void balance_if_uneven(const Bubbles_2& bubbles)
-  {
-    if (!is_unbalanced(bubbles, m_interval.is_used() ? too_many : many))
-      return;
-    std::vector<Hilbert_curve_2::Key> keys;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-        keys.push_back(m_partition->curve().key(bubbles.x[i], bubbles.y[i]));
-    std::sort(keys.begin(), keys.end());
-    *m_partition = even_partition(m_comm, m_partition->curve(), keys);
-  }
-
   template <class Simulation>
   void migrate(Simulation& simulation, Bubbles_2& bubbles)
   {
-    balance_if_uneven(bubbles);
-    bring_home(simulation, bubbles);
-  }
-
-  /// brings each bubble to the rank that owns its place now
-  template <class Simulation>
-  void bring_home(Simulation& simulation, Bubbles_2& bubbles)
-  {
-    std::vector<Bubble_state_2> ours;
-    Messages<Bubble_state_2> out;
-    for (std::size_t i = 0; i < bubbles.size(); ++i) {
-      if (!bubbles.is_ours(i) || bubbles.is_gone(i))
-        continue;
-      const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
-      (owner == m_comm.rank() ? ours : out[owner])
-        .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(static_cast<Index>(i))});
-    }
-    m_traffic.add_messages(out);
-    const Bubble_census before(m_comm, ours, out);
-    for (const auto& message : m_exchange(out))
-      ours.insert(ours.end(), message.second.begin(), message.second.end());
-    before.check(Bubble_census(m_comm, ours, {}));
-    std::sort(ours.begin(), ours.end());
-    bubbles = Bubbles_2();
-    bubbles.make_room_for(ours.size());
-    std::vector<Bubble_memory_2> memories;
-    for (const Bubble_state_2& s : ours) {
-      add(bubbles, s.bubble, false);
-      memories.push_back(s.memory);
-    }
-    simulation.restart(memories, simulation.is_roused());
+    m_migration.balance(bubbles, m_interval.is_used());
+    m_migration.bring_home(simulation, bubbles);
   }
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   Agreement& m_agreement;
   Checkpoints_2& m_checkpoints;
-  std::unique_ptr<Hilbert_partition_2> m_partition;
   Exchange_interval_2 m_interval;
   Traffic_2 m_traffic;
+  Migration_2 m_migration;
   Halo_2 m_halo;
   Moves_exchange_2 m_moves;
   Stage_exchange_2 m_stages;

@@ -220,7 +220,7 @@ private:
   const Mesh_piece_2& m_piece;
   /// of each own bubble: the ranks that know it, and its position in the lists of both
   Lists_of_few<std::pair<int, std::int32_t>> m_targets;
-  std::vector<Index> m_beside_others; // triangles, and all that were flipped
+  std::vector<Index> m_beside_others; // triangles, and all that were flipped, wherever they are
   Border_certificate_2 m_certificate;
   std::vector<char> m_was_moved; // of others' bubbles, in this sweep
   std::vector<Index> m_moved;    // those

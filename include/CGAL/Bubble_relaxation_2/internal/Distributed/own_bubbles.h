@@ -9,25 +9,41 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_OWN_BUBBLES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_OWN_BUBBLES_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Asks d anew where bubbles are: neither the simulation nor the treatment asks it again for every little displacement.
+/// Asks d anew where a rank's bubbles are: neither the simulation nor the treatment asks it again for every little
+/// displacement.
 template <class Sizing>
-void ask_sizes(Known_bubbles_2& known, const Sizing& sizing)
+void ask_own_sizes(Distributed_mesh_2& mesh, int rank, const Sizing& sizing)
 {
+  Known_bubbles_2& known = mesh.known;
   for (std::size_t i = 0; i < known.size(); ++i)
-    known.bubbles.d[i] = sizing(known.bubbles.point(i));
+    if (known.owners[i] == rank)
+      known.bubbles.d[i] = sizing(known.bubbles.point(i));
+}
+
+/// The same of others' bubbles that triangles with own ones have.
+template <class Sizing>
+void ask_ghost_sizes(Distributed_mesh_2& mesh, int rank, const Sizing& sizing)
+{
+  Known_bubbles_2& known = mesh.known;
+  std::vector<char> is_asked(known.size(), 0);
+  for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
+    for (int i = 0; i < 3 && mesh.is_final[t]; ++i) {
+      const Index v = mesh.triangulation.tr.vertices[t][i];
+      if (known.owners[v] == rank || is_asked[v])
+        continue;
+      is_asked[v] = 1;
+      known.bubbles.d[v] = sizing(known.bubbles.point(static_cast<std::size_t>(v)));
+    }
 }
 
 /// The bubbles of a mesh that a rank owns, in the order of their numbers.

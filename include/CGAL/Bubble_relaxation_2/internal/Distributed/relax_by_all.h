@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/check_given_points.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/evaluate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/own_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/read_same_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/read_same_options.h>
@@ -26,7 +27,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/treat_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/with_same_sizing_field.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/write_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/Mesh_quality_accumulator_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
+#include <CGAL/Bubble_relaxation_2/internal/Progress.h>
 #include <CGAL/Bubble_relaxation_enums.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <mpi.h>
@@ -38,7 +43,7 @@ namespace internal {
 /// What a rank has when bubbles have been simulated and treated, before its points are changed.
 struct Relaxed_part_2
 {
-  const Distributed_mesh_2& mesh;
+  Distributed_mesh_2& mesh;             ///< with the sizes of its own bubbles, and old ones of others
   const Numbered_bubbles_2& bubbles;    ///< its own, in the order of their numbers
   const Hilbert_partition_2& partition; ///< from which they may have moved a little
   const Relaxation_options& options;
@@ -48,7 +53,7 @@ struct Relaxed_part_2
 };
 
 /// Collective. What `Distributed::npbs_relax()` and `Distributed::npbs_mesh()` have in common: all but what they
-/// return, which `write(part, report)` prepares by all ranks. If it throws, it throws on all.
+/// return, which `write(part, sizing, report)` prepares by all ranks. If it throws, it throws on all.
 template <class PointSet, class CDT, class NamedParameters, class Write>
 auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const NamedParameters& np, const Write& write)
 {
@@ -83,10 +88,10 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     Point_replacement_2<PointSet> replacement(points);
     Numbered_bubbles_2 bubbles;
     agreement.reach_after([&] {
-      ask_sizes(mesh.known, sizing);
+      ask_own_sizes(mesh, ranks.rank(), sizing);
       bubbles = own_bubbles(mesh, ranks.rank());
     });
-    write(Relaxed_part_2{mesh, bubbles, part.partition, options, ranks, agreement, exchange}, report);
+    write(Relaxed_part_2{mesh, bubbles, part.partition, options, ranks, agreement, exchange}, sizing, report);
     agreement.reach_after([&] {
       replacement.prepare(bubbles);
       progress.report(1);

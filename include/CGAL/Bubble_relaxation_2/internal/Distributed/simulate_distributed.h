@@ -9,10 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATE_DISTRIBUTED_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATE_DISTRIBUTED_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreed_sizing_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Simulation_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Number_compaction.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Simulation_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 #include <CGAL/Bubble_relaxation_2/internal/relax.h>

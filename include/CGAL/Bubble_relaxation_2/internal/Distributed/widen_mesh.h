@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Edge_label.h>
+#include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 
 #include <algorithm>
 #include <array>
@@ -44,7 +45,7 @@ public:
   Mesh_widening_2(const Mesh_widening_2&) = delete;
   Mesh_widening_2& operator=(const Mesh_widening_2&) = delete;
 
-  /// Collective. `reach`: the radius of the discs in units of the bubbles' sizes.
+  /// Collective. To be called once. `reach`: the radius of the discs in units of the bubbles' sizes.
   Mesh_piece_2 operator()(double reach)
   {
     Messages<Bubble_record_2> bubbles;
@@ -218,10 +219,13 @@ private:
         const Index n = m.tr.neighbors[t][i];
         m.tr.vertices[k][i] = m_place[m.tr.vertices[t][i]];
         m.tr.neighbors[k][i] = n == no_index ? no_index : number[n];
+        if (m.tr.neighbors[k][i] == no_index)
+          m_open.emplace_back(number[t], i);
       }
       m.edges[k] = m.edges[t];
       m_mesh.is_owned[k] = m_mesh.is_owned[t];
     }
+    m_number_of_own_triangles = next;
     m.tr.vertices.resize(next);
     m.tr.neighbors.resize(next);
     m.edges.resize(next);
@@ -233,6 +237,10 @@ private:
   /// of others'
   void add_triangles(const Messages<Triangle>& received)
   {
+    std::size_t most = 0;
+    for (const auto& message : received)
+      most += message.second.size();
+    make_room_for(most);
     for (const auto& message : received)
       for (const Triangle& t : message.second) {
         std::array<Index, 3> v;
@@ -241,6 +249,17 @@ private:
         if (std::find(v.begin(), v.end(), no_index) == v.end()) // else it has an own vertex, or one that is too far away
           add(v, t.edges);
       }
+  }
+
+  void make_room_for(std::size_t n)
+  {
+    Marked_triangulation_2& m = m_mesh.triangulation;
+    internal::make_room_for(n, m.tr.vertices);
+    internal::make_room_for(n, m.tr.neighbors);
+    internal::make_room_for(n, m.edges);
+    internal::make_room_for(n, m.inside);
+    internal::make_room_for(n, m_mesh.is_owned);
+    internal::make_room_for(n, m_mesh.is_final);
   }
 
   void add(const std::array<Index, 3>& vertices, const std::array<Index, 3>& edges)
@@ -254,16 +273,20 @@ private:
     m_mesh.is_final.push_back(0);
   }
 
+  /// links others' triangles with each other and with own ones
   void link_open_sides()
   {
     Flat_triangulation_2& tr = m_mesh.triangulation.tr;
     std::vector<Open_side> sides;
-    for (std::size_t t = 0; t < tr.neighbors.size(); ++t)
+    const auto add_side = [&](Index t, int i) {
+      const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
+      sides.push_back(Open_side{(std::min)(a, b), (std::max)(a, b), t, i});
+    };
+    for (const auto& side : m_open)
+      add_side(side.first, side.second);
+    for (std::size_t t = m_number_of_own_triangles; t < tr.vertices.size(); ++t)
       for (int i = 0; i < 3; ++i)
-        if (tr.neighbors[t][i] == no_index) {
-          const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
-          sides.push_back(Open_side{(std::min)(a, b), (std::max)(a, b), static_cast<Index>(t), i});
-        }
+        add_side(static_cast<Index>(t), i);
     std::sort(sides.begin(), sides.end());
     for (std::size_t k = 1; k < sides.size(); ++k) {
       const Open_side &s = sides[k - 1], &t = sides[k];
@@ -283,6 +306,8 @@ private:
   Distributed_mesh_2& m_mesh;                            // of the piece
   std::vector<Index> m_place;                            // of each bubble that was there or came
   std::vector<std::pair<std::int64_t, Index>> m_ghosts;  // others' bubbles, by their numbers, and where they are
+  std::size_t m_number_of_own_triangles = 0;             // the first ones, when others' are added
+  std::vector<std::pair<Index, int>> m_open;             // sides of own triangles without neighbours
 };
 
 } // namespace internal

@@ -6,7 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// bubbles in one place: one stays, of the lowest dimension, and of these the first
+// bubbles that are kept, in whatever order; of those in one place one stays, of the lowest dimension, and of these the
+// first
 
 #include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
 
@@ -17,9 +18,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <random>
-#include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -50,6 +50,53 @@ void expect_right_ones_stay(Bubbles_2 b)
   const std::vector<Index> expected = expected_to_stay(b);
   remove_those_in_one_place(b);
   EXPECT_EQ(b.left(), expected);
+}
+
+/// a bubble with values that tell which it is
+void add_bubble(Bubbles_2& b, int i)
+{
+  b.add(Point(i, 2 * i), 3 * i + 1, static_cast<Bubbles_2::Dimension>(i % 3), 4 * i, 0.5 * i, 5 * i);
+  b.vx.back() = 6 * i;
+  b.vy.back() = 7 * i;
+}
+
+TEST(Bubbles, those_that_are_selected_stay_in_their_order)
+{
+  std::vector<std::vector<Index>> orders{{}, {0}, {9}, {0, 1, 2}, {1, 4, 9}, {4, 1, 9}, {0, 0}, {3, 3, 3, 3, 3}};
+  orders.emplace_back(10);
+  std::iota(orders.back().begin(), orders.back().end(), 0);
+  orders.push_back(orders.back());
+  std::reverse(orders.back().begin(), orders.back().end());
+  for (const std::vector<Index>& order : orders)
+    for (const bool has_parts : {false, true})
+      for (const std::size_t more : {0u, 5u}) {
+        Bubbles_2 all, expected;
+        for (int i = 0; i < 10; ++i) {
+          add_bubble(all, i);
+          if (has_parts) {
+            all.number.push_back(100 + i);
+            all.is_foreign.push_back(i % 2);
+          }
+        }
+        for (Index i : order)
+          add_bubble(expected, i);
+        all.select(order, more);
+        EXPECT_EQ(all.x, expected.x);
+        EXPECT_EQ(all.y, expected.y);
+        EXPECT_EQ(all.d, expected.d);
+        EXPECT_EQ(all.vx, expected.vx);
+        EXPECT_EQ(all.vy, expected.vy);
+        EXPECT_EQ(all.s, expected.s);
+        EXPECT_EQ(all.dimension, expected.dimension);
+        EXPECT_EQ(all.place, expected.place);
+        EXPECT_EQ(all.tag, expected.tag);
+        ASSERT_EQ(all.number.size(), has_parts ? order.size() : 0);
+        ASSERT_EQ(all.is_foreign.size(), all.number.size());
+        for (std::size_t k = 0; k < all.number.size(); ++k) {
+          EXPECT_EQ(all.number[k], 100 + order[k]);
+          EXPECT_EQ(all.is_foreign[k], order[k] % 2);
+        }
+      }
 }
 
 TEST(Coincident_bubbles, few_places)

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// numbers of bubbles that ranks have are compacted; what few bubbles have is listed
+
+#include "same_exception.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Number_compaction.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Bubble_relaxation_2::internal;
+using distributed::rank;
+using distributed::size;
+
+/// `owner(number)`: the rank that has it, or one that is not there
+template <class Owner>
+void expect_compact(std::int64_t end, const Owner& owner)
+{
+  const Communicator comm(MPI_COMM_WORLD);
+  Sparse_exchange exchange(comm);
+  std::vector<std::int64_t> numbers, expected;
+  std::int64_t next = 0;
+  for (std::int64_t n = 0; n < end; ++n) {
+    const int o = owner(n);
+    if (o < 0)
+      continue;
+    if (o == rank()) {
+      numbers.push_back(n);
+      expected.push_back(next);
+    }
+    ++next;
+  }
+  Number_compaction(comm, exchange, end)(numbers);
+  EXPECT_EQ(numbers, expected);
+}
+
+} // namespace
+
+TEST(Number_compaction, numbers_of_whatever_ranks)
+{
+  for (const std::int64_t end : {0, 1, 2, 7, 1000}) {
+    SCOPED_TRACE(end);
+    for (unsigned seed = 0; seed < 5; ++seed)
+      expect_compact(end, [seed](std::int64_t n) {
+        std::mt19937 engine(seed + 10 * static_cast<unsigned>(n));
+        return static_cast<int>(engine() % static_cast<unsigned>(size() + 1)) - 1; // some are gone
+      });
+    expect_compact(end, [](std::int64_t) { return size() - 1; });
+    expect_compact(end, [](std::int64_t) { return -1; });
+    expect_compact(end, [end](std::int64_t n) { return static_cast<int>(n * size() / end); });
+    expect_compact(end, [end](std::int64_t n) { return size() - 1 - static_cast<int>(n * size() / end); });
+    expect_compact(end, [end](std::int64_t n) { return n % 7 == 3 ? -1 : static_cast<int>(n * size() / end); });
+  }
+}
+
+TEST(Lists_of_few, as_a_list_for_each)
+{
+  std::mt19937 engine(1);
+  Lists_of_few<int> lists(20);
+  std::vector<std::vector<int>> expected(20);
+  for (int turn = 0; turn < 2000; ++turn) {
+    const std::size_t n = expected.size();
+    if (engine() % 100 == 0) {
+      lists.empty_all();
+      expected.assign(n, {});
+      lists.resize(n + 3);
+      expected.resize(n + 3);
+    }
+    if (engine() % 20 == 0) {
+      lists.add_empty();
+      expected.emplace_back();
+    }
+    const Index i = static_cast<Index>(engine() % expected.size());
+    if (engine() % 3 == 0) {
+      lists.add(i, turn);
+      expected[i].push_back(turn);
+    }
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      const Index j = static_cast<Index>(k);
+      ASSERT_EQ(std::vector<int>(lists[j].begin(), lists[j].end()), expected[k]);
+      ASSERT_EQ(lists.is_empty(j), expected[k].empty());
+      ASSERT_EQ(lists.has(j, turn), !expected[k].empty() && expected[k].back() == turn);
+    }
+  }
+  lists.clear();
+  lists.resize(2);
+  EXPECT_TRUE(lists.is_empty(1));
+}
