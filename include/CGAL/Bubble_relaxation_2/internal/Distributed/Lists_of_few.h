@@ -61,11 +61,7 @@ public:
   bool is_empty(Index i) const { return m_place[i] == no_index; }
 
   /// good until the next `add()`
-  const List& operator[](Index i) const
-  {
-    static const List none;
-    return is_empty(i) ? none : m_lists[m_place[i]];
-  }
+  const List& operator[](Index i) const { return is_empty(i) ? m_none : m_lists[m_place[i]]; }
 
   bool has(Index i, const T& value) const
   {
@@ -87,6 +83,7 @@ private:
   std::vector<Index> m_place; // of each bubble's list
   std::vector<Index> m_those; // bubbles whose lists are not empty
   std::vector<List> m_lists;  // theirs
+  List m_none;
 };
 
 } // namespace internal
