@@ -99,44 +99,53 @@ private:
   template <class NamedParameters>
   static Run mesh_alone(const paper::Domain& domain, const NamedParameters& np)
   {
-    Run run;
-    on_first_rank([&] {
-      paper::CDT cdt = paper::triangulate(domain);
-      run.seconds = seconds_of([&] { run.report = CGAL::npbs_relax(cdt, np); });
-    });
-    return run;
+    return alone(domain, [&np](paper::CDT& cdt) { return CGAL::npbs_relax(cdt, np); });
   }
 
   template <class NamedParameters>
   static Run nodes_alone(const paper::Domain& domain, const NamedParameters& np)
   {
-    Run run;
-    on_first_rank([&] {
-      const paper::CDT cdt = paper::triangulate(domain);
-      run.seconds = seconds_of([&] { run.report = CGAL::npbs_place_nodes(cdt, np).report; });
-    });
-    return run;
+    return alone(domain, [&np](const paper::CDT& cdt) { return CGAL::npbs_place_nodes(cdt, np).report; });
   }
 
   template <class NamedParameters>
   static Run mesh_by_all(const paper::Domain& domain, const NamedParameters& np)
   {
-    const paper::CDT cdt = paper::triangulate(domain);
-    Points points;
-    Run run;
-    run.seconds =
-      of_slowest([&] { run.report = CGAL::Distributed::npbs_mesh(points, cdt, MPI_COMM_WORLD, np).report; });
-    return run;
+    return by_all(domain, [&np](Points& points, const paper::CDT& cdt) {
+      return CGAL::Distributed::npbs_mesh(points, cdt, MPI_COMM_WORLD, np).report;
+    });
   }
 
   template <class NamedParameters>
   static Run nodes_by_all(const paper::Domain& domain, const NamedParameters& np)
   {
+    return by_all(domain, [&np](Points& points, const paper::CDT& cdt) {
+      return CGAL::Distributed::npbs_relax(points, cdt, MPI_COMM_WORLD, np).report;
+    });
+  }
+
+  /// `make(cdt)` returns a report, on the first rank
+  template <class Make>
+  static Run alone(const paper::Domain& domain, const Make& make)
+  {
+    Run run;
+    on_first_rank([&] {
+      paper::CDT cdt = paper::triangulate(domain);
+      run.seconds = seconds_of([&] { run.report = make(cdt); });
+    });
+    return run;
+  }
+
+  /// `make(points, cdt)` returns a report, on all ranks
+  template <class Make>
+  static Run by_all(const paper::Domain& domain, const Make& make)
+  {
     const paper::CDT cdt = paper::triangulate(domain);
     Points points;
     Run run;
-    run.seconds =
-      of_slowest([&] { run.report = CGAL::Distributed::npbs_relax(points, cdt, MPI_COMM_WORLD, np).report; });
+    MPI_Barrier(MPI_COMM_WORLD);
+    run.seconds = seconds_of([&] { run.report = make(points, cdt); });
+    MPI_Allreduce(MPI_IN_PLACE, &run.seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     return run;
   }
 
@@ -146,15 +155,6 @@ private:
     const double start = MPI_Wtime();
     work();
     return MPI_Wtime() - start;
-  }
-
-  template <class Work>
-  static double of_slowest(const Work& work)
-  {
-    MPI_Barrier(MPI_COMM_WORLD);
-    double seconds = seconds_of(work);
-    MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-    return seconds;
   }
 
   static bool is_same(const Report& a, const Report& b)
