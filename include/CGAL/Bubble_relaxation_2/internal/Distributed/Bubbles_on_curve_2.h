@@ -14,11 +14,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/merge_tail.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/hilbert_curve.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <tuple>
 #include <vector>
 
@@ -43,11 +45,7 @@ public:
   /// Collective. Cuts the curve so that all ranks own equally many bubbles. \pre they are sorted
   Hilbert_partition_2 even_partition(const Communicator& comm) const
   {
-    std::vector<Hilbert_curve_2::Key> keys;
-    keys.reserve(m_places.size());
-    for (const Place& p : m_places)
-      keys.push_back(p.key);
-    return internal::even_partition(comm, m_curve, keys);
+    return internal::even_partition(comm, m_curve, m_places);
   }
 
   /// Collective. Those that other ranks own go there, and others' come here. \pre they are sorted
@@ -55,17 +53,14 @@ public:
   {
     std::vector<Place> home;
     Messages<Bubble_record_2> out;
-    for (auto first = m_places.begin(); first != m_places.end();) { // the owners ascend, too
-      const int owner = partition.owner(first->key);
-      const auto last = std::partition_point(
-        first, m_places.end(), [&](const Place& p) { return partition.owner(p.key) == owner; });
+    partition.for_each_owner(m_places.begin(), m_places.end(), [&](int owner, auto first, auto last) {
       if (owner == rank)
         home.assign(first, last);
       else
-        for (auto p = first; p != last; ++p)
-          out[owner].push_back(record(m_bubbles, static_cast<std::size_t>(p->index), 0));
-      first = last;
-    }
+        std::transform(first, last, std::back_inserter(out[owner]), [this](const Place& p) {
+          return record(m_bubbles, static_cast<std::size_t>(p.index), 0);
+        });
+    });
     m_places.swap(home);
     const std::size_t own = m_places.size();
     for (const auto& message : exchange(out))
@@ -108,12 +103,9 @@ private:
   /// \pre those before `first` are sorted
   void sort_from(std::size_t first)
   {
-    const auto is_before = [this](const Place& p, const Place& q) {
+    merge_tail(m_places, first, [this](const Place& p, const Place& q) {
       return p.key != q.key ? p.key < q.key : values(p) < values(q);
-    };
-    const auto middle = m_places.begin() + static_cast<std::ptrdiff_t>(first);
-    std::sort(middle, m_places.end(), is_before);
-    std::inplace_merge(m_places.begin(), middle, m_places.end(), is_before);
+    });
   }
 
   std::tuple<double, double, int, Index> values(const Place& p) const

@@ -19,6 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/merge_tail.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Growth_proposals_2.h>
@@ -177,17 +178,15 @@ public:
         else if (p.from != foreign && !m_holders->has(p.from, rank)) // else it has decided on it too
           out[rank].push_back(p);
     }
-    const auto is_before = [](const Growth_proposal_2& p, const Growth_proposal_2& q) {
-      return std::tie(p.misfit, p.x, p.y) < std::tie(q.misfit, q.x, q.y);
-    };
-    const auto own = static_cast<std::ptrdiff_t>(ours.size()); // which are the best first
+    const std::size_t own = ours.size(); // which are the best first
     for (const auto& message : m_exchange(out))
       for (Growth_proposal_2 p : message.second) {
         p.from = foreign;
         ours.push_back(p);
       }
-    std::sort(ours.begin() + own, ours.end(), is_before);
-    std::inplace_merge(ours.begin(), ours.begin() + own, ours.end(), is_before);
+    merge_tail(ours, own, [](const Growth_proposal_2& p, const Growth_proposal_2& q) {
+      return std::tie(p.misfit, p.x, p.y) < std::tie(q.misfit, q.x, q.y);
+    });
     bubbles.swap(ours);
   }
 

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_NUMBERED_BUBBLES_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/merge_tail.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,10 +54,8 @@ inline std::vector<Index> ascending_order(const std::vector<std::int64_t>& numbe
     return order;
   order.resize(numbers.size());
   std::iota(order.begin(), order.end(), Index(0));
-  const auto middle = order.begin() + (sorted_end - numbers.begin());
-  const auto is_before = [&numbers](Index i, Index j) { return numbers[i] < numbers[j]; };
-  std::sort(middle, order.end(), is_before);
-  std::inplace_merge(order.begin(), middle, order.end(), is_before);
+  merge_tail(order, static_cast<std::size_t>(sorted_end - numbers.begin()),
+             [&numbers](Index i, Index j) { return numbers[i] < numbers[j]; });
   return order;
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/even_partition.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/merge_tail.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/sparse_exchange.h>
 
 #include <algorithm>
@@ -89,23 +90,18 @@ Records_at_home<Keyed_record> bring_home(const Hilbert_partition_2& partition, S
   using Place = Place_on_curve<Keyed_record>;
   Records_at_home<Keyed_record> home;
   Messages<Keyed_record> out;
-  for (auto first = sorted.begin(); first != sorted.end();) { // the owners ascend, too
-    const int owner = partition.owner(first->key);
-    const auto last = std::partition_point(
-      first, sorted.end(), [&](const Place& p) { return partition.owner(p.key) == owner; });
+  partition.for_each_owner(sorted.begin(), sorted.end(), [&](int owner, auto first, auto last) {
     if (owner == rank)
       home.places.assign(first, last);
     else
       std::transform(first, last, std::back_inserter(out[owner]), [](const Place& p) { return *p.record; });
-    first = last;
-  }
+  });
   home.others = exchange(out);
-  const auto own = static_cast<std::ptrdiff_t>(home.places.size());
+  const std::size_t own = home.places.size();
   for (const auto& message : home.others)
     for (const Keyed_record& r : message.second)
       home.places.push_back({r.key, &r});
-  std::sort(home.places.begin() + own, home.places.end());
-  std::inplace_merge(home.places.begin(), home.places.begin() + own, home.places.end());
+  merge_tail(home.places, own);
   return home;
 }
 
@@ -132,18 +128,6 @@ inline Numbered_bubbles_2 bring_home(const Hilbert_partition_2& partition, Spars
       bubbles.add(r);
   bubbles.sort();
   return bubbles;
-}
-
-/// cuts the curve so that all ranks own equally many of some records, whichever rank has them now
-template <class Keyed_record>
-Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
-                                   const std::vector<Place_on_curve<Keyed_record>>& sorted)
-{
-  std::vector<Hilbert_curve_2::Key> keys;
-  keys.reserve(sorted.size());
-  for (const auto& place : sorted)
-    keys.push_back(place.key);
-  return even_partition(comm, curve, keys);
 }
 
 /// Numbers bubbles along the curve, the first of all ranks by 0.

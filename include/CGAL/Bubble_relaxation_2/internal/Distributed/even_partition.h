@@ -46,6 +46,18 @@ inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilber
   return Hilbert_partition_2(curve, first);
 }
 
+/// the same of the keys of sorted elements
+template <class Keyed>
+Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+                                   const std::vector<Keyed>& sorted)
+{
+  std::vector<Hilbert_curve_2::Key> keys;
+  keys.reserve(sorted.size());
+  for (const Keyed& element : sorted)
+    keys.push_back(element.key);
+  return even_partition(comm, curve, keys);
+}
+
 /// cuts the curve so that all ranks own equally many of some bubbles, which all of them have
 inline Hilbert_partition_2 partition_of_common(const Hilbert_curve_2& curve, const Bubbles_2& common, int ranks)
 {

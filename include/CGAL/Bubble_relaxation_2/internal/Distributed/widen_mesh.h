@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/merge_tail.h>
 #include <CGAL/Bubble_relaxation_2/internal/Edge_label.h>
 #include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 
@@ -149,16 +150,14 @@ private:
     for (Index i = 0; i < before; ++i)
       if (is_own(i))
         order.push_back(i);
-    const auto own = static_cast<std::ptrdiff_t>(order.size());
+    const std::size_t own = order.size();
     for (const auto& message : others)
       for (const Bubble_record_2& r : message.second) {
         order.push_back(static_cast<Index>(known.size()));
         m_piece.received[message.first].push_back(order.back());
         known.add(r, message.first);
       }
-    const auto is_before = [&known](Index i, Index j) { return known.numbers[i] < known.numbers[j]; };
-    std::sort(order.begin() + own, order.end(), is_before);
-    std::inplace_merge(order.begin(), order.begin() + own, order.end(), is_before);
+    merge_tail(order, own, [&known](Index i, Index j) { return known.numbers[i] < known.numbers[j]; });
     find_places(order, before);
     known.select(order);
     for (auto* lists : {&m_piece.sent, &m_piece.received})
