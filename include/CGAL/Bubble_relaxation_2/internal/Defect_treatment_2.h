@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Treatment_alone.h>
+#include <CGAL/Bubble_relaxation_2/internal/Treatment_log_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Vertex_smoothing_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
 #include <CGAL/radius_ratio_2.h>
@@ -67,7 +68,7 @@ public:
   /// returns the vertices that were moved
   std::vector<Index> operator()()
   {
-    Editable_triangulation_2 mesh(m_mesh);
+    Editable_triangulation_2 mesh(m_mesh, &m_log);
     std::vector<char> was_moved(m_bubbles.size(), 0);
     std::vector<Index> candidates = vertices_of_bad_triangles();
     for (int sweep = 0; sweep < number_of_sweeps && m_team.goes_on(!candidates.empty()); ++sweep) {
@@ -80,6 +81,9 @@ public:
     }
     return marked(was_moved);
   }
+
+  /// takes back all moves and flips
+  void undo() { m_log.undo(m_mesh, m_bubbles); }
 
 private:
   bool may_be_moved(Index v) const { return m_bubbles.can_move(v) && m_bubbles.is_ours(v); }
@@ -114,13 +118,21 @@ private:
     std::vector<Index> result;
     for (const std::vector<Index>& set : independent) {
       std::vector<char> was_moved(set.size(), 0);
+      std::vector<Treatment_log_2::Vertex> before(set.size());
       parallel_for<Concurrency_tag>(
-        set.size(), [&](std::size_t k) { was_moved[k] = smooth(mesh, m_bubbles, set[k]); }, 64);
+        set.size(),
+        [&](std::size_t k) {
+          before[k] = Treatment_log_2::vertex(m_bubbles, set[k]);
+          was_moved[k] = smooth(mesh, m_bubbles, set[k]);
+        },
+        64);
       std::vector<Index> moved;
       for (std::size_t k = 0; k < set.size(); ++k)
-        if (was_moved[k])
+        if (was_moved[k]) {
           moved.push_back(set[k]);
-      m_team.share_moves(m_mesh, m_bubbles, moved);
+          m_log.note(before[k]);
+        }
+      m_team.share_moves(m_mesh, m_bubbles, moved, m_log);
       result.insert(result.end(), moved.begin(), moved.end());
     }
     return result;
@@ -156,15 +168,8 @@ private:
   Bubbles_2& m_bubbles;
   Team& m_team;
   Greedy_coloring_2 m_coloring;
+  Treatment_log_2 m_log;
 };
-
-/// moves the vertices of bad triangles where there is one rank; returns those that were moved
-template <class Concurrency_tag>
-std::vector<Index> treat_vertices(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles)
-{
-  const Treatment_alone alone;
-  return Defect_treatment_2<Concurrency_tag>(domain, mesh, bubbles, alone)();
-}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

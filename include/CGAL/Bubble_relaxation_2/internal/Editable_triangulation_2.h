@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_EDITABLE_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Treatment_log_2.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -34,8 +35,9 @@ using Star_2 = boost::container::small_vector<Corner_2, 10>;
 class Editable_triangulation_2
 {
 public:
-  explicit Editable_triangulation_2(Marked_triangulation_2& mesh)
-    : m_mesh(mesh), m_triangle_of(mesh.tr.points.size(), no_index)
+  /// `log`: told of all triangles that are changed; not of vertices that are moved
+  explicit Editable_triangulation_2(Marked_triangulation_2& mesh, Treatment_log_2* log = nullptr)
+    : m_mesh(mesh), m_log(log), m_triangle_of(mesh.tr.points.size(), no_index)
   {
     for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
       for (Index v : mesh.tr.vertices[t])
@@ -106,6 +108,17 @@ public:
     return flip_doubtful();
   }
 
+  /// makes an end of the mesh beside a triangle, which is not in the domain any more
+  void cut_off(Index t)
+  {
+    note(t);
+    m_mesh.inside[t] = 0;
+    for (Index& n : m_mesh.tr.neighbors[t]) {
+      note(n);
+      replace_neighbor(std::exchange(n, no_index), t, no_index);
+    }
+  }
+
   /// the triangles that were flipped since this was asked last, some of them several times
   std::vector<Index> take_flipped() { return std::exchange(m_flipped, {}); }
 
@@ -167,6 +180,8 @@ private:
     auto &et = m_mesh.edges[t], &en = m_mesh.edges[n];
     const Index a = vt[i], b = vt[ccw(i)], c = vt[cw(i)], d = vn[j];
     const Index beyond_ab = nt[cw(i)], beyond_ca = nt[ccw(i)], beyond_bd = nn[ccw(j)], beyond_dc = nn[cw(j)];
+    for (Index changed : {t, n, beyond_ab, beyond_ca, beyond_bd, beyond_dc})
+      note(changed);
     const Index edge_ab = et[cw(i)], edge_ca = et[ccw(i)], edge_bd = en[ccw(j)], edge_dc = en[cw(j)];
     vt = {a, b, d};
     nt = {beyond_bd, n, beyond_ab};
@@ -180,6 +195,12 @@ private:
     m_triangle_of[c] = n;
   }
 
+  void note(Index t)
+  {
+    if (m_log && t != no_index)
+      m_log->note(m_mesh, t);
+  }
+
   void replace_neighbor(Index t, Index old_neighbor, Index neighbor)
   {
     if (t != no_index)
@@ -187,6 +208,7 @@ private:
   }
 
   Marked_triangulation_2& m_mesh;
+  Treatment_log_2* m_log;
   std::vector<Index> m_triangle_of; // one of each vertex
   std::vector<Corner_2> m_doubtful; // edges, each opposite to a vertex of a triangle
   std::vector<Index> m_flipped;

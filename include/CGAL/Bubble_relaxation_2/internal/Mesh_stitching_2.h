@@ -59,14 +59,16 @@ public:
   /// the triangles of `made` in all calls of `replace()`; numbers change in `finish()`
   const std::vector<Index>& made() const { return m_made; }
 
-  /// `number`: of each vertex the one that it shall have, in the same order, `no_index` for those that no triangle has
-  void finish(const std::vector<Index>& number)
+  /// `number`: of each vertex the one that it shall have, in the same order, `no_index` for those that no triangle has.
+  /// Returns the mesh, for more changes.
+  Editable_triangulation_2 finish(const std::vector<Index>& number)
   {
     forget_vertices(number);
     forget_triangles();
     Editable_triangulation_2 mesh(m_mesh);
     for (Index t : m_made)
       mesh.restore_delaunay_around(t);
+    return mesh;
   }
 
 private:

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Greedy_coloring_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Treatment_log_2.h>
 
 #include <cstddef>
 #include <vector>
@@ -28,10 +29,10 @@ struct Treatment_alone
   void share_colors(const Editable_triangulation_2&, const std::vector<Index>&, Greedy_coloring_2&) const {}
   /// the largest value of all ranks
   std::size_t largest(std::size_t here) const { return here; }
-  /// tells other ranks of vertices that were moved, and moves theirs
-  void share_moves(Marked_triangulation_2&, Bubbles_2&, const std::vector<Index>&) const {}
+  /// tells other ranks of vertices that were moved, and moves theirs, which the log is told of
+  void share_moves(Marked_triangulation_2&, Bubbles_2&, const std::vector<Index>&, Treatment_log_2&) const {}
   /// makes the mesh around the vertices of other ranks what it is after their moves
-  void restore_border(Editable_triangulation_2&, Marked_triangulation_2&) const {}
+  void restore_border(Editable_triangulation_2&, const Marked_triangulation_2&) const {}
   /// adds the neighbours of vertices that other ranks moved in this sweep
   void add_neighbors_of_others(const Editable_triangulation_2&, const Bubbles_2&, std::vector<Index>&) const {}
 };

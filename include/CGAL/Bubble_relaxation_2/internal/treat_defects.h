@@ -33,17 +33,16 @@ namespace internal {
 template <class Concurrency_tag>
 std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& smallest)
 {
-  const Bubbles_2 untreated = mesh.bubbles;
-  const std::vector<Index> moved =
-    treat_vertices<Concurrency_tag>(domain, mesh.triangulation, mesh.bubbles);
+  const Treatment_alone alone;
+  Defect_treatment_2<Concurrency_tag> treat(domain, mesh.triangulation, mesh.bubbles, alone);
+  const std::vector<Index> moved = treat();
   const double smallest_now = smallest_quality<Concurrency_tag>(mesh.triangulation);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
   // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
   if (smallest_now < smallest ||
       (moves_outline && !Outside_2(domain, mesh.bubbles, mesh.triangulation).rebuild())) {
-    mesh.bubbles = untreated;
-    mesh.triangulation = triangulate(domain, mesh.bubbles);
+    treat.undo();
     return 0;
   }
   smallest = smallest_now;

@@ -52,6 +52,13 @@ struct Distributed_mesh_2
       mark_triangle(t, rank);
   }
 
+  void mark_triangles(const std::vector<Index>& triangles, int rank)
+  {
+    for (Index t : triangles)
+      mark_triangle(static_cast<std::size_t>(t), rank);
+  }
+
+private:
   void mark_triangle(std::size_t t, int rank)
   {
     const auto is_own = [&](Index v) { return known.owners[v] == rank; };

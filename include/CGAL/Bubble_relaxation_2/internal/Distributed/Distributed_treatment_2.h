@@ -123,23 +123,27 @@ private:
     if (smallest >= Defect_treatment_2<Sequential_tag>::treated_quality)
       return 0;
     for (;; widen(p)) {
-      Mesh_piece_2 piece = p.piece;
-      Treatment_team_2 team(m_comm, piece);
-      Bubbles_2& bubbles = piece.mesh.known.bubbles;
-      const std::vector<Index> moved = Defect_treatment_2<Sequential_tag, Treatment_team_2>(
-        m_domain, piece.mesh.triangulation, bubbles, team)();
-      if (team.has_failed())
+      Distributed_mesh_2& mesh = p.piece.mesh;
+      Bubbles_2& bubbles = mesh.known.bubbles;
+      Treatment_team_2 team(m_comm, p.piece);
+      Defect_treatment_2<Sequential_tag, Treatment_team_2> treat(m_domain, mesh.triangulation, bubbles, team);
+      const std::vector<Index> moved = treat();
+      if (team.has_failed()) {
+        treat.undo();
         continue;
-      for (Index t : team.changed_triangles())
-        piece.mesh.mark_triangle(static_cast<std::size_t>(t), m_comm.rank());
-      const double smallest_now = smallest_quality(piece.mesh);
+      }
+      mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
+      const double smallest_now = smallest_quality(mesh);
       const bool moves_outline =
         std::any_of(moved.begin(), moved.end(), [&](Index v) { return bubbles.is_on_edge(v); });
       // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
-      if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(piece.mesh)))
+      if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
+        treat.undo();
+        mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
         return 0;
+      }
       smallest = smallest_now;
-      p = Treated_piece{std::move(piece), p.reach, false};
+      p.is_as_wide = false;
       return static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
     }
   }

@@ -31,8 +31,12 @@ struct Known_bubbles_2
 
   /// bubbles of one rank
   Known_bubbles_2(const Numbered_bubbles_2& own, int rank)
-    : bubbles(own.bubbles), numbers(own.numbers), owners(own.numbers.size(), rank)
-  {}
+  {
+    make_room_for(own.size() + own.size() / 8); // with some of others
+    bubbles = own.bubbles;
+    numbers = own.numbers;
+    owners.assign(own.size(), rank);
+  }
 
   std::size_t size() const { return numbers.size(); }
 

@@ -49,9 +49,10 @@ public:
     m_agreement.reach_after([&] {
       Mesh_stitching_2 stitching(m_mesh);
       replace(changes, stitching);
-      stitching.finish(m_known.bubbles.indices_left());
+      Editable_triangulation_2 mesh = stitching.finish(m_known.bubbles.indices_left());
       gone = forget_gone();
-      is_wide_enough = forget_doubtful(m_known.bubbles, m_mesh);
+      Border_certificate_2 certificate(m_mesh);
+      is_wide_enough = forget_doubtful(m_known.bubbles, triangles_beside_others(m_known.bubbles, m_mesh), certificate, mesh);
     });
     close_gaps(gone);
     link_with_others();

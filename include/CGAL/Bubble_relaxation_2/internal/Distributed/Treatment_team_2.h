@@ -75,7 +75,7 @@ public:
     coloring.forget(foreign);
   }
 
-  void share_moves(Marked_triangulation_2& marked, Bubbles_2& b, const std::vector<Index>& moved)
+  void share_moves(Marked_triangulation_2& marked, Bubbles_2& b, const std::vector<Index>& moved, Treatment_log_2& log)
   {
     if (is_alone())
       return;
@@ -83,6 +83,7 @@ public:
     for (const auto& message : in)
       for (const Move& m : message.second) {
         const Index v = m_piece.received.at(message.first)[m.position];
+        log.note(Treatment_log_2::vertex(b, v));
         b.place[v] = m.place;
         b.x[v] = m.x;
         b.y[v] = m.y;
@@ -93,7 +94,7 @@ public:
       }
   }
 
-  void restore_border(Editable_triangulation_2& mesh, Marked_triangulation_2& marked)
+  void restore_border(Editable_triangulation_2& mesh, const Marked_triangulation_2& marked)
   {
     follow_flips(mesh);
     if (is_alone())
@@ -103,7 +104,7 @@ public:
         mesh.restore_delaunay_around(t);
     follow_flips(mesh);
     m_knows_too_little =
-      !forget_doubtful(m_piece.mesh.known.bubbles, m_beside_others, m_certificate, marked) || m_knows_too_little;
+      !forget_doubtful(m_piece.mesh.known.bubbles, m_beside_others, m_certificate, mesh) || m_knows_too_little;
   }
 
   void add_neighbors_of_others(const Editable_triangulation_2& mesh, const Bubbles_2& b, std::vector<Index>& result)

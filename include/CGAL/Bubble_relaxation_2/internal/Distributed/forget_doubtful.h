@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Editable_triangulation_2.h>
 
 #include <algorithm>
 #include <array>
@@ -37,27 +38,15 @@ inline std::vector<Index> triangles_beside_others(const Bubbles_2& bubbles, cons
 /// others' bubbles had to be forgotten, so that the piece is still wide enough. `beside_others`: at least all triangles
 /// with a bubble of another rank. `certificate`: of the piece
 inline bool forget_doubtful(const Bubbles_2& bubbles, const std::vector<Index>& beside_others,
-                            Border_certificate_2& certificate, Marked_triangulation_2& piece)
+                            Border_certificate_2& certificate, Editable_triangulation_2& piece)
 {
   for (Index t : certificate.doubtful(beside_others)) {
-    const std::array<Index, 3>& vertices = piece.tr.vertices[t];
+    const std::array<Index, 3>& vertices = piece.triangulation().vertices[t];
     if (std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return !bubbles.is_foreign[v]; }))
       return false;
-    piece.inside[t] = 0;
-    for (Index& n : piece.tr.neighbors[t])
-      if (n != no_index) {
-        piece.tr.neighbors[n][piece.tr.index_of_neighbor(n, t)] = no_index;
-        n = no_index;
-      }
+    piece.cut_off(t);
   }
   return true;
-}
-
-/// the same, once
-inline bool forget_doubtful(const Bubbles_2& bubbles, Marked_triangulation_2& piece)
-{
-  Border_certificate_2 certificate(piece);
-  return forget_doubtful(bubbles, triangles_beside_others(bubbles, piece), certificate, piece);
 }
 
 } // namespace internal
