@@ -9,8 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TREATMENT_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TREATMENT_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Piece_stitching_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Treatment_inside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Treatment_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
@@ -21,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,8 +31,9 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the
-/// mesh that is wider than its own triangles; if it was not wide enough, all begin again with a wider one.
+/// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. While all defects are far from
+/// other ranks, each works on its own part of the mesh. Else it works on a piece that is wider than its own triangles;
+/// if that was not wide enough, all begin again with a wider one.
 class Distributed_treatment_2
 {
 public:
@@ -45,7 +49,10 @@ public:
   {
     Distributed_mesh_2 mesh =
       distributed_triangulate(m_domain, own, m_partition, m_comm, m_agreement, m_exchange);
-    label_edges(mesh.triangulation);
+    m_agreement.reach_after([&] {
+      label_edges(mesh.triangulation);
+      mesh.known.mark_foreign(m_comm.rank());
+    });
     return mesh;
   }
 
@@ -53,11 +60,7 @@ public:
   double smallest_quality(const Distributed_mesh_2& mesh) const
   {
     double smallest = 1;
-    m_agreement.reach_after([&] {
-      for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
-        if (mesh.is_owned[t])
-          smallest = (std::min)(smallest, quality(mesh.triangulation.tr, static_cast<Index>(t)));
-    });
+    m_agreement.reach_after([&] { for_each_quality(mesh, [&](Index, double q) { smallest = (std::min)(smallest, q); }); });
     return m_comm.smallest(smallest);
   }
 
@@ -65,10 +68,11 @@ public:
   Treatment_counts operator()(Distributed_mesh_2& mesh, bool may_operate) const
   {
     Treatment_counts counts;
-    double smallest = smallest_quality(mesh);
-    if (smallest >= Defect_treatment_2<Sequential_tag>::treated_quality)
-      return counts;
-    Treated_piece piece{widen(std::move(mesh), m_first_reach), m_first_reach, true};
+    const Defects defects = find_defects(mesh);
+    double smallest = defects.smallest_quality;
+    Treated_piece piece{Mesh_piece_2{std::move(mesh), {}, {}}, 0, true};
+    if (defects.are_near_others)
+      widen(piece);
     counts.treated = smooth(piece, smallest);
     if (may_operate)
       operate(piece, smallest, counts);
@@ -94,58 +98,105 @@ public:
   }
 
 private:
+  static constexpr double treated_quality = Defect_treatment_2<Sequential_tag>::treated_quality;
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
+
+  struct Defects
+  {
+    double smallest_quality;
+    bool are_near_others; ///< whether one is so near to another rank's part that moves will probably get there
+  };
+
+  /// `visit(t, q)` for all triangles of this rank
+  template <class Visit>
+  static void for_each_quality(const Distributed_mesh_2& mesh, const Visit& visit)
+  {
+    for (std::size_t k = 0; k < mesh.is_owned.size(); ++k)
+      if (mesh.is_owned[k])
+        visit(static_cast<Index>(k), quality(mesh.triangulation.tr, static_cast<Index>(k)));
+  }
+
+  Defects find_defects(const Distributed_mesh_2& mesh) const
+  {
+    Defects found{1, false};
+    m_agreement.reach_after([&] {
+      const Bubbles_2& b = mesh.known.bubbles;
+      Clearance_2 clearance(m_partition, m_comm.rank());
+      for_each_quality(mesh, [&](Index t, double q) {
+        found.smallest_quality = (std::min)(found.smallest_quality, q);
+        if (q >= treated_quality || found.are_near_others)
+          return;
+        const Index v = mesh.first_vertex(t);
+        found.are_near_others = clearance(b.x[v], b.y[v], m_first_reach / 2 * b.d[v]) == 0;
+      });
+    });
+    return Defects{m_comm.smallest(found.smallest_quality), m_comm.any(found.are_near_others)};
+  }
 
   /// a piece, which gets narrower with what is done to it
   struct Treated_piece
   {
     Mesh_piece_2 piece;
-    double reach;
+    double reach;    ///< 0: the part of each rank alone
     bool is_as_wide; ///< as `reach` says
   };
-
-  Mesh_piece_2 widen(Distributed_mesh_2&& mesh, double reach) const
-  {
-    return Mesh_widening_2(std::move(mesh), m_partition, m_comm, m_agreement, m_exchange)(reach);
-  }
 
   /// when it is too narrow: makes it as wide as it was, or twice as wide
   void widen(Treated_piece& p) const
   {
     if (p.is_as_wide)
-      p.reach *= 2;
-    p.piece = widen(std::move(p.piece.mesh), p.reach);
+      p.reach = p.reach == 0 ? m_first_reach : 2 * p.reach;
+    p.piece = Mesh_widening_2(std::move(p.piece.mesh), m_partition, m_comm, m_agreement, m_exchange)(p.reach);
     p.is_as_wide = true;
   }
 
+  /// moves vertices; returns how many were moved
   std::size_t smooth(Treated_piece& p, double& smallest) const
   {
-    if (smallest >= Defect_treatment_2<Sequential_tag>::treated_quality)
-      return 0;
-    for (;; widen(p)) {
-      Distributed_mesh_2& mesh = p.piece.mesh;
-      Bubbles_2& bubbles = mesh.known.bubbles;
-      Treatment_team_2 team(m_comm, p.piece);
-      Defect_treatment_2<Sequential_tag, Treatment_team_2> treat(m_domain, mesh.triangulation, bubbles, team);
-      const std::vector<Index> moved = treat();
-      if (team.has_failed()) {
-        treat.undo();
-        continue;
-      }
-      mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
-      const double smallest_now = smallest_quality(mesh);
-      const bool moves_outline =
-        std::any_of(moved.begin(), moved.end(), [&](Index v) { return bubbles.is_on_edge(v); });
-      // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
-      if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
-        treat.undo();
-        mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
-        return 0;
-      }
-      smallest = smallest_now;
-      p.is_as_wide = false;
-      return static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
+    std::size_t number = 0;
+    if (smallest >= treated_quality)
+      return number;
+    while (!try_to_smooth(p, smallest, number))
+      widen(p);
+    return number;
+  }
+
+  /// returns whether the pieces were wide enough
+  bool try_to_smooth(Treated_piece& p, double& smallest, std::size_t& number) const
+  {
+    if (p.reach == 0) {
+      Treatment_inside_2 team(m_comm, p.piece.mesh);
+      return smooth_with(team, p.piece.mesh, smallest, number);
     }
+    Treatment_team_2 team(m_comm, p.piece);
+    const bool was_wide_enough = smooth_with(team, p.piece.mesh, smallest, number);
+    p.is_as_wide = p.is_as_wide && !was_wide_enough;
+    return was_wide_enough;
+  }
+
+  template <class Team>
+  bool smooth_with(Team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
+  {
+    Bubbles_2& bubbles = mesh.known.bubbles;
+    Defect_treatment_2<Sequential_tag, Team> treat(m_domain, mesh.triangulation, bubbles, team);
+    const std::vector<Index> moved = treat();
+    if (team.has_failed()) {
+      treat.undo();
+      return false;
+    }
+    mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
+    const double smallest_now = smallest_quality(mesh);
+    const bool moves_outline =
+      std::any_of(moved.begin(), moved.end(), [&](Index v) { return bubbles.is_on_edge(v); });
+    // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
+    if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
+      treat.undo();
+      mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
+      return true;
+    }
+    smallest = smallest_now;
+    number = static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
+    return true;
   }
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
@@ -175,37 +226,39 @@ private:
       if (smallest >= bad_quality)
         break;
       Treatment_counts changes;
-      Treated_piece changed = operate_once(piece, bad_quality, changes);
-      if (changes.inserted + changes.deleted == 0)
+      std::optional<Treated_piece> changed = operate_once(piece, bad_quality, changes);
+      if (!changed)
         break;
-      double smallest_now = smallest_quality(changed.piece.mesh);
-      changes.treated = smooth(changed, smallest_now);
+      double smallest_now = smallest_quality(changed->piece.mesh);
+      changes.treated = smooth(*changed, smallest_now);
       if (smallest_now < smallest)
         break;
       smallest = smallest_now;
-      piece = std::move(changed);
+      piece = std::move(*changed);
       counts += changes;
     }
   }
 
-  /// inserts and deletes bubbles around the worst triangles
-  Treated_piece operate_once(Treated_piece& p, double bad_quality, Treatment_counts& counts) const
+  /// inserts and deletes bubbles around the worst triangles; returns nothing if there is nothing to be done
+  std::optional<Treated_piece> operate_once(Treated_piece& p, double bad_quality, Treatment_counts& counts) const
   {
     const std::int64_t end = number_of_bubbles(p.piece.mesh);
+    if (p.reach == 0)
+      widen(p);
     for (;; widen(p)) {
       Distributed_surgery_2 surgery(m_domain, p.piece, m_comm, m_agreement, m_exchange);
       if (!surgery.find_patches(bad_quality, most_operations(static_cast<std::size_t>(end))))
         continue;
       const Patch_changes_2 changes = surgery.operate(end);
       if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
-        return p;
+        return std::nullopt;
       Treated_piece changed{p.piece, p.reach, false};
       Piece_stitching_2 stitch(changed.piece, m_comm, m_agreement, m_exchange);
       if (!stitch(changes, end))
         continue;
       // rounding can make a mess of a change; then what was there is good
       if (stitch.has_changed_outline && !has_valid_outline(changed.piece.mesh))
-        return p;
+        return std::nullopt;
       counts.inserted = static_cast<std::size_t>(surgery.number_of_insertions);
       counts.deleted = static_cast<std::size_t>(surgery.number_of_deletions);
       return changed;

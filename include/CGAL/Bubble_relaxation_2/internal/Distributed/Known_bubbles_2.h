@@ -48,6 +48,14 @@ struct Known_bubbles_2
     return found != numbers.end() && *found == number ? static_cast<Index>(found - numbers.begin()) : no_index;
   }
 
+  /// tells the bubbles which of them are others'
+  void mark_foreign(int rank)
+  {
+    bubbles.is_foreign.resize(size());
+    for (std::size_t i = 0; i < size(); ++i)
+      bubbles.is_foreign[i] = owners[i] != rank;
+  }
+
   void add(const Bubble_record_2& r, int owner)
   {
     internal::add(bubbles, r);

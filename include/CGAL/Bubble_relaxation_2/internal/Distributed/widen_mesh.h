@@ -194,12 +194,10 @@ private:
     Known_bubbles_2& known = m_mesh.known;
     std::vector<Point>& points = m_mesh.triangulation.tr.points;
     known.bubbles.number = known.numbers;
-    known.bubbles.is_foreign.resize(known.size());
+    known.mark_foreign(m_comm.rank());
     points.resize(known.size());
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      known.bubbles.is_foreign[i] = !is_own(static_cast<Index>(i));
+    for (std::size_t i = 0; i < known.size(); ++i)
       points[i] = known.bubbles.point(i);
-    }
   }
 
   void keep_final_triangles()
