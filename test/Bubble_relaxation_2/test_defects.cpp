@@ -9,6 +9,7 @@
 // The treatment of the last defects, and sizes that follow the outline where it is finer than d.
 
 #include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "distributed/bubbles.h"
 #include "domains.h"
 #include "validation.h"
 
@@ -124,6 +125,29 @@ TEST_P(Treated_domain, has_no_bad_triangles)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Treated_domain, testing::Range(0, 9));
+
+TEST(Defects, treatment_can_be_undone)
+{
+  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 600, validation::seed());
+  internal::Bubbles_2 b = c.bubbles;
+  internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
+  const internal::Marked_triangulation_2 before = mesh;
+  const internal::Treatment_alone alone;
+  internal::Defect_treatment_2<CGAL::Sequential_tag> treat(c.domain(), mesh, b, alone);
+  EXPECT_GT(treat().size(), 100u);
+  EXPECT_NE(b.x, c.bubbles.x);
+  EXPECT_NE(mesh.tr.vertices, before.tr.vertices);
+  treat.undo();
+  EXPECT_EQ(b.x, c.bubbles.x);
+  EXPECT_EQ(b.y, c.bubbles.y);
+  EXPECT_EQ(b.s, c.bubbles.s);
+  EXPECT_EQ(b.place, c.bubbles.place);
+  EXPECT_EQ(mesh.tr.points, before.tr.points);
+  EXPECT_EQ(mesh.tr.vertices, before.tr.vertices);
+  EXPECT_EQ(mesh.tr.neighbors, before.tr.neighbors);
+  EXPECT_EQ(mesh.edges, before.edges);
+  EXPECT_EQ(mesh.inside, before.inside);
+}
 
 TEST(Defects, restored_delaunay_property_is_that_of_the_points)
 {

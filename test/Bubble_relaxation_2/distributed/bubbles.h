@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_BUBBLES_H
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_BUBBLES_H
 
-#include "paper_domains.h"
+#include "../../../examples/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
@@ -102,6 +102,19 @@ inline Case random(const paper::Domain& domain, int n, unsigned seed)
     const double px = x(engine);
     add_inside(c, Point(px, y(engine)), d);
   }
+  return c;
+}
+
+/// A triangle with sides of length n, and the points of the lattice of triangles with sides of length 1 in it: all
+/// triangles are equilateral.
+inline Case equilateral(int n)
+{
+  const double s = n, height = std::sqrt(0.75);
+  Case c = read(paper::Domain{0, "equilateral", {{{0, 0}, {s, 0}, {s / 2, s * height}}}, [](const Point&) { return 1.; }, 1, 1});
+  add_outline(c, n - 1, 1);
+  for (int row = 1; row < n; ++row)
+    for (int k = 1; k < n - row; ++k)
+      add_inside(c, Point(k + row / 2., row * height), 1);
   return c;
 }
 

@@ -48,7 +48,13 @@ void expect_bubbles_are_those(const Bubbles_2& whole, const Numbered_bubbles_2& 
   EXPECT_EQ(different, 0u);
 }
 
-Treatment_counts expect_same_treatment(const Case& c, const Options& options = Options())
+struct Outcome
+{
+  Treatment_counts counts;
+  bool has_widened_pieces;
+};
+
+Outcome expect_same_treatment(const Case& c, const Options& options = Options())
 {
   Bubble_mesh_2 whole{c.bubbles, triangulate(c.domain(), c.bubbles)};
   const Relaxation_options all;
@@ -62,6 +68,7 @@ Treatment_counts expect_same_treatment(const Case& c, const Options& options = O
   Distributed_treatment_2 treat(c.domain(), partition, comm, agreement, exchange, options.first_reach);
   Distributed_mesh_2 mesh =
     treat.triangulate(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+  const std::size_t triangles_before = mesh.triangulation.inside.size();
   const Treatment_counts counts = treat(mesh, true);
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);
@@ -79,7 +86,27 @@ Treatment_counts expect_same_treatment(const Case& c, const Options& options = O
   std::sort(owned.begin(), owned.end());
   const Marked_triangulation_2& t = whole.triangulation;
   EXPECT_TRUE(owned == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
-  return expected;
+  return Outcome{expected, comm.any(mesh.triangulation.inside.size() != triangles_before)};
+}
+
+/// the first bubble in a face for which `is_right(its owner, x, y)` is true
+template <class Is_right>
+Index find_bubble(const Case& c, const Is_right& is_right)
+{
+  const Communicator comm(MPI_COMM_WORLD);
+  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
+  for (std::size_t i = 0; i < c.bubbles.size(); ++i) {
+    const double x = c.bubbles.x[i], y = c.bubbles.y[i];
+    if (c.bubbles.is_in_face(i) && is_right(partition, partition.owner(x, y), x, y))
+      return static_cast<Index>(i);
+  }
+  return no_index;
+}
+
+void make_defect(Bubbles_2& b, Index i)
+{
+  b.x[i] += 0.3;
+  b.y[i] += 0.1;
 }
 
 class Paper_domain : public testing::TestWithParam<int>
@@ -89,22 +116,21 @@ TEST_P(Paper_domain, is_treated_as_by_one_rank)
 {
   const paper::Domain d = paper::all_domains(1)[GetParam()];
   SCOPED_TRACE(d.name);
-  const Treatment_counts counts = expect_same_treatment(relaxed(d));
-  EXPECT_GT(counts.treated, 0u);
+  EXPECT_GT(expect_same_treatment(relaxed(d)).counts.treated, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Some, Paper_domain, testing::Values(1, 4, 7));
 
 TEST(Distributed_treatment, operations)
 {
-  const Treatment_counts counts = expect_same_treatment(relaxed(paper::all_domains(0.7)[1], 1, 3));
+  const Treatment_counts counts = expect_same_treatment(relaxed(paper::all_domains(0.7)[1], 1, 3)).counts;
   EXPECT_GT(counts.inserted, 0u);
   EXPECT_GT(counts.deleted, 0u);
 }
 
 TEST(Distributed_treatment, random_points)
 {
-  const Treatment_counts counts = expect_same_treatment(random(paper::all_domains(1)[0], 600, 3));
+  const Treatment_counts counts = expect_same_treatment(random(paper::all_domains(1)[0], 600, 3)).counts;
   EXPECT_GT(counts.treated, 300u);
   EXPECT_GT(counts.inserted + counts.deleted, 20u);
 }
@@ -114,6 +140,32 @@ TEST(Distributed_treatment, vertices_on_circles) { expect_same_treatment(lattice
 TEST(Distributed_treatment, pieces_that_are_too_narrow_at_first)
 {
   expect_same_treatment(relaxed(paper::all_domains(1)[3]), Options{0.5, false});
+}
+
+TEST(Distributed_treatment, a_defect_far_from_other_ranks)
+{
+  Case c = equilateral(48);
+  const Index i = find_bubble(c, [](const Hilbert_partition_2& partition, int owner, double x, double y) {
+    return partition.owns_disc(owner, x, y, 4);
+  });
+  ASSERT_NE(i, no_index);
+  make_defect(c.bubbles, i);
+  const Outcome outcome = expect_same_treatment(c, Options{3, false});
+  EXPECT_GT(outcome.counts.treated, 0u);
+  EXPECT_FALSE(outcome.has_widened_pieces);
+}
+
+TEST(Distributed_treatment, moves_that_come_too_near_to_other_ranks)
+{
+  Case c = equilateral(48);
+  const Index i = find_bubble(c, [](const Hilbert_partition_2& partition, int owner, double x, double y) {
+    return partition.number_of_ranks() == 1 || !partition.owns_disc(owner, x, y, 1.2);
+  });
+  ASSERT_NE(i, no_index);
+  make_defect(c.bubbles, i);
+  const Outcome outcome = expect_same_treatment(c, Options{1e-6, false}); // it does not look near
+  EXPECT_GT(outcome.counts.treated, 0u);
+  EXPECT_EQ(outcome.has_widened_pieces, Communicator(MPI_COMM_WORLD).size() > 1);
 }
 
 TEST(Distributed_treatment, ranks_without_bubbles)
