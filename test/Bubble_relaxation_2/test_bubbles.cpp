@@ -68,35 +68,34 @@ TEST(Bubbles, those_that_are_selected_stay_in_their_order)
   orders.push_back(orders.back());
   std::reverse(orders.back().begin(), orders.back().end());
   for (const std::vector<Index>& order : orders)
-    for (const bool has_parts : {false, true})
-      for (const std::size_t more : {0u, 5u}) {
-        Bubbles_2 all, expected;
-        for (int i = 0; i < 10; ++i) {
-          add_bubble(all, i);
-          if (has_parts) {
-            all.number.push_back(100 + i);
-            all.is_foreign.push_back(i % 2);
-          }
-        }
-        for (Index i : order)
-          add_bubble(expected, i);
-        all.select(order, more);
-        EXPECT_EQ(all.x, expected.x);
-        EXPECT_EQ(all.y, expected.y);
-        EXPECT_EQ(all.d, expected.d);
-        EXPECT_EQ(all.vx, expected.vx);
-        EXPECT_EQ(all.vy, expected.vy);
-        EXPECT_EQ(all.s, expected.s);
-        EXPECT_EQ(all.dimension, expected.dimension);
-        EXPECT_EQ(all.place, expected.place);
-        EXPECT_EQ(all.tag, expected.tag);
-        ASSERT_EQ(all.number.size(), has_parts ? order.size() : 0);
-        ASSERT_EQ(all.is_foreign.size(), all.number.size());
-        for (std::size_t k = 0; k < all.number.size(); ++k) {
-          EXPECT_EQ(all.number[k], 100 + order[k]);
-          EXPECT_EQ(all.is_foreign[k], order[k] % 2);
+    for (const bool has_parts : {false, true}) {
+      Bubbles_2 all, expected;
+      for (int i = 0; i < 10; ++i) {
+        add_bubble(all, i);
+        if (has_parts) {
+          all.number.push_back(100 + i);
+          all.is_foreign.push_back(i % 2);
         }
       }
+      for (Index i : order)
+        add_bubble(expected, i);
+      all.select(order);
+      EXPECT_EQ(all.x, expected.x);
+      EXPECT_EQ(all.y, expected.y);
+      EXPECT_EQ(all.d, expected.d);
+      EXPECT_EQ(all.vx, expected.vx);
+      EXPECT_EQ(all.vy, expected.vy);
+      EXPECT_EQ(all.s, expected.s);
+      EXPECT_EQ(all.dimension, expected.dimension);
+      EXPECT_EQ(all.place, expected.place);
+      EXPECT_EQ(all.tag, expected.tag);
+      ASSERT_EQ(all.number.size(), has_parts ? order.size() : 0);
+      ASSERT_EQ(all.is_foreign.size(), all.number.size());
+      for (std::size_t k = 0; k < all.number.size(); ++k) {
+        EXPECT_EQ(all.number[k], 100 + order[k]);
+        EXPECT_EQ(all.is_foreign[k], order[k] % 2);
+      }
+    }
 }
 
 TEST(Coincident_bubbles, few_places)

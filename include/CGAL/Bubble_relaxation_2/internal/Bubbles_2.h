@@ -117,19 +117,19 @@ struct Bubbles_2
   }
 
   /// Keeps the bubbles `order[0], order[1], …` in this order and forgets the others. Where they go elsewhere in memory,
-  /// there is room for `more` afterwards.
-  void select(const std::vector<Index>& order, std::size_t more = 0)
+  /// there is room for some more afterwards.
+  void select(const std::vector<Index>& order)
   {
     const bool in_place = is_in_place(order);
     for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
-      select(*a, order, in_place, more);
-    select(dimension, order, in_place, more);
-    select(place, order, in_place, more);
-    select(tag, order, in_place, more);
+      select(*a, order, in_place);
+    select(dimension, order, in_place);
+    select(place, order, in_place);
+    select(tag, order, in_place);
     if (!number.empty())
-      select(number, order, in_place, more);
+      select(number, order, in_place);
     if (!is_foreign.empty())
-      select(is_foreign, order, in_place, more);
+      select(is_foreign, order, in_place);
   }
 
   /// all are here now
@@ -143,7 +143,7 @@ struct Bubbles_2
   template <class T>
   static void select(std::vector<T>& array, const std::vector<Index>& order)
   {
-    select(array, order, is_in_place(order), 0);
+    select(array, order, is_in_place(order));
   }
 
   void stop(std::size_t i) { vx[i] = vy[i] = 0; }
@@ -159,7 +159,7 @@ private:
   }
 
   template <class T>
-  static void select(std::vector<T>& array, const std::vector<Index>& order, bool in_place, std::size_t more)
+  static void select(std::vector<T>& array, const std::vector<Index>& order, bool in_place)
   {
     if (in_place) {
       for (std::size_t k = 0; k < order.size(); ++k)
@@ -168,7 +168,7 @@ private:
       return;
     }
     std::vector<T> selected;
-    selected.reserve(order.size() + more);
+    selected.reserve(order.size() + order.size() / 8);
     for (Index i : order)
       selected.push_back(array[i]);
     array.swap(selected);

@@ -79,7 +79,7 @@ public:
     m_buckets.reset(); // what is in them may be gone
     if (n == 0)
       return;
-    m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, m_d[0], m_x[0], m_y[0], n);
+    m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, m_d[0], m_x[0], m_y[0], n + n / 8);
     for (std::size_t i = 0; i < n; ++i)
       m_buckets->insert(static_cast<Index>(i), m_x[i], m_y[i], m_d[i]);
     for (std::size_t i = 0; i < n; ++i)

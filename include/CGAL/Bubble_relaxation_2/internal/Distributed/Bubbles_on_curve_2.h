@@ -90,7 +90,7 @@ public:
     order.reserve(m_places.size());
     for (const Place& p : m_places)
       order.push_back(p.index);
-    m_bubbles.select(order, order.size() / 8);
+    m_bubbles.select(order);
   }
 
 private:
