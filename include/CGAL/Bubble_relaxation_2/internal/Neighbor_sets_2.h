@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Index_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_search_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/make_room_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/parallel_for.h>
@@ -22,6 +23,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,8 +53,8 @@ public:
   double radius() const { return m_radius; }
   std::size_t number_of_bubbles() const { return m_sets.size(); }
 
-  const Index* begin(std::size_t i) const { return m_pool.data() + m_sets[i].first; }
-  const Index* end(std::size_t i) const { return begin(i) + m_sets[i].size; }
+  const Index* begin(std::size_t i) const { return m_sets.begin(i); }
+  const Index* end(std::size_t i) const { return m_sets.end(i); }
 
   /// the order of sets: that of all bubbles, of which these may be a part
   bool is_before(Index i, Index j) const
@@ -106,8 +108,7 @@ public:
   {
     for (std::vector<double>* a : {&m_x, &m_y, &m_d})
       internal::make_room_for(n, *a);
-    internal::make_room_for(n, m_sets);
-    internal::make_room_for(usual_number * n, m_pool);
+    m_sets.make_room_for(n);
   }
 
   /// takes bubble `i` out of all sets
@@ -116,7 +117,7 @@ public:
     ++m_number_of_changes;
     for (const Index *j = begin(i), *last = end(i); j != last; ++j)
       erase(*j, i);
-    m_sets[i].size = 0;
+    m_sets.clear(static_cast<std::size_t>(i));
     if (m_buckets)
       m_buckets->erase(i);
   }
@@ -132,7 +133,7 @@ public:
     m_x.push_back(x);
     m_y.push_back(y);
     m_d.push_back(d);
-    append(nullptr, 0);
+    m_sets.append(nullptr, 0);
     if (m_sets.size() == 1) // a rank may begin with none
       m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, d, x, y, 1);
     if (!m_buckets)
@@ -180,10 +181,7 @@ public:
   /// \pre sets of others' bubbles near ours have those of their neighbours that are near ours too
   void renew_from_neighbors(const Bubbles_2& bubbles)
   {
-    std::vector<Set> old_sets;
-    std::vector<Index> old_pool;
-    old_sets.swap(m_sets);
-    old_pool.swap(m_pool);
+    const Index_sets old_sets = std::exchange(m_sets, Index_sets());
     start(bubbles, Bubble_references_2{bubbles.x, bubbles.y, bubbles.d});
     const std::size_t n = bubbles.size();
     const double farthest = (std::max)(m_radius, 3.);
@@ -204,17 +202,15 @@ public:
         if (is_near(i, j, m_radius))
           m_found.push_back(j);
       };
-      const auto old_set = [&](std::size_t j) { return old_pool.data() + old_sets[j].first; };
-      for (std::size_t a = 0; bubbles.is_ours(k) && a < old_sets[k].size; ++a) {
-        const Index j = old_set(k)[a];
-        consider(j);
-        if (is_near(i, j, farthest))
-          for (std::size_t b = 0; b < old_sets[j].size; ++b)
-            if (is_near(j, old_set(j)[b], farthest))
-              consider(old_set(j)[b]);
+      for (const Index *j = old_sets.begin(k), *end = old_sets.end(k); bubbles.is_ours(k) && j != end; ++j) {
+        consider(*j);
+        if (is_near(i, *j, farthest))
+          for (const Index *l = old_sets.begin(*j), *last = old_sets.end(*j); l != last; ++l)
+            if (is_near(*j, *l, farthest))
+              consider(*l);
       }
       std::sort(m_found.begin(), m_found.end(), [this](Index j, Index l) { return is_before(j, l); });
-      append(m_found.data(), m_found.size());
+      m_sets.append(m_found.data(), m_found.size());
     }
     m_buckets.reset(); // their bubbles are not where they were
     tell_others(bubbles);
@@ -224,9 +220,7 @@ public:
   void assign(Index i, const std::vector<Index>& set)
   {
     ++m_number_of_changes;
-    make_room(i, set.size());
-    std::copy(set.begin(), set.end(), m_pool.begin() + static_cast<std::ptrdiff_t>(m_sets[i].first));
-    m_sets[i].size = static_cast<std::uint32_t>(set.size());
+    m_sets.assign(static_cast<std::size_t>(i), set);
   }
 
   /// Replaces all sets: those of the bubbles of this rank are as `set_of(i)` tells, and those of others' have them.
@@ -267,7 +261,7 @@ public:
   template <class Visitor>
   void find_within(double x, double y, double d, double near, const Visitor& visit) const
   {
-    if (m_sets.empty())
+    if (m_sets.size() == 0)
       return;
     m_buckets->for_each_within(x, y, (near + m_radius - 1.5) * d, visitor(visit));
   }
@@ -276,7 +270,7 @@ public:
   template <class Visitor>
   void find_large(double x, double y, double least, double near, const Visitor& visit) const
   {
-    if (m_sets.empty())
+    if (m_sets.size() == 0)
       return;
     const double most_grown = m_radius / 1.5; // from the reference, until the skin is used up
     m_buckets->for_each_large(x, y, least / most_grown, near * most_grown, visitor(visit));
@@ -300,21 +294,14 @@ private:
     };
   }
 
-  /// a bubble's neighbours: `size` numbers in the pool from `first`, room for `capacity`
-  struct Set
-  {
-    std::size_t first;
-    std::uint32_t size, capacity;
-  };
-
   /// puts the bubbles of this rank into the sets of their neighbours that others own, which are empty
   void tell_others(const Bubbles_2& bubbles)
   {
     if (bubbles.is_foreign.empty())
       return;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
-      for (std::size_t k = 0; bubbles.is_ours(i) && k < m_sets[i].size; ++k) {
-        const Index j = m_pool[m_sets[i].first + k];
+      for (std::size_t k = 0; bubbles.is_ours(i) && k < m_sets.size_of(i); ++k) {
+        const Index j = begin(i)[k];
         if (!bubbles.is_ours(j))
           insert(j, static_cast<Index>(i));
       }
@@ -324,10 +311,7 @@ private:
   {
     ++m_number_of_changes;
     const std::size_t n = bubbles.size() + bubbles.size() / 8; // with those that will be added
-    m_sets.clear();
-    m_sets.reserve(n);
-    m_pool.clear();
-    m_pool.reserve(usual_number * n);
+    m_sets.start(n);
     for (std::vector<double>* a : {&m_x, &m_y, &m_d})
       a->reserve(n);
     m_numbers = &bubbles.number;
@@ -338,8 +322,6 @@ private:
 
   static constexpr std::size_t block_size = Neighbor_search_2::block_size, least_blocks_at_once = 32,
                                renewed_at_once = 8192;
-  /// numbers that a set takes, with room for one more neighbour: about so many
-  static constexpr std::size_t usual_number = 12;
 
   void find_block(const Bubbles_2& bubbles, const Neighbor_search_2& find, std::size_t first, std::size_t last,
                   Neighbor_block& block) const
@@ -367,19 +349,9 @@ private:
   {
     const Index* first = block.found.data();
     for (std::size_t size : block.sizes) {
-      append(first, size);
+      m_sets.append(first, size);
       first += size;
     }
-  }
-
-  void append(const Index* set, std::size_t n)
-  {
-    const std::uint32_t size = static_cast<std::uint32_t>(n);
-    const std::uint32_t capacity = size + 1; // bubbles rarely get more than one more
-    m_sets.push_back(Set{m_pool.size(), size, capacity});
-    internal::make_room_for(capacity, m_pool);
-    m_pool.insert(m_pool.end(), set, set + n);
-    m_pool.resize(m_pool.size() + capacity - size);
   }
 
   /// makes `found` the set of bubble `i`, and tells the bubbles that are neighbours no more, or newly
@@ -397,55 +369,22 @@ private:
       erase(j, i);
     for (Index j : m_joined)
       insert(j, i);
-    make_room(i, found.size());
-    std::copy(found.begin(), found.end(), m_pool.begin() + m_sets[i].first);
-    m_sets[i].size = static_cast<std::uint32_t>(found.size());
-  }
-
-  template <class Iterator>
-  Iterator position_of(Index neighbor, Iterator first, Iterator last) const
-  {
-    return std::lower_bound(first, last, neighbor, [this](Index j, Index k) { return is_before(j, k); });
+    m_sets.assign(static_cast<std::size_t>(i), found);
   }
 
   void erase(Index i, Index neighbor)
   {
-    Set& s = m_sets[i];
-    const auto first = m_pool.begin() + s.first, last = first + s.size;
-    const auto position = position_of(neighbor, first, last);
-    std::copy(position + 1, last, position);
-    --s.size;
+    m_sets.erase(static_cast<std::size_t>(i), neighbor, [this](Index j, Index k) { return is_before(j, k); });
   }
 
   void insert(Index i, Index neighbor)
   {
-    make_room(i, m_sets[i].size + 1);
-    Set& s = m_sets[i];
-    const auto first = m_pool.begin() + s.first, last = first + s.size;
-    const auto position = position_of(neighbor, first, last);
-    std::copy_backward(position, last, last + 1);
-    *position = neighbor;
-    ++s.size;
-  }
-
-  /// moves a set that grows too large to the end of the pool; `build()` closes the gaps
-  void make_room(Index i, std::size_t size)
-  {
-    Set& s = m_sets[i];
-    if (size <= s.capacity)
-      return;
-    s.capacity = static_cast<std::uint32_t>(size + size / 2 + 1);
-    const std::size_t first = m_pool.size();
-    internal::make_room_for(s.capacity, m_pool);
-    m_pool.resize(first + s.capacity);
-    std::copy_n(m_pool.begin() + s.first, s.size, m_pool.begin() + first);
-    s.first = first;
+    m_sets.insert(static_cast<std::size_t>(i), neighbor, [this](Index j, Index k) { return is_before(j, k); });
   }
 
   double m_radius;
   const std::vector<std::int64_t>* m_numbers = nullptr; // of the bubbles
-  std::vector<Set> m_sets;
-  std::vector<Index> m_pool;
+  Index_sets m_sets;
   std::vector<double> m_x, m_y, m_d; // the references
   std::unique_ptr<Bubble_buckets_2> m_buckets;
   std::vector<std::vector<Index>> m_new_sets; // of those that are renewed at once

@@ -21,7 +21,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Shared_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Stage_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/place_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/Local_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/wide_hole_sides.h>
 #include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
 
 #include <algorithm>
@@ -126,28 +126,14 @@ public:
   template <class Simulation>
   void look_across_holes(Simulation& simulation, Bubbles_2& bubbles)
   {
-    using Triangulation = Local_triangulation_2;
     const Neighbor_sets_2& neighbors = simulation.neighbors();
-    constexpr double largest_ratio = 4;
-    Messages<Hole_side> asked;
-    for (Index i : simulation.touched()) {
-      // one that is asked for, and not known anyway, is not much larger; it may have left the part of its owner
-      const double size = neighbors.reference_d(i);
-      const double most = (0.5 * neighbors.radius() * (Triangulation::far + largest_ratio) +
-                           largest_ratio * Halo_2::away_from_part) * size;
-      if (!bubbles.is_ours(i) || bubbles.is_gone(i) || m_halo.is_ours_within(bubbles, i, most) ||
-          !Triangulation::is_beside_wide_hole(bubbles, neighbors, i))
-        continue;
-      const Hole_side side{neighbors.reference_x(i), neighbors.reference_y(i), Triangulation::far * size};
-      for (int rank : partition().owners_in_disc(side.x, side.y, most))
-        if (rank != m_comm.rank())
-          asked[rank].push_back(side);
-    }
+    const Messages<Wide_hole_side_2> asked =
+      wide_hole_sides(bubbles, neighbors, simulation.touched(), m_halo, partition(), m_comm.rank());
     if (!m_comm.any(!asked.empty()))
       return;
     m_halo.fetch(
       asked,
-      [&](const Hole_side& side, const auto& visit) { neighbors.find_around(side.x, side.y, side.d, visit); },
+      [&](const Wide_hole_side_2& side, const auto& visit) { neighbors.find_around(side.x, side.y, side.d, visit); },
       [&](Index i) { return state(simulation, bubbles, i); },
       [&](const Bubble_state_2& s, int owner) { add_of_other(simulation, bubbles, s, owner); });
     m_moves.connect(m_halo, bubbles.size());
@@ -245,12 +231,6 @@ public:
   const Traffic_2& traffic() const { return m_traffic; }
 
 private:
-  /// where a bubble is that asks for others around it, by its reference, and as how large
-  struct Hole_side
-  {
-    double x, y, d;
-  };
-
   /// makes the halo, of one width or by the bubbles' sizes
   template <class Simulation>
   void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
