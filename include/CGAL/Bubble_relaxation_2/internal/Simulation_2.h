@@ -272,11 +272,20 @@ private:
     return true;
   }
 
+  /// tells other ranks where bubbles are within a step
+  struct Stage_sharing
+  {
+    Team& team;
+    const Neighbor_sets_2& neighbors;
+
+    void send(const std::vector<double>& x, const std::vector<double>& y) const { team.send_positions(neighbors, x, y); }
+    void receive(std::vector<double>& x, std::vector<double>& y) const { team.receive_positions(x, y); }
+  };
+
   void step(Round_result& result)
   {
     const std::vector<Index>& active = m_active.indices();
-    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements,
-                 [this](std::vector<double>& x, std::vector<double>& y) { m_team.share_positions(m_neighbors, x, y); });
+    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements, Stage_sharing{m_team, m_neighbors});
     m_flags.start_step(active.size());
     move_all_of(active, true);
     m_team.send_moves(m_bubbles, active, m_flags.is_moving);

@@ -36,8 +36,10 @@ struct Simulation_alone
   std::size_t number_of_all(const Bubbles_2& bubbles) const { return bubbles.size(); }
   /// whether another rank has to know where a bubble is
   bool is_at_border(Index) const { return false; }
-  /// puts in where bubbles of other ranks are within a step
-  void share_positions(const Neighbor_sets_2&, std::vector<double>&, std::vector<double>&) const {}
+  /// begins to tell other ranks where bubbles are within a step
+  void send_positions(const Neighbor_sets_2&, const std::vector<double>&, const std::vector<double>&) const {}
+  /// puts in where theirs are
+  void receive_positions(std::vector<double>&, std::vector<double>&) const {}
   /// completes the neighbour sets of bubbles that other ranks own
   template <class Neighbor_sets>
   void share_sets(const Bubbles_2&, Neighbor_sets&)

@@ -37,7 +37,8 @@ struct Displacements
 /// No other ranks: all positions within a step are known.
 struct Share_nothing
 {
-  void operator()(std::vector<double>&, std::vector<double>&) const {}
+  void send(const std::vector<double>&, const std::vector<double>&) const {}
+  void receive(std::vector<double>&, std::vector<double>&) const {}
 };
 
 /// One step of eq. 3 in units of the local size, which makes it scale-free:
@@ -89,7 +90,8 @@ public:
     : m_force{o.force_coefficient}, m_step(o.time_step), m_mass(o.mass), m_damping(o.damping)
   {}
 
-  /// `share(x, y)` puts in where the bubbles of other ranks are at a stage
+  /// `share.send(x, y)` begins to tell other ranks where the bubbles are at a stage, which the stage before tells without
+  /// its forces; after these `share.receive(x, y)` puts in where theirs are
   template <class Share = Share_nothing>
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
                   const Boundary_2& boundary, Displacements& displacements, const Share& share = Share())
@@ -110,9 +112,17 @@ public:
     }
     for (const Stage& stage : {Stage{1. / 6, 0.5}, Stage{1. / 3, 0.5}, Stage{1. / 3, 1.},
                                Stage{1. / 6, 0.}}) {
+      const bool is_last = stage.ahead == 0;
+      if (!is_last) {
+        find_next_places(stage, b, active);
+        share.send(m_next_x, m_next_y);
+      }
       advance(stage, b, active, neighbors, boundary, displacements);
-      if (stage.ahead > 0)
-        share(m_x, m_y);
+      if (!is_last) {
+        share.receive(m_next_x, m_next_y);
+        m_x.swap(m_next_x);
+        m_y.swap(m_next_y);
+      }
     }
     for (std::size_t k = 0; k < n; ++k) {
       b.vx[active[k]] += m_sum_vx[k];
@@ -123,6 +133,16 @@ public:
 private:
   /// its slopes count with `weight`; the next stage starts `ahead` steps from the start
   struct Stage { double weight, ahead; };
+
+  void find_next_places(const Stage& stage, const Bubbles_2& b, const std::vector<Index>& active)
+  {
+    const double ahead = stage.ahead * m_step;
+    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
+      const Index i = active[k];
+      m_next_x[i] = b.x[i] + ahead * m_vx[k];
+      m_next_y[i] = b.y[i] + ahead * m_vy[k];
+    });
+  }
 
   void advance(const Stage& stage, const Bubbles_2& b, const std::vector<Index>& active,
                const Neighbor_sets_2& neighbors, const Boundary_2& boundary,
@@ -139,13 +159,9 @@ private:
       displacements.y[k] += sum * m_vy[k];
       m_sum_vx[k] += sum * ax;
       m_sum_vy[k] += sum * ay;
-      m_next_x[i] = b.x[i] + ahead * m_vx[k];
-      m_next_y[i] = b.y[i] + ahead * m_vy[k];
       m_vx[k] = b.vx[i] + ahead * ax;
       m_vy[k] = b.vy[i] + ahead * ay;
     });
-    m_x.swap(m_next_x);
-    m_y.swap(m_next_y);
   }
 
   Bubble_force_2 m_force;

@@ -169,10 +169,16 @@ public:
   bool is_at_border(Index i) const { return m_halo.is_at_border(i); }
 
   /// where bubbles are within a step; `sets` are their neighbours
-  void share_positions(const Neighbor_sets_2& sets, std::vector<double>& x, std::vector<double>& y)
+  void send_positions(const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
   {
     if (!m_interval.is_used())
-      m_stages(m_halo, sets, x, y);
+      m_stages.send(m_halo, sets, x, y);
+  }
+
+  void receive_positions(std::vector<double>& x, std::vector<double>& y)
+  {
+    if (!m_interval.is_used())
+      m_stages.receive(m_halo, x, y);
   }
 
   void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets)

@@ -29,10 +29,10 @@ namespace internal {
 class Stage_exchange_2
 {
 public:
-  explicit Stage_exchange_2(const Communicator& comm) : m_comm(comm) {}
+  explicit Stage_exchange_2(const Communicator& comm) : m_exchange(comm) {}
 
-  /// Collective. Puts in where the bubbles of others are.
-  void operator()(const Halo_2& halo, const Neighbor_sets_2& sets, std::vector<double>& x, std::vector<double>& y)
+  /// Begins to tell where our bubbles are. `receive()` has to follow.
+  void send(const Halo_2& halo, const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
   {
     if (m_halo_changes != halo.number_of_changes() || m_set_changes != sets.number_of_changes())
       find_neighbors_of_others(halo, sets);
@@ -46,7 +46,13 @@ public:
     }
     for (const auto& list : halo.received())
       m_in[list.first].resize(list.second.size());
-    exchange_known(m_comm, m_out, m_in);
+    m_exchange.start(m_out, m_in);
+  }
+
+  /// Puts in where the bubbles of others are.
+  void receive(const Halo_2& halo, std::vector<double>& x, std::vector<double>& y)
+  {
+    m_exchange.finish(m_in);
     for (const auto& list : halo.received())
       for (const Place& p : m_in[list.first]) {
         const Index i = list.second[static_cast<std::size_t>(p.position)];
@@ -78,7 +84,7 @@ private:
     m_set_changes = sets.number_of_changes();
   }
 
-  const Communicator& m_comm;
+  Known_exchange<Place> m_exchange;
   Messages<Place> m_out, m_in;
   std::size_t m_halo_changes = 0, m_set_changes = 0; // when the neighbours were found
 };

@@ -19,33 +19,60 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Exchanges messages between ranks that know who sends how much at most: the messages in `in` have that size,
-/// and afterwards that of what came.
+/// Exchanges messages between ranks that know who sends how much at most, while they do something else.
+template <class T>
+class Known_exchange
+{
+public:
+  explicit Known_exchange(const Communicator& comm) : m_comm(comm) {}
+
+  /// Begins. `in`: messages of the sizes that those that come have at most. Until `finish()` nobody else may touch what is
+  /// in `in` and `out`.
+  void start(const Messages<T>& out, Messages<T>& in)
+  {
+    m_requests.clear();
+    for (auto& message : in) {
+      m_requests.emplace_back();
+      check_mpi(MPI_Irecv(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
+                          m_comm.handle(), &m_requests.back()));
+    }
+    for (const auto& message : out) {
+      m_requests.emplace_back();
+      check_mpi(MPI_Isend(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
+                          m_comm.handle(), &m_requests.back()));
+    }
+  }
+
+  /// Ends: the messages in `in`, the same as in `start()`, get the sizes of what came.
+  void finish(Messages<T>& in)
+  {
+    m_statuses.resize(m_requests.size());
+    check_mpi(MPI_Waitall(static_cast<int>(m_requests.size()), m_requests.data(), m_statuses.data()));
+    std::size_t k = 0;
+    for (auto& message : in) {
+      int size = 0;
+      MPI_Get_count(&m_statuses[k++], MPI_BYTE, &size);
+      message.second.resize(static_cast<std::size_t>(size) / sizeof(T));
+    }
+  }
+
+private:
+  static constexpr int tag = 2; // not those of exchanges with unknown senders
+
+  static int bytes(const std::vector<T>& records) { return static_cast<int>(records.size() * sizeof(T)); }
+
+  const Communicator& m_comm;
+  std::vector<MPI_Request> m_requests; // those of `in` first
+  std::vector<MPI_Status> m_statuses;
+};
+
+/// The same at once.
 template <class T>
 void exchange_known(const Communicator& comm, const Messages<T>& out, Messages<T>& in)
 {
-  constexpr int tag = 2; // not those of exchanges with unknown senders
-  const auto bytes = [](const std::vector<T>& records) { return static_cast<int>(records.size() * sizeof(T)); };
-  std::vector<MPI_Request> requests;
-  requests.reserve(in.size() + out.size());
-  for (auto& message : in) {
-    requests.emplace_back();
-    check_mpi(MPI_Irecv(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
-                        comm.handle(), &requests.back()));
-  }
-  for (const auto& message : out) {
-    requests.emplace_back();
-    check_mpi(MPI_Isend(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
-                        comm.handle(), &requests.back()));
-  }
-  std::vector<MPI_Status> statuses(requests.size());
-  check_mpi(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), statuses.data()));
-  std::size_t k = 0;
-  for (auto& message : in) {
-    int size = 0;
-    MPI_Get_count(&statuses[k++], MPI_BYTE, &size);
-    message.second.resize(static_cast<std::size_t>(size) / sizeof(T));
-  }
+  Known_exchange<T> exchange(comm);
+  exchange.start(out, in);
+  exchange.finish(in);
 }
 
 } // namespace internal
