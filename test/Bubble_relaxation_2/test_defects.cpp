@@ -136,7 +136,10 @@ TEST(Defects, treatment_can_be_undone)
   internal::Defect_treatment_2<CGAL::Sequential_tag> treat(c.domain(), mesh, b, alone);
   EXPECT_GT(treat().size(), 100u);
   EXPECT_NE(b.x, c.bubbles.x);
+  EXPECT_NE(b.s, c.bubbles.s);
+  EXPECT_NE(b.place, c.bubbles.place);
   EXPECT_NE(mesh.tr.vertices, before.tr.vertices);
+  EXPECT_NE(mesh.edges, before.edges);
   treat.undo();
   EXPECT_EQ(b.x, c.bubbles.x);
   EXPECT_EQ(b.y, c.bubbles.y);
@@ -146,6 +149,24 @@ TEST(Defects, treatment_can_be_undone)
   EXPECT_EQ(mesh.tr.vertices, before.tr.vertices);
   EXPECT_EQ(mesh.tr.neighbors, before.tr.neighbors);
   EXPECT_EQ(mesh.edges, before.edges);
+  EXPECT_EQ(mesh.inside, before.inside);
+}
+
+TEST(Defects, triangles_that_were_cut_off_can_be_put_back)
+{
+  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 100, validation::seed());
+  internal::Bubbles_2 b = c.bubbles;
+  internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
+  const internal::Marked_triangulation_2 before = mesh;
+  internal::Treatment_log_2 log;
+  internal::Editable_triangulation_2 editable(mesh, &log);
+  for (std::size_t t = 0; t < mesh.inside.size(); t += 3)
+    if (mesh.inside[t])
+      editable.cut_off(static_cast<Index>(t));
+  EXPECT_NE(mesh.tr.neighbors, before.tr.neighbors);
+  EXPECT_NE(mesh.inside, before.inside);
+  log.undo(mesh, b);
+  EXPECT_EQ(mesh.tr.neighbors, before.tr.neighbors);
   EXPECT_EQ(mesh.inside, before.inside);
 }
 

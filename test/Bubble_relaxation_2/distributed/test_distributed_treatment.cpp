@@ -16,7 +16,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <numeric>
+#include <random>
+#include <vector>
 
 namespace {
 
@@ -51,7 +55,7 @@ void expect_bubbles_are_those(const Bubbles_2& whole, const Numbered_bubbles_2& 
 struct Outcome
 {
   Treatment_counts counts;
-  bool has_widened_pieces;
+  std::size_t number_of_widenings, number_of_failed_treatments;
 };
 
 Outcome expect_same_treatment(const Case& c, const Options& options = Options())
@@ -68,7 +72,6 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
   Distributed_treatment_2 treat(c.domain(), partition, comm, agreement, exchange, options.first_reach);
   Distributed_mesh_2 mesh =
     treat.triangulate(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
-  const std::size_t triangles_before = mesh.triangulation.inside.size();
   const Treatment_counts counts = treat(mesh, true);
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);
@@ -86,27 +89,36 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
   std::sort(owned.begin(), owned.end());
   const Marked_triangulation_2& t = whole.triangulation;
   EXPECT_TRUE(owned == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
-  return Outcome{expected, comm.any(mesh.triangulation.inside.size() != triangles_before)};
+  return Outcome{expected, mesh.number_of_widenings, mesh.number_of_failed_treatments};
 }
 
-/// the first bubble in a face for which `is_right(its owner, x, y)` is true
-template <class Is_right>
-Index find_bubble(const Case& c, const Is_right& is_right)
+/// The bubbles that are so far from other ranks' parts, and not much farther, by their owners.
+std::map<int, std::vector<Index>> bubbles_by_clearance(const Case& c, double least, double most)
 {
-  const Communicator comm(MPI_COMM_WORLD);
-  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
+  const int ranks = Communicator(MPI_COMM_WORLD).size();
+  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, ranks, false);
+  std::map<int, std::vector<Index>> result;
   for (std::size_t i = 0; i < c.bubbles.size(); ++i) {
     const double x = c.bubbles.x[i], y = c.bubbles.y[i];
-    if (c.bubbles.is_in_face(i) && is_right(partition, partition.owner(x, y), x, y))
-      return static_cast<Index>(i);
+    const int owner = partition.owner(x, y);
+    if (c.bubbles.can_move(i) && partition.owns_disc(owner, x, y, least) &&
+        (ranks == 1 || !partition.owns_disc(owner, x, y, most)))
+      result[owner].push_back(static_cast<Index>(i));
   }
-  return no_index;
+  return result;
 }
 
-void make_defect(Bubbles_2& b, Index i)
+/// moves a bubble of the lattice
+void make_defect(Case& c, Index i, double dx = 0.3, double dy = 0.1)
 {
-  b.x[i] += 0.3;
-  b.y[i] += 0.1;
+  Bubbles_2& b = c.bubbles;
+  Point p(b.x[i] + dx, b.y[i] + dy);
+  if (b.is_on_edge(i)) {
+    b.s[i] += dx / c.domain().length(b.place[i]);
+    p = c.domain().point_on_edge(b.place[i], b.s[i]);
+  }
+  b.x[i] = p.x();
+  b.y[i] = p.y();
 }
 
 class Paper_domain : public testing::TestWithParam<int>
@@ -142,30 +154,59 @@ TEST(Distributed_treatment, pieces_that_are_too_narrow_at_first)
   expect_same_treatment(relaxed(paper::all_domains(1)[3]), Options{0.5, false});
 }
 
-TEST(Distributed_treatment, a_defect_far_from_other_ranks)
+TEST(Distributed_treatment, defects_far_from_other_ranks)
 {
-  Case c = equilateral(48);
-  const Index i = find_bubble(c, [](const Hilbert_partition_2& partition, int owner, double x, double y) {
-    return partition.owns_disc(owner, x, y, 4);
-  });
-  ASSERT_NE(i, no_index);
-  make_defect(c.bubbles, i);
+  Case c = equilateral(64);
+  for (const auto& bubbles : bubbles_by_clearance(c, 4, 100)) // one of each rank that has such
+    make_defect(c, bubbles.second[bubbles.second.size() / 2]);
   const Outcome outcome = expect_same_treatment(c, Options{3, false});
   EXPECT_GT(outcome.counts.treated, 0u);
-  EXPECT_FALSE(outcome.has_widened_pieces);
+  EXPECT_EQ(outcome.number_of_widenings, 0u);
+}
+
+TEST(Distributed_treatment, a_defect_on_an_edge_far_from_other_ranks)
+{
+  Case c = equilateral(64);
+  for (const auto& bubbles : bubbles_by_clearance(c, 4, 100)) {
+    const auto on_edge = std::find_if(bubbles.second.begin(), bubbles.second.end(),
+                                      [&c](Index i) { return c.bubbles.is_on_edge(i); });
+    if (on_edge != bubbles.second.end())
+      make_defect(c, *on_edge);
+  }
+  const Outcome outcome = expect_same_treatment(c, Options{3, false});
+  EXPECT_GT(outcome.counts.treated, 0u);
+  EXPECT_EQ(outcome.number_of_widenings, 0u);
 }
 
 TEST(Distributed_treatment, moves_that_come_too_near_to_other_ranks)
 {
   Case c = equilateral(48);
-  const Index i = find_bubble(c, [](const Hilbert_partition_2& partition, int owner, double x, double y) {
-    return partition.number_of_ranks() == 1 || !partition.owns_disc(owner, x, y, 1.2);
-  });
-  ASSERT_NE(i, no_index);
-  make_defect(c.bubbles, i);
-  const Outcome outcome = expect_same_treatment(c, Options{1e-6, false}); // it does not look near
+  make_defect(c, bubbles_by_clearance(c, 0.3, 1.2).begin()->second.front());
+  const Outcome outcome = expect_same_treatment(c, Options{0.1, false}); // it does not look near
   EXPECT_GT(outcome.counts.treated, 0u);
-  EXPECT_EQ(outcome.has_widened_pieces, Communicator(MPI_COMM_WORLD).size() > 1);
+  const bool is_alone = Communicator(MPI_COMM_WORLD).size() == 1;
+  EXPECT_EQ(outcome.number_of_failed_treatments > 0, !is_alone);
+  EXPECT_EQ(outcome.number_of_widenings > 0, !is_alone);
+}
+
+// candidates of several ranks may meet where none of them moves
+TEST(Distributed_treatment, defects_at_any_distance_from_other_ranks)
+{
+  std::mt19937 random(7); // the same on all ranks
+  std::uniform_real_distribution<double> shift(-0.35, 0.35);
+  std::size_t inside = 0, widened = 0;
+  for (double clearance : {1.5, 2.5, 3.5, 4.5, 5.5}) {
+    Case c = equilateral(64);
+    for (const auto& bubbles : bubbles_by_clearance(c, clearance, clearance + 1))
+      for (int k = 0; k < 2; ++k) {
+        const double dx = shift(random);
+        make_defect(c, bubbles.second[random() % bubbles.second.size()], dx, shift(random));
+      }
+    const Outcome outcome = expect_same_treatment(c, Options{0.1, false});
+    ++(outcome.number_of_widenings == 0 ? inside : widened);
+  }
+  EXPECT_GT(inside, 0u);
+  EXPECT_EQ(widened > 0, Communicator(MPI_COMM_WORLD).size() > 1);
 }
 
 TEST(Distributed_treatment, ranks_without_bubbles)

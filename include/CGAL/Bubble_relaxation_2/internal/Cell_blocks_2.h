@@ -38,7 +38,7 @@ public:
     bool operator==(const Cell& c) const { return ix == c.ix && iy == c.iy && level == c.level; }
   };
 
-  /// 8 x 8 cells of a level
+  /// 8 x 8 cells of a level. Whoever puts something into a cell, or takes it out, sets its bit of `occupied`, and `first`.
   struct Block
   {
     std::uint64_t occupied = 0;    ///< a bit for each cell: whether it holds anything
@@ -106,8 +106,8 @@ public:
   bool for_each_root(double x, double y, double distance, const Visit& visit) const
   {
     const double inverse = least_inverse();
-    const Cell low = block_around(Cell{index_at(x - distance - m_x0, inverse), index_at(y - distance - m_y0, inverse), 0}),
-               high = block_around(Cell{index_at(x + distance - m_x0, inverse), index_at(y + distance - m_y0, inverse), 0});
+    const Cell low = block_index(Cell{index_at(x - distance - m_x0, inverse), index_at(y - distance - m_y0, inverse), 0}),
+               high = block_index(Cell{index_at(x + distance - m_x0, inverse), index_at(y + distance - m_y0, inverse), 0});
     for (std::int64_t iy = low.iy; iy <= high.iy; ++iy)
       for (std::int64_t ix = low.ix; ix <= high.ix; ++ix) {
         const Index root = m_table[slot_of(ix, iy)];
@@ -134,7 +134,7 @@ private:
     return i - (static_cast<double>(i) > v);
   }
 
-  static Cell block_around(const Cell& c) { return Cell{c.ix >> 3, c.iy >> 3, c.level}; }
+  static Cell block_index(const Cell& c) { return Cell{c.ix >> 3, c.iy >> 3, c.level}; }
 
   // of a block of the highest level
   std::size_t slot_of(std::int64_t ix, std::int64_t iy) const
@@ -182,10 +182,10 @@ private:
   Block& find_or_add_block(const Cell& cell, const Mark& mark)
   {
     const auto above = [&cell](int k) { return Cell{cell.ix >> k, cell.iy >> k, cell.level + k}; };
-    Index b = find_or_add_root(block_around(above(m_highest - cell.level)));
+    Index b = find_or_add_root(block_index(above(m_highest - cell.level)));
     for (int k = m_highest - cell.level; k > 0; --k) {
       mark(m_blocks[b], bit_of(above(k)));
-      const Cell block = block_around(above(k - 1));
+      const Cell block = block_index(above(k - 1));
       const std::size_t quarter = static_cast<std::size_t>((block.ix & 1) | ((block.iy & 1) << 1));
       if (m_blocks[b].children[quarter] == no_index) {
         const Index child = add_block(block);

@@ -82,7 +82,7 @@ public:
     return marked(was_moved);
   }
 
-  /// takes back all moves and flips
+  /// takes back all moves and flips \pre nobody else has changed the mesh since
   void undo() { m_log.undo(m_mesh, m_bubbles); }
 
 private:

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Small sorted sets of indices, one for each of many bubbles, in one array. Each has room for one more index; a set that
-/// grows larger is moved to the end of the array, and leaves a gap.
+/// Small sorted sets of indices, many of them in one array. A set that is appended has room for one more index; one that
+/// grows larger than its room is moved to the end of the array, and leaves a gap.
 class Index_sets
 {
 public:
@@ -52,7 +52,7 @@ public:
   void append(const Index* set, std::size_t n)
   {
     const std::uint32_t size = static_cast<std::uint32_t>(n);
-    const std::uint32_t capacity = size + 1; // bubbles rarely get more than one more
+    const std::uint32_t capacity = size + 1; // few sets get more than one more
     m_sets.push_back(Set{m_pool.size(), size, capacity});
     internal::make_room_for(capacity, m_pool);
     m_pool.insert(m_pool.end(), set, set + n);
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  /// numbers that a set of neighbours takes, with room for one more: about so many
+  /// so many indices are expected in a set, with its room
   static constexpr std::size_t usual_number = 12;
 
   /// `size` numbers in the pool from `first`, room for `capacity`

@@ -19,18 +19,19 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// What bubbles and triangles of a mesh were before they were changed, so that all changes can be undone. Few are
-/// changed, so this costs less than a copy of the mesh.
+/// What bubbles and triangles of a mesh were before they were changed, so that all changes can be undone. In a mesh that
+/// is good almost everywhere few are changed, and this takes far less than a copy.
 class Treatment_log_2
 {
 public:
-  /// where a bubble was
+  /// where a bubble was, for `note()`
   struct Vertex
   {
     Index bubble, place;
     double x, y, s;
   };
 
+  /// where a bubble is
   static Vertex vertex(const Bubbles_2& b, Index v) { return Vertex{v, b.place[v], b.x[v], b.y[v], b.s[v]}; }
 
   /// a bubble was moved, or is going to be

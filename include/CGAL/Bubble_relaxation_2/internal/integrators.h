@@ -90,8 +90,8 @@ public:
     : m_force{o.force_coefficient}, m_step(o.time_step), m_mass(o.mass), m_damping(o.damping)
   {}
 
-  /// `share.send(x, y)` begins to tell other ranks where the bubbles are at a stage, which the stage before tells without
-  /// its forces; after these `share.receive(x, y)` puts in where theirs are
+  /// `share.send(x, y)` begins to tell other ranks where the bubbles are at the next stage. That depends on velocities
+  /// only, so the forces of this stage are found meanwhile; then `share.receive(x, y)` puts in where theirs are
   template <class Share = Share_nothing>
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
                   const Boundary_2& boundary, Displacements& displacements, const Share& share = Share())

@@ -24,7 +24,8 @@ namespace internal {
 
 /// What a rank has of the one constrained Delaunay triangulation of the bubbles of all ranks. Triangles of the
 /// domain with a vertex that this rank owns are the same as on one rank; all others are only what its
-/// bubbles, the ghosts that it happens to know and the outline look like from here.
+/// bubbles, the ghosts that it happens to know and the outline look like from here. When ranks have treated defects,
+/// bubbles of others that no final triangle has may not be where they are here.
 struct Distributed_mesh_2
 {
   Known_bubbles_2 known;               ///< own bubbles, ghosts, and all bubbles of the outline
@@ -35,6 +36,8 @@ struct Distributed_mesh_2
   std::size_t number_of_rounds = 0;    ///< of questions to other ranks
   std::size_t number_of_questions = 0;
   std::size_t number_of_answers = 0;   ///< bubbles that were missing
+  std::size_t number_of_widenings = 0; ///< while its defects were treated
+  std::size_t number_of_failed_treatments = 0; ///< by ranks that knew too little
 
   /// the vertex of a triangle that decides who owns it: the one with the smallest number
   Index first_vertex(std::size_t t) const
@@ -52,6 +55,7 @@ struct Distributed_mesh_2
       mark_triangle(t, rank);
   }
 
+  /// those that were changed
   void mark_triangles(const std::vector<Index>& triangles, int rank)
   {
     for (Index t : triangles)

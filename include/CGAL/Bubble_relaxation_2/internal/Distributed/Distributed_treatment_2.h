@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/widen_mesh.h>
+#include <CGAL/Bubble_relaxation_2/internal/Edge_label.h>
 #include <CGAL/Bubble_relaxation_2/internal/Outside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Treatment_counts.h>
 
@@ -37,7 +38,7 @@ namespace internal {
 class Distributed_treatment_2
 {
 public:
-  /// `first_reach`: how much wider the pieces are at first, in units of d
+  /// `first_reach`: how much wider the pieces are at first, in units of d \pre it is positive
   Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, const Communicator& comm,
                           Agreement& agreement, Sparse_exchange& exchange, double first_reach = usual_reach)
     : m_domain(domain), m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
@@ -100,12 +101,16 @@ public:
 private:
   static constexpr double treated_quality = Defect_treatment_2<Sequential_tag>::treated_quality;
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
+  static constexpr double reach_of_sweeps = 0.5; // of that, once; where it is not enough, it is seen
 
+  /// how bad the mesh of all ranks is
   struct Defects
   {
     double smallest_quality;
-    bool are_near_others; ///< whether one is so near to another rank's part that moves will probably get there
+    bool are_near_others; ///< whether a bad triangle is so near to another rank's part that moves will probably get there
   };
+
+  enum class Smoothing { KEPT, TAKEN_BACK, TOO_NARROW };
 
   /// `visit(t, q)` for all triangles of this rank
   template <class Visit>
@@ -127,7 +132,7 @@ private:
         if (q >= treated_quality || found.are_near_others)
           return;
         const Index v = mesh.first_vertex(t);
-        found.are_near_others = clearance(b.x[v], b.y[v], m_first_reach / 2 * b.d[v]) == 0;
+        found.are_near_others = clearance(b.x[v], b.y[v], reach_of_sweeps * m_first_reach * b.d[v]) == 0;
       });
     });
     return Defects{m_comm.smallest(found.smallest_quality), m_comm.any(found.are_near_others)};
@@ -148,6 +153,7 @@ private:
       p.reach = p.reach == 0 ? m_first_reach : 2 * p.reach;
     p.piece = Mesh_widening_2(std::move(p.piece.mesh), m_partition, m_comm, m_agreement, m_exchange)(p.reach);
     p.is_as_wide = true;
+    ++p.piece.mesh.number_of_widenings;
   }
 
   /// moves vertices; returns how many were moved
@@ -156,33 +162,41 @@ private:
     std::size_t number = 0;
     if (smallest >= treated_quality)
       return number;
-    while (!try_to_smooth(p, smallest, number))
-      widen(p);
-    return number;
+    for (;; widen(p)) {
+      const Smoothing result = try_to_smooth(p, smallest, number);
+      if (result == Smoothing::TOO_NARROW)
+        continue;
+      p.is_as_wide = p.is_as_wide && (p.reach == 0 || result == Smoothing::TAKEN_BACK);
+      return number;
+    }
   }
 
-  /// returns whether the pieces were wide enough
-  bool try_to_smooth(Treated_piece& p, double& smallest, std::size_t& number) const
+  Smoothing try_to_smooth(Treated_piece& p, double& smallest, std::size_t& number) const
   {
-    if (p.reach == 0) {
-      Treatment_inside_2 team(m_comm, p.piece.mesh);
+    if (p.reach > 0) {
+      Treatment_team_2 team(m_comm, p.piece);
       return smooth_with(team, p.piece.mesh, smallest, number);
     }
-    Treatment_team_2 team(m_comm, p.piece);
-    const bool was_wide_enough = smooth_with(team, p.piece.mesh, smallest, number);
-    p.is_as_wide = p.is_as_wide && !was_wide_enough;
-    return was_wide_enough;
+    std::optional<Treatment_inside_2> team;
+    m_agreement.reach_after([&] { team.emplace(m_comm, p.piece.mesh); });
+    return smooth_with(*team, p.piece.mesh, smallest, number);
   }
 
+  /// moves vertices, unless the mesh gets worse by that or a rank knows too little
   template <class Team>
-  bool smooth_with(Team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
+  Smoothing smooth_with(Team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
   {
     Bubbles_2& bubbles = mesh.known.bubbles;
     Defect_treatment_2<Sequential_tag, Team> treat(m_domain, mesh.triangulation, bubbles, team);
-    const std::vector<Index> moved = treat();
+    std::vector<Index> moved;
+    if constexpr (Team::is_collective)
+      moved = treat();
+    else
+      m_agreement.reach_after([&] { moved = treat(); });
     if (team.has_failed()) {
       treat.undo();
-      return false;
+      ++mesh.number_of_failed_treatments;
+      return Smoothing::TOO_NARROW;
     }
     mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
     const double smallest_now = smallest_quality(mesh);
@@ -192,11 +206,11 @@ private:
     if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
       treat.undo();
       mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
-      return true;
+      return Smoothing::TAKEN_BACK;
     }
     smallest = smallest_now;
     number = static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
-    return true;
+    return Smoothing::KEPT;
   }
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const

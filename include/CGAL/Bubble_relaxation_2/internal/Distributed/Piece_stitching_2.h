@@ -10,11 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PIECE_STITCHING_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Patch_change_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/forget_doubtful.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/triangles_beside_others.h>
 #include <CGAL/Bubble_relaxation_2/internal/Mesh_stitching_2.h>
 
 #include <algorithm>

@@ -31,7 +31,7 @@ class Stage_exchange_2
 public:
   explicit Stage_exchange_2(const Communicator& comm) : m_exchange(comm) {}
 
-  /// Begins to tell where our bubbles are. `receive()` has to follow.
+  /// Collective. Begins to tell where our bubbles are. `receive()` has to follow.
   void send(const Halo_2& halo, const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
   {
     if (m_halo_changes != halo.number_of_changes() || m_set_changes != sets.number_of_changes())
@@ -49,10 +49,10 @@ public:
     m_exchange.start(m_out, m_in);
   }
 
-  /// Puts in where the bubbles of others are.
+  /// Collective. Puts in where the bubbles of others are. \pre `send()` was called, and the halo has not changed
   void receive(const Halo_2& halo, std::vector<double>& x, std::vector<double>& y)
   {
-    m_exchange.finish(m_in);
+    m_exchange.finish();
     for (const auto& list : halo.received())
       for (const Place& p : m_in[list.first]) {
         const Index i = list.second[static_cast<std::size_t>(p.position)];

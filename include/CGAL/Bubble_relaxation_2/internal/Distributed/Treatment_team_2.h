@@ -9,14 +9,17 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TEAM_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/exchange_known.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/forget_doubtful.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/triangles_beside_others.h>
 #include <CGAL/Bubble_relaxation_2/internal/Greedy_coloring_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -33,6 +36,8 @@ namespace internal {
 class Treatment_team_2
 {
 public:
+  static constexpr bool is_collective = true; ///< whether ranks speak to each other within the treatment
+
   Treatment_team_2(const Communicator& comm, const Mesh_piece_2& piece)
     : m_comm(comm), m_piece(piece), m_targets(piece.mesh.known.size()),
       m_beside_others(triangles_beside_others(piece.mesh.known.bubbles, piece.mesh.triangulation)),

@@ -19,18 +19,25 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Exchanges messages between ranks that know who sends how much at most, while they do something else.
+/// Exchanges messages between ranks that know who sends how much at most, while they do something else: something that does
+/// not throw, since what was begun has to be ended.
 template <class T>
 class Known_exchange
 {
 public:
   explicit Known_exchange(const Communicator& comm) : m_comm(comm) {}
 
-  /// Begins. `in`: messages of the sizes that those that come have at most. Until `finish()` nobody else may touch what is
-  /// in `in` and `out`.
+  Known_exchange(const Known_exchange&) = delete;
+  Known_exchange& operator=(const Known_exchange&) = delete;
+
+  /// Begins. `in`: messages of the sizes that those that come have at most. Until `finish()` nobody else may touch `in`
+  /// and `out`. \pre what was begun before is ended
   void start(const Messages<T>& out, Messages<T>& in)
   {
+    m_in = &in;
     m_requests.clear();
+    m_requests.reserve(in.size() + out.size());
+    m_statuses.resize(in.size() + out.size());
     for (auto& message : in) {
       m_requests.emplace_back();
       check_mpi(MPI_Irecv(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
@@ -43,13 +50,12 @@ public:
     }
   }
 
-  /// Ends: the messages in `in`, the same as in `start()`, get the sizes of what came.
-  void finish(Messages<T>& in)
+  /// Ends: the messages in `in` get the sizes of what came.
+  void finish()
   {
-    m_statuses.resize(m_requests.size());
     check_mpi(MPI_Waitall(static_cast<int>(m_requests.size()), m_requests.data(), m_statuses.data()));
     std::size_t k = 0;
-    for (auto& message : in) {
+    for (auto& message : *m_in) {
       int size = 0;
       MPI_Get_count(&m_statuses[k++], MPI_BYTE, &size);
       message.second.resize(static_cast<std::size_t>(size) / sizeof(T));
@@ -62,6 +68,7 @@ private:
   static int bytes(const std::vector<T>& records) { return static_cast<int>(records.size() * sizeof(T)); }
 
   const Communicator& m_comm;
+  Messages<T>* m_in = nullptr;
   std::vector<MPI_Request> m_requests; // those of `in` first
   std::vector<MPI_Status> m_statuses;
 };
@@ -72,7 +79,7 @@ void exchange_known(const Communicator& comm, const Messages<T>& out, Messages<T
 {
   Known_exchange<T> exchange(comm);
   exchange.start(out, in);
-  exchange.finish(in);
+  exchange.finish();
 }
 
 } // namespace internal

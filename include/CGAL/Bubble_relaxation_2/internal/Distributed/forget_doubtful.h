@@ -9,30 +9,16 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_FORGET_DOUBTFUL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_FORGET_DOUBTFUL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/Distributed/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/Distributed/triangles_beside_others.h>
 #include <CGAL/Bubble_relaxation_2/internal/Editable_triangulation_2.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-/// the triangles of a piece with a bubble of another rank: among them all at its border
-inline std::vector<Index> triangles_beside_others(const Bubbles_2& bubbles, const Marked_triangulation_2& piece)
-{
-  std::vector<Index> result;
-  for (std::size_t t = 0; t < piece.inside.size(); ++t) {
-    const std::array<Index, 3>& v = piece.tr.vertices[t];
-    if (piece.inside[t] && (bubbles.is_foreign[v[0]] || bubbles.is_foreign[v[1]] || bubbles.is_foreign[v[2]]))
-      result.push_back(static_cast<Index>(t));
-  }
-  return result;
-}
 
 /// Forgets the triangles at the border of a piece that the whole mesh may not have; returns whether only those between
 /// others' bubbles had to be forgotten, so that the piece is still wide enough. `beside_others`: at least all triangles
@@ -41,8 +27,7 @@ inline bool forget_doubtful(const Bubbles_2& bubbles, const std::vector<Index>& 
                             Border_certificate_2& certificate, Editable_triangulation_2& piece)
 {
   for (Index t : certificate.doubtful(beside_others)) {
-    const std::array<Index, 3>& vertices = piece.triangulation().vertices[t];
-    if (std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return !bubbles.is_foreign[v]; }))
+    if (!is_between_others(bubbles, piece.triangulation().vertices[t]))
       return false;
     piece.cut_off(t);
   }
