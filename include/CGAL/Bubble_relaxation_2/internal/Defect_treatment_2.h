@@ -74,7 +74,7 @@ public:
     for (int sweep = 0; sweep < number_of_sweeps && m_team.goes_on(!candidates.empty()); ++sweep) {
       const std::vector<Index> moved = move(mesh, candidates);
       mesh.restore_delaunay(moved);
-      m_team.restore_border(mesh, m_mesh);
+      m_team.restore_border(mesh);
       for (Index v : moved)
         was_moved[v] = 1;
       candidates = neighbors_of(mesh, moved);

@@ -116,8 +116,8 @@ public:
   {
     ++m_number_of_changes;
     for (const Index *j = begin(i), *last = end(i); j != last; ++j)
-      erase(*j, i);
-    m_sets.clear(static_cast<std::size_t>(i));
+      m_sets.erase(*j, i, order());
+    m_sets.clear(i);
     if (m_buckets)
       m_buckets->erase(i);
   }
@@ -209,7 +209,7 @@ public:
             if (is_near(*j, *l, farthest))
               consider(*l);
       }
-      std::sort(m_found.begin(), m_found.end(), [this](Index j, Index l) { return is_before(j, l); });
+      std::sort(m_found.begin(), m_found.end(), order());
       m_sets.append(m_found.data(), m_found.size());
     }
     m_buckets.reset(); // their bubbles are not where they were
@@ -220,7 +220,7 @@ public:
   void assign(Index i, const std::vector<Index>& set)
   {
     ++m_number_of_changes;
-    m_sets.assign(static_cast<std::size_t>(i), set);
+    m_sets.assign(i, set);
   }
 
   /// Replaces all sets: those of the bubbles of this rank are as `set_of(i)` tells, and those of others' have them.
@@ -285,6 +285,15 @@ public:
   }
 
 private:
+  /// `is_before()` as a function object
+  struct Order
+  {
+    const Neighbor_sets_2& sets;
+    bool operator()(Index i, Index j) const { return sets.is_before(i, j); }
+  };
+
+  Order order() const { return Order{*this}; }
+
   template <class Visitor>
   static auto visitor(const Visitor& visit)
   {
@@ -303,7 +312,7 @@ private:
       for (std::size_t k = 0; bubbles.is_ours(i) && k < m_sets.size_of(i); ++k) {
         const Index j = begin(i)[k];
         if (!bubbles.is_ours(j))
-          insert(j, static_cast<Index>(i));
+          m_sets.insert(j, static_cast<Index>(i), order());
       }
   }
 
@@ -330,7 +339,7 @@ private:
     if (m_numbers->empty())
       find(first, last, is_gone, std::less<Index>(), block);
     else
-      find(first, last, is_gone, [this](Index i, Index j) { return is_before(i, j); }, block);
+      find(first, last, is_gone, order(), block);
   }
 
   /// adds the neighbours of bubble `i` by references, sorted
@@ -342,7 +351,7 @@ private:
     if (m_numbers->empty())
       std::sort(first, found.end());
     else
-      std::sort(first, found.end(), [this](Index j, Index k) { return is_before(j, k); });
+      std::sort(first, found.end(), order());
   }
 
   void append(const Neighbor_block& block)
@@ -361,25 +370,13 @@ private:
     m_joined.clear();
     if (std::equal(begin(i), end(i), found.begin(), found.end()))
       return;
-    const auto before = [this](Index j, Index k) { return is_before(j, k); };
-    std::set_difference(begin(i), end(i), found.begin(), found.end(), std::back_inserter(m_left), before);
-    std::set_difference(found.begin(), found.end(), begin(i), end(i),
-                        std::back_inserter(m_joined), before);
+    std::set_difference(begin(i), end(i), found.begin(), found.end(), std::back_inserter(m_left), order());
+    std::set_difference(found.begin(), found.end(), begin(i), end(i), std::back_inserter(m_joined), order());
     for (Index j : m_left)
-      erase(j, i);
+      m_sets.erase(j, i, order());
     for (Index j : m_joined)
-      insert(j, i);
-    m_sets.assign(static_cast<std::size_t>(i), found);
-  }
-
-  void erase(Index i, Index neighbor)
-  {
-    m_sets.erase(static_cast<std::size_t>(i), neighbor, [this](Index j, Index k) { return is_before(j, k); });
-  }
-
-  void insert(Index i, Index neighbor)
-  {
-    m_sets.insert(static_cast<std::size_t>(i), neighbor, [this](Index j, Index k) { return is_before(j, k); });
+      m_sets.insert(j, i, order());
+    m_sets.assign(i, found);
   }
 
   double m_radius;

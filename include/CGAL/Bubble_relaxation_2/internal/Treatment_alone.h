@@ -32,7 +32,7 @@ struct Treatment_alone
   /// tells other ranks of vertices that were moved, and moves theirs, which the log is told of
   void share_moves(Marked_triangulation_2&, Bubbles_2&, const std::vector<Index>&, Treatment_log_2&) const {}
   /// makes the mesh around the vertices of other ranks what it is after their moves
-  void restore_border(Editable_triangulation_2&, const Marked_triangulation_2&) const {}
+  void restore_border(Editable_triangulation_2&) const {}
   /// adds the neighbours of vertices that other ranks moved in this sweep
   void add_neighbors_of_others(const Editable_triangulation_2&, const Bubbles_2&, std::vector<Index>&) const {}
 };

@@ -64,11 +64,11 @@ public:
                    const Treatment_log_2&) const
   {}
 
-  void restore_border(Editable_triangulation_2& mesh, const Marked_triangulation_2& marked)
+  void restore_border(Editable_triangulation_2& mesh)
   {
     const std::vector<Index> flipped = mesh.take_flipped();
     m_is_too_near = m_is_too_near || std::any_of(flipped.begin(), flipped.end(), [&](Index t) {
-                      return is_beside_others(m_mesh.known.bubbles, marked.tr.vertices[t]);
+                      return is_beside_others(m_mesh.known.bubbles, mesh.triangulation().vertices[t]);
                     });
     m_changed.insert(m_changed.end(), flipped.begin(), flipped.end());
   }

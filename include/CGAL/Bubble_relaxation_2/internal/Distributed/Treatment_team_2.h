@@ -99,13 +99,13 @@ public:
       }
   }
 
-  void restore_border(Editable_triangulation_2& mesh, const Marked_triangulation_2& marked)
+  void restore_border(Editable_triangulation_2& mesh)
   {
     follow_flips(mesh);
     if (is_alone())
       return;
     for (Index t : m_beside_others)
-      if (marked.inside[t] && has_moved_vertex(marked.tr.vertices[t]))
+      if (mesh.is_inside(t) && has_moved_vertex(mesh.triangulation().vertices[t]))
         mesh.restore_delaunay_around(t);
     follow_flips(mesh);
     m_knows_too_little =
