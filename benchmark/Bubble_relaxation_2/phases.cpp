@@ -15,8 +15,8 @@
 
 #include "bare_triangulation.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_force_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/integrators.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 

@@ -11,8 +11,8 @@
 
 #include "ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
 
 #include <mpi.h>
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 
 #include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/number_utils.h>

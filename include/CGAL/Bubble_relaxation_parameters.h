@@ -32,7 +32,7 @@ namespace CGAL {
 namespace internal_np {
 
 #define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
-#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 } // namespace internal_np
@@ -106,7 +106,7 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
       std::ref(k), *this);                                                                           \
   }
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
-#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
@@ -159,7 +159,7 @@ namespace Bubble_relaxation_parameters {
       std::ref(k));                                                                                  \
   }
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
-#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility
 #undef CGAL_add_extra_named_parameter_with_compatibility
@@ -222,7 +222,7 @@ inline auto npbs_paper_parameters()
 namespace parameters {
 
 #define CGAL_add_named_parameter(X, Y, Z) using Bubble_relaxation_parameters::Z;
-#include <CGAL/Bubble_relaxation_2/internal/parameters_interface.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 using Bubble_relaxation_parameters::npbs_paper_parameters;

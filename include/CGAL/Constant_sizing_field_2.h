@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 
 namespace CGAL {
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 
 #include <cstddef>
 #include <stdexcept>

@@ -11,11 +11,10 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Galerkin_discretization_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Galerkin_system_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Sparse_solver.h>
-#include <CGAL/Bubble_relaxation_2/internal/Phase_timer.h>
-#include <CGAL/Bubble_relaxation_2/internal/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_system_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_solver.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Element_free_Galerkin_report_2.h>

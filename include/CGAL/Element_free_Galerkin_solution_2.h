@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Galerkin_discretization_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
 #include <CGAL/Element_free_Galerkin_error_2.h>
 #include <CGAL/Element_free_Galerkin_report_2.h>
 

@@ -11,11 +11,11 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Background_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Gradient_limiter_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Interpolated_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/read_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Background_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 
 #include <CGAL/number_utils.h>

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Influence_search_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_search_2.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 

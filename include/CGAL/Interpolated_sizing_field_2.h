@@ -9,14 +9,14 @@
 #ifndef CGAL_INTERPOLATED_SIZING_FIELD_2_H
 #define CGAL_INTERPOLATED_SIZING_FIELD_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Gradient_limiter_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Interpolated_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Relaxation_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/flatten_triangulation.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>

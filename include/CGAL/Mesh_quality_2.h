@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Checked_sizing_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Mesh_quality_accumulator_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/print_mesh_quality.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/print_mesh_quality.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/radius_ratio_2.h>
 

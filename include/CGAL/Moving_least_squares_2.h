@@ -11,11 +11,10 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Local_fit_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_evaluation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_fitting_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Meshless/Mls_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Local_fit_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_evaluation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_fitting_2.h>
 #include <CGAL/Deficient_support_error_2.h>
 #include <CGAL/Influence_domain_2.h>
 

@@ -11,11 +11,11 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/copy_nodes.h>
-#include <CGAL/Bubble_relaxation_2/internal/mean_edge_length_field.h>
-#include <CGAL/Bubble_relaxation_2/internal/read_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/sort_in_space.h>
-#include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/write_nodes.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 

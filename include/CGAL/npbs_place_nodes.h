@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/copy_nodes.h>
-#include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/treat_defects.h>
+#include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/write_nodes.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/node_set_2.h>

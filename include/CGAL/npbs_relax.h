@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Write_back_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/evaluate.h>
-#include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/treat_defects.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
+#include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/write_mesh.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>

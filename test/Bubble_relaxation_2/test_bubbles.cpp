@@ -9,7 +9,7 @@
 // bubbles that are kept, in whatever order; of those in one place one stays, of the lowest dimension, and of these the
 // first
 
-#include <CGAL/Bubble_relaxation_2/internal/remove_coincident.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 
 #include <gtest/gtest.h>
 

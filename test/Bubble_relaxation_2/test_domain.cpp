@@ -11,9 +11,9 @@
 #include "domains.h"
 #include "validation.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Domain_reading_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/expected_number_of_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/expected_number_of_bubbles.h>
 
 using namespace CGAL::Bubble_relaxation_2::internal;
 using domains::CDT;

@@ -10,8 +10,8 @@
 
 #include "validation.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/integrators.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/integrators.h>
 
 using namespace CGAL::Bubble_relaxation_2::internal;
 

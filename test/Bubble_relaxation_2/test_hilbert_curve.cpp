@@ -8,7 +8,7 @@
 
 // Hilbert's curve: it goes through all cells, from each to one beside it, quarter by quarter, whatever the depth.
 
-#include <CGAL/Bubble_relaxation_2/internal/Hilbert_curve_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 // Named parameters: values come back whatever the order, CGAL's functions take the packs.
 
-#include <CGAL/Bubble_relaxation_2/internal/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>

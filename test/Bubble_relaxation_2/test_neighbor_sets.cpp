@@ -11,10 +11,10 @@
 #include "domains.h"
 #include "validation.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/integrators.h>
-#include <CGAL/Bubble_relaxation_2/internal/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Simulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/hilbert_order.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/integrators.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <functional>

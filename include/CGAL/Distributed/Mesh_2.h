@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Agreement.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Distributed_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_pvtu.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_pvtu.h>
 #include <CGAL/Mesh_quality_2.h>
 
 #include <mpi.h>

@@ -11,9 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/relax_by_all.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/with_neighbors.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_neighbors.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/relax_by_all.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_neighbors.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Distributed/Relaxation_2.h>

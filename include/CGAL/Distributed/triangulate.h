@@ -11,12 +11,12 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Point_distribution_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/check_same_domain.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_quality.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/with_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Point_distribution_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Distributed/Mesh_2.h>
 

@@ -11,8 +11,8 @@
 
 #include "../../../examples/Bubble_relaxation_2/paper_domains.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Bubble_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/simulate_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/npbs_relax.h>
 

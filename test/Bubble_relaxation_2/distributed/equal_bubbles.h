@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_EQUAL_BUBBLES_H
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_EQUAL_BUBBLES_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Numbered_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
 
 #include <gtest/gtest.h>
 

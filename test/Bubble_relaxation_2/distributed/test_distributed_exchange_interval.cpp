@@ -10,9 +10,9 @@
 
 #include "bubbles.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_quality.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,10 @@
 
 #include "union_of_ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Bubbles_here_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Shared_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Stage_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,8 @@
 
 #include <CGAL/Distributed/triangulate.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/write_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_bubbles.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>

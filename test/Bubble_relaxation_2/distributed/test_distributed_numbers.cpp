@@ -10,8 +10,8 @@
 
 #include "same_exception.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Lists_of_few.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Number_compaction.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_quality.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
 
 #include <gtest/gtest.h>
 

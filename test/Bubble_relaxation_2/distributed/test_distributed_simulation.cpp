@@ -11,8 +11,8 @@
 #include "bubbles.h"
 #include "equal_bubbles.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/gather_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/simulate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/Distributed_treatment_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treat_defects.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
 #include <gtest/gtest.h>
 

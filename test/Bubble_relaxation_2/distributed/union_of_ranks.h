@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_UNION_OF_RANKS_H
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_UNION_OF_RANKS_H
 
-#include <CGAL/Bubble_relaxation_2/internal/Distributed/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 
 #include <algorithm>
 #include <array>

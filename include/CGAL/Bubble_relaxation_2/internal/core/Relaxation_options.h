@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_RELAXATION_OPTIONS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_RELAXATION_OPTIONS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+
+#include <CGAL/Bubble_relaxation_enums.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+constexpr std::size_t default_number_of_iterations = 30;
+constexpr std::size_t default_number_of_rounds = 10;
+constexpr std::size_t default_maximum_number_of_bubbles = 100000000;
+constexpr double default_displacement_tolerance = 0.007;
+
+/// The values of the named parameters that steer the simulation, checked.
+struct Relaxation_options
+{
+  Bubble_integrator integrator = Bubble_integrator::SEMI_IMPLICIT_EULER;
+  double force_coefficient = 1;
+  double mass = 1;
+  double damping = 0.5;
+  double time_step = 0.6;
+  std::size_t number_of_iterations = default_number_of_iterations;
+  std::size_t number_of_rounds = default_number_of_rounds;
+  double neighbor_radius = 1.7;
+  std::size_t renewal_interval = 0;
+  bool placement_is_given = false;
+  Bubble_placement placement = Bubble_placement::FRONTAL;
+  Bubble_population population = Bubble_population::DELAUNAY;
+  bool defect_treatment = true;
+  bool limit_by_outline = true;
+  double displacement_tolerance = default_displacement_tolerance;
+  std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
+  std::function<bool(double)> callback;
+  std::size_t exchange_interval = 0;
+  std::string checkpoint_path;           ///< empty: none is written
+  std::size_t rounds_per_checkpoint = 0;
+  std::string restart_path;              ///< empty: the simulation starts anew
+};
+
+[[noreturn]] inline void throw_invalid_parameter(const char* name, double value,
+                                                 const char* requirement)
+{
+  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " +
+                              in_words(value) + " must be " + requirement);
+}
+
+inline void check_positive(const char* name, double value)
+{
+  if (!(value > 0) || !std::isfinite(value))
+    throw_invalid_parameter(name, value, "positive and finite");
+}
+
+inline void check_not_negative(const char* name, double value)
+{
+  if (!(value >= 0) || !std::isfinite(value))
+    throw_invalid_parameter(name, value, "finite and not negative");
+}
+
+struct Named_value
+{
+  const char* name;
+  double value;
+};
+
+/// The parameters on which it depends where bubbles go, once they are placed in some way, as long as they go on.
+inline std::array<Named_value, 13> steering_parameters(const Relaxation_options& o)
+{
+  return {{{"integrator", static_cast<double>(o.integrator)},
+           {"force_coefficient", o.force_coefficient},
+           {"mass", o.mass},
+           {"damping", o.damping},
+           {"time_step", o.time_step},
+           {"number_of_iterations", static_cast<double>(o.number_of_iterations)},
+           {"neighbor_radius", o.neighbor_radius},
+           {"renewal_interval", static_cast<double>(o.renewal_interval)},
+           {"initial_placement", static_cast<double>(o.placement)},
+           {"population_control", static_cast<double>(o.population)},
+           {"limit_by_outline", static_cast<double>(o.limit_by_outline)},
+           {"displacement_tolerance", o.displacement_tolerance},
+           {"exchange_interval", static_cast<double>(o.exchange_interval)}}};
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_RELAXATION_OPTIONS_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_READ_OPTIONS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_READ_OPTIONS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+[[noreturn]] inline void throw_invalid_count(const char* name, const std::string& value,
+                                             const std::string& requirement)
+{
+  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " + value +
+                              " must be " + requirement);
+}
+
+/// A count given as any number. A negative one would turn into a huge unsigned one silently, and what a
+/// floating-point number that is no integer turns into is not defined.
+template <class T>
+std::size_t read_count(const char* name, T value, std::size_t least,
+                       std::size_t largest = (std::numeric_limits<std::size_t>::max)())
+{
+  static_assert(std::is_arithmetic<T>::value, "a count must be given as a number");
+  std::string text;
+  if constexpr (std::is_floating_point<T>::value) {
+    text = in_words(static_cast<double>(value));
+    if (!(std::abs(value) < T(1e18)) || value != std::floor(value))
+      throw_invalid_count(name, text, "an integer");
+  } else {
+    text = std::to_string(value);
+  }
+  bool is_negative = false;
+  if constexpr (std::is_signed<T>::value)
+    is_negative = value < 0;
+  if (is_negative || static_cast<std::size_t>(value) < least)
+    throw_invalid_count(name, text, "at least " + std::to_string(least));
+  if (static_cast<std::size_t>(value) > largest)
+    throw_invalid_count(name, text, "at most " + std::to_string(largest));
+  return static_cast<std::size_t>(value);
+}
+
+/// Reads where and how often checkpoints are written, and which one is read.
+/// \throws std::invalid_argument naming the parameter
+template <class NamedParameters>
+void read_checkpoint_options(const NamedParameters& np, Relaxation_options& o)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::checkpoint_t>::value) {
+    const auto& request = parameters::get_parameter_reference(np, internal_np::checkpoint);
+    if (request.path.empty())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter checkpoint must have the path of a file");
+    o.checkpoint_path = request.path;
+    o.rounds_per_checkpoint = read_count("checkpoint's number of rounds", request.every, 1);
+  }
+  if constexpr (Is_given<NamedParameters, internal_np::restart_from_t>::value) {
+    o.restart_path = parameters::get_parameter_reference(np, internal_np::restart_from);
+    if (o.restart_path.empty())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter restart_from must be the path of a file");
+  }
+}
+
+/// Reads the named parameters that steer the simulation. Defaults of the time step and the damping
+/// depend on the integrator: the paper's are in length units, those of the default in units of d.
+/// \throws std::invalid_argument naming the parameter and its value
+template <class NamedParameters>
+Relaxation_options read_options(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  Relaxation_options o;
+  o.integrator = choose_parameter(get_parameter(np, internal_np::integrator), o.integrator);
+  const bool in_length_units = o.integrator == Bubble_integrator::RUNGE_KUTTA_4;
+  o.force_coefficient = choose_parameter(get_parameter(np, internal_np::force_coefficient), 1.);
+  o.mass = choose_parameter(get_parameter(np, internal_np::mass), 1.);
+  o.damping = choose_parameter(get_parameter(np, internal_np::damping),
+                               in_length_units ? 3.8429 : o.damping);
+  o.time_step = choose_parameter(get_parameter(np, internal_np::time_step),
+                                 in_length_units ? 0.02 : o.time_step);
+  o.number_of_iterations = read_count(
+    "number_of_iterations",
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations),
+                     default_number_of_iterations), 0);
+  o.number_of_rounds = read_count(
+    "number_of_rounds",
+    choose_parameter(get_parameter(np, internal_np::number_of_rounds), default_number_of_rounds), 0);
+  o.neighbor_radius = choose_parameter(get_parameter(np, internal_np::neighbor_radius), 1.7);
+  o.renewal_interval = read_count(
+    "renewal_interval",
+    choose_parameter(get_parameter(np, internal_np::renewal_interval), std::size_t(0)), 0);
+  o.placement_is_given =
+    Is_given<NamedParameters, internal_np::initial_placement_t>::value;
+  o.placement = choose_parameter(get_parameter(np, internal_np::initial_placement), o.placement);
+  o.population = choose_parameter(get_parameter(np, internal_np::population_control), o.population);
+  o.defect_treatment =
+    choose_parameter(get_parameter(np, internal_np::defect_treatment), o.defect_treatment);
+  o.limit_by_outline =
+    choose_parameter(get_parameter(np, internal_np::limit_by_outline), o.limit_by_outline);
+  o.displacement_tolerance = choose_parameter(
+    get_parameter(np, internal_np::displacement_tolerance),
+    in_length_units ? 1e-3 : default_displacement_tolerance);
+  o.maximum_number_of_bubbles = read_count(
+    "maximum_number_of_bubbles",
+    choose_parameter(get_parameter(np, internal_np::maximum_number_of_bubbles),
+                     default_maximum_number_of_bubbles), 1,
+    static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
+  o.callback = choose_parameter(get_parameter(np, internal_np::callback),
+                                std::function<bool(double)>());
+  o.exchange_interval = read_count(
+    "exchange_interval",
+    choose_parameter(get_parameter(np, internal_np::exchange_interval), std::size_t(0)), 0);
+  read_checkpoint_options(np, o);
+
+  check_positive("force_coefficient", o.force_coefficient);
+  check_positive("mass", o.mass);
+  check_not_negative("damping", o.damping);
+  check_positive("time_step", o.time_step);
+  check_not_negative("displacement_tolerance", o.displacement_tolerance);
+  if (!(o.neighbor_radius > 1.5) || !std::isfinite(o.neighbor_radius))
+    throw_invalid_parameter("neighbor_radius", o.neighbor_radius,
+                            "finite and greater than 1.5, where the force ends");
+  return o;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_READ_OPTIONS_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+using Kernel = Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Index = std::int32_t;
+
+constexpr Index no_index = -1;
+
+/// a direction, of length 1
+struct Direction { double x, y; };
+
+inline int ccw(int i) { return i == 2 ? 0 : i + 1; }
+inline int cw(int i) { return i == 0 ? 2 : i - 1; }
+
+/// Makes room for `n` more elements. A vector of all bubbles that takes in a few more would double its memory
+/// otherwise; this adds an eighth, or what is needed.
+template <class T>
+void make_room_for(std::size_t n, std::vector<T>& array)
+{
+  if (array.size() + n > array.capacity())
+    array.reserve(array.size() + (std::max)(n, array.size() / 8));
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H

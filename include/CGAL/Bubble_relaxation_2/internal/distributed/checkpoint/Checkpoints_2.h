@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINTS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINTS_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoint_format_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Shared_file.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/read_checkpoint.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_domain.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// where a checkpoint is written before it takes the place of the last one
+inline std::string path_of_unfinished(const std::string& path) { return path + ".part"; }
+
+/// Collective. \throws std::invalid_argument on all ranks if no checkpoint can be written there
+inline void check_checkpoint_path(const Communicator& comm, Agreement& agreement, const std::string& path)
+{
+  agreement.reach_after([&] {
+    if (comm.rank() != 0)
+      return;
+    const std::string unfinished = path_of_unfinished(path);
+    if (!std::ofstream(unfinished, std::ios::app))
+      throw std::invalid_argument("Bubble_relaxation_2: parameter checkpoint = " + path + ": the file " +
+                                  unfinished + " cannot be written");
+    std::remove(unfinished.c_str());
+  });
+}
+
+/// Puts a file that is whole into the place of another: at each moment there is the one or the other.
+inline void replace_file(const Communicator& comm, Agreement& agreement, const std::string& from,
+                         const std::string& to)
+{
+  agreement.reach_after([&] {
+    if (comm.rank() == 0 && std::rename(from.c_str(), to.c_str()) != 0)
+      throw std::runtime_error("Bubble_relaxation_2: the file " + from + " cannot be renamed to " + to + ": " +
+                               std::error_code(errno, std::generic_category()).message());
+  });
+}
+
+/// Collective. Writes the records of all ranks. The last checkpoint stays until the new one is on the disk.
+/// \param header with all that is not of the records
+/// \pre the records of each rank are sorted along the curve, and come before those of the next
+inline void write_checkpoint(const Communicator& comm, Agreement& agreement, const std::string& path,
+                             Checkpoint_header_2 header, const std::vector<Checkpoint_record_2>& records)
+{
+  const std::int64_t n = static_cast<std::int64_t>(records.size()), first = comm.sum_before(n);
+  std::uint64_t hash = 0;
+  for (std::size_t k = 0; k < records.size(); ++k)
+    hash += hash_of(records[k], first + static_cast<std::int64_t>(k));
+  header.magic = Checkpoint_header_2::own_magic;
+  header.byte_order = Checkpoint_header_2::own_byte_order;
+  header.version = Checkpoint_header_2::own_version;
+  header.record_size = static_cast<std::int64_t>(sizeof(Checkpoint_record_2));
+  header.number_of_records = comm.sum(n);
+  header.hash_of_records = comm.sum_modulo(hash);
+  header.hash_of_header = header.own_hash();
+
+  const std::string unfinished = path_of_unfinished(path);
+  Shared_file file(comm, agreement, unfinished, Shared_file::WRITE);
+  try {
+    file.resize(header.file_size()); // there may be one that was left by a crash
+    file.write(0, std::vector<Checkpoint_header_2>(comm.rank() == 0 ? 1 : 0, header));
+    file.write(static_cast<std::int64_t>(sizeof(header)) + first * header.record_size, records);
+    file.finish();
+    replace_file(comm, agreement, unfinished, path);
+  } catch (...) { // on all ranks
+    if (comm.rank() == 0)
+      std::remove(unfinished.c_str());
+    throw;
+  }
+}
+
+/// The checkpoints of a simulation by several ranks: when they are written, and the one that it started with.
+class Checkpoints_2
+{
+public:
+  /// Collective. \throws std::invalid_argument on all ranks if no checkpoint can be written where it is to be
+  Checkpoints_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                std::uint64_t hash_of_domain, const Relaxation_options& options)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_hash_of_domain(hash_of_domain),
+      m_options(options)
+  {
+    check_same(comm, hash_of(options), "the parameter checkpoint or restart_from");
+    if (options.rounds_per_checkpoint != 0)
+      check_checkpoint_path(comm, agreement, options.checkpoint_path);
+  }
+
+  bool is_restart() const { return !m_options.restart_path.empty(); }
+
+  /// Reads the bubbles of this rank. What the simulation remembers of them is kept for `resume()`.
+  template <class Sizing>
+  const Restart_2& read(const Hilbert_curve_2& curve, const Sizing& sizing)
+  {
+    Checkpoint_reader_2<Sizing> reader(m_comm, m_agreement, m_options, m_hash_of_domain, sizing);
+    m_restart = std::make_unique<Restart_2>(reader(m_exchange, curve));
+    return *m_restart;
+  }
+
+  /// brings a simulation of these bubbles, and its report, to where they were; returns the rounds until then
+  template <class Simulation, class Report>
+  std::size_t resume(Simulation& simulation, Report& report)
+  {
+    const Checkpoint_header_2& h = m_restart->header;
+    if (!h.is_coarse)
+      simulation.rest_finely();
+    std::vector<Bubble_memory_2> memories;
+    for (const Bubble_state_2& s : m_restart->states)
+      memories.push_back(s.memory);
+    simulation.restart(memories, h.is_roused != 0);
+    report.number_of_rounds = static_cast<std::size_t>(h.rounds);
+    report.number_of_steps = static_cast<std::size_t>(h.steps);
+    report.number_of_force_evaluations = static_cast<std::size_t>(h.force_evaluations);
+    report.number_of_renewals = static_cast<std::size_t>(h.renewals);
+    if (m_comm.rank() == 0) // each rank counts its own, and these are nobody's
+      for (std::size_t k = 0; k < 4; ++k)
+        *counts_of_rank(report)[k] = static_cast<std::size_t>(h.moves_returns_insertions_deletions[k]);
+    const std::size_t rounds = report.number_of_rounds;
+    m_restart.reset();
+    return rounds;
+  }
+
+  /// Collective. Writes a checkpoint if it is time, after a round and what it did to the population.
+  template <class Simulation, class Report>
+  void end_round(const Simulation& simulation, const Bubbles_2& bubbles, const Hilbert_partition_2& partition,
+                 std::int64_t number_of_all, Report& report)
+  {
+    if (m_options.rounds_per_checkpoint == 0 || report.number_of_rounds % m_options.rounds_per_checkpoint != 0)
+      return;
+    std::vector<Keyed_checkpoint_record_2> keyed;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+        keyed.push_back(Keyed_checkpoint_record_2{
+          partition.curve().key(bubbles.x[i], bubbles.y[i]),
+          checkpoint_record(Bubble_state_2{record(bubbles, i, bubbles.number[i]),
+                                           simulation.memory(static_cast<Index>(i))})});
+    std::vector<Checkpoint_record_2> records;
+    const auto home = bring_home(partition, m_exchange, m_comm.rank(), places_on_curve(keyed));
+    for (const auto& place : home.places)
+      records.push_back(place.record->record);
+    write_checkpoint(m_comm, m_agreement, m_options.checkpoint_path, header(simulation, number_of_all, report),
+                     records);
+  }
+
+private:
+  static std::uint64_t hash_of(const Relaxation_options& options)
+  {
+    Hash_of_numbers hash;
+    hash.add(options.rounds_per_checkpoint);
+    for (const std::string* path : {&options.checkpoint_path, &options.restart_path}) {
+      hash.add(path->size());
+      for (char c : *path)
+        hash.add(c);
+    }
+    return hash.value();
+  }
+
+  template <class Report>
+  static std::array<std::size_t*, 4> counts_of_rank(Report& report)
+  {
+    return {{&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
+             &report.number_of_deletions}};
+  }
+
+  template <class Simulation, class Report>
+  Checkpoint_header_2 header(const Simulation& simulation, std::int64_t number_of_all, Report& report) const
+  {
+    Checkpoint_header_2 h{};
+    h.hash_of_domain = m_hash_of_domain;
+    const auto parameters = steering_parameters(m_options);
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      h.parameters[k] = parameters[k].value;
+    h.number_of_all = number_of_all;
+    h.is_coarse = simulation.rests_coarsely();
+    h.is_roused = simulation.is_roused();
+    h.initial_bubbles = static_cast<std::int64_t>(report.number_of_initial_bubbles);
+    h.rounds = static_cast<std::int64_t>(report.number_of_rounds);
+    h.steps = static_cast<std::int64_t>(report.number_of_steps);
+    h.force_evaluations = static_cast<std::int64_t>(report.number_of_force_evaluations);
+    h.renewals = static_cast<std::int64_t>(report.number_of_renewals);
+    for (std::size_t k = 0; k < 4; ++k)
+      h.moves_returns_insertions_deletions[k] = m_comm.sum(static_cast<std::int64_t>(*counts_of_rank(report)[k]));
+    return h;
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Agreement& m_agreement;
+  std::uint64_t m_hash_of_domain;
+  const Relaxation_options& m_options;
+  std::unique_ptr<Restart_2> m_restart;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINTS_2_H

@@ -1,0 +1,289 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_POINT_SET_BUBBLES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_POINT_SET_BUBBLES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
+
+#include <CGAL/Kernel/global_functions_2.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// where a point lies: in which corner, on which edge, or in which triangle of the domain
+struct Location_2
+{
+  Bubbles_2::Dimension dimension;
+  Index place;
+  double s; ///< position on the edge
+};
+
+/// Finds what of the domain points lie on. A point lies on a corner if it has its coordinates, and on an edge up
+/// to their rounding, since no point between two corners may be exactly there.
+class Domain_location_2
+{
+public:
+  explicit Domain_location_2(const Domain_2& domain) : m_domain(domain) {}
+
+  /// \throws std::invalid_argument if the point is not finite or not in the domain
+  Location_2 operator()(const Point& q)
+  {
+    if (!std::isfinite(q.x()) || !std::isfinite(q.y()))
+      throw std::invalid_argument("Bubble_relaxation_2: a point has the coordinates " +
+                                  in_words(q.x(), q.y()) + ", which must be finite");
+    const Flat_triangulation_2& tr = m_domain.triangulation();
+    const Walk_end end = locate_or_exit(tr, m_triangle, q);
+    m_triangle = end.triangle;
+    for (Index v : tr.vertices[end.triangle])
+      if (tr.points[v] == q)
+        return Location_2{Bubbles_2::CORNER, v, 0};
+    const Location_2 on_edge = locate_on_edges(q);
+    if (on_edge.place != no_index)
+      return on_edge;
+    if (end.is_blocked() || !m_domain.is_inside(end.triangle))
+      throw std::invalid_argument("Bubble_relaxation_2: the point " + in_words(q.x(), q.y()) +
+                                  " is not in the domain");
+    return Location_2{Bubbles_2::FACE, end.triangle, 0};
+  }
+
+  /// how far from an edge, as far as its own coordinates and the edge's tell, a point may be that lies on it
+  double rounding(Index e, const Point& q) const
+  {
+    const Point &a = m_domain.source(e), &b = m_domain.target(e);
+    const double largest = (std::max)({std::abs(q.x()), std::abs(q.y()), std::abs(a.x()), std::abs(a.y()),
+                                       std::abs(b.x()), std::abs(b.y())});
+    return 16 * std::numeric_limits<double>::epsilon() * largest;
+  }
+
+private:
+  /// looks at the triangle that was found and at its neighbours: the point may be beyond an edge by a rounding
+  Location_2 locate_on_edges(const Point& q) const
+  {
+    Location_2 best{Bubbles_2::EDGE, no_index, 0};
+    double least = std::numeric_limits<double>::infinity();
+    const std::array<Index, 3>& n = m_domain.triangulation().neighbors[m_triangle];
+    for (Index t : {m_triangle, n[0], n[1], n[2]})
+      for (int i = 0; i < 3 && t != no_index; ++i) {
+        const Index e = m_domain.edge(t, i);
+        if (e == no_index)
+          continue;
+        const double off = distance_from_line(e, q), s = position(e, q);
+        if (!(s > 0 && s < 1) || off > rounding(e, q) || !(off < least || (off == least && e < best.place)))
+          continue;
+        least = off;
+        best.place = e;
+        best.s = s;
+      }
+    return best;
+  }
+
+  double distance_from_line(Index e, const Point& q) const
+  {
+    const Point &a = m_domain.source(e), &b = m_domain.target(e);
+    if (CGAL::collinear(a, b, q))
+      return 0;
+    const Direction u = m_domain.direction(e);
+    return std::abs(u.x * (q.y() - a.y()) - u.y * (q.x() - a.x()));
+  }
+
+  double position(Index e, const Point& q) const
+  {
+    const Point& a = m_domain.source(e);
+    const Direction u = m_domain.direction(e);
+    return (u.x * (q.x() - a.x()) + u.y * (q.y() - a.y())) / m_domain.length(e);
+  }
+
+  const Domain_2& m_domain;
+  Index m_triangle = 0; // where the last point was
+};
+
+/// A property of the points of a `Point_set_3`, which may be missing.
+template <class Point_set, class T>
+class Point_property
+{
+public:
+  Point_property(const Point_set& points, const char* name)
+  {
+    take(points.template property_map<T>(name));
+  }
+
+  bool is_there() const { return m_is_there; }
+  const T& operator[](const typename Point_set::Index& i) const { return m_map[i]; }
+
+private:
+  using Map = typename Point_set::template Property_map<T>;
+
+  void take(const std::pair<Map, bool>& map) // before CGAL 6
+  {
+    m_map = map.first;
+    m_is_there = map.second;
+  }
+
+  template <class Optional_map>
+  void take(const Optional_map& map)
+  {
+    m_is_there = map.has_value();
+    if (m_is_there)
+      m_map = *map;
+  }
+
+  Map m_map;
+  bool m_is_there = false;
+};
+
+/// Makes bubbles of points. What their properties do not tell is found from the domain: see `read_bubbles()`.
+template <class Point_set>
+class Point_set_reader_2
+{
+  using Index_in_set = typename Point_set::Index;
+
+public:
+  Point_set_reader_2(const Point_set& points, const Domain_2& domain)
+    : m_points(points), m_domain(domain), m_locate(domain), m_number(points, "global_id"),
+      m_size(points, "size"), m_position(points, "position"), m_dimension(points, "dimension"),
+      m_edge(points, "edge")
+  {}
+
+  bool has_numbers() const { return m_number.is_there(); }
+
+  template <class Sizing>
+  Numbered_bubbles_2 operator()(const Sizing& sizing)
+  {
+    Numbered_bubbles_2 result;
+    result.bubbles.make_room_for(m_points.size());
+    for (const Index_in_set& i : m_points)
+      result.add(read(i, sizing));
+    return result;
+  }
+
+private:
+  template <class Sizing>
+  Bubble_record_2 read(const Index_in_set& i, const Sizing& sizing)
+  {
+    const Point p(CGAL::to_double(m_points.point(i).x()), CGAL::to_double(m_points.point(i).y()));
+    const Location_2 location = locate(i, p);
+    Bubble_record_2 r{};
+    r.x = p.x();
+    r.y = p.y();
+    r.d = m_size.is_there() ? m_size[i] : sizing(p);
+    if (m_size.is_there() && (!(r.d > 0) || !std::isfinite(r.d)))
+      throw_property("size", r.d, p, "must be positive and finite");
+    if (m_points.has_normal_map()) {
+      r.vx = CGAL::to_double(m_points.normal(i).x());
+      r.vy = CGAL::to_double(m_points.normal(i).y());
+    }
+    r.number = m_number.is_there() ? m_number[i] : no_index;
+    if (m_number.is_there() && r.number < 0)
+      throw_property("global_id", double(r.number), p, "must not be negative");
+    r.s = location.s;
+    r.place = location.place;
+    r.tag = no_index;
+    r.dimension = location.dimension;
+    return r;
+  }
+
+  Location_2 locate(const Index_in_set& i, const Point& p)
+  {
+    Location_2 location = m_locate(p);
+    if (!m_dimension.is_there())
+      return location;
+    const int dimension = m_dimension[i];
+    if (dimension < 0 || dimension > 2)
+      throw_property("dimension", dimension, p, "must be 0, 1 or 2");
+    if (dimension == 0 && location.dimension == Bubbles_2::FACE)
+      return Location_2{Bubbles_2::CORNER, no_index, 0}; // pinned
+    if (dimension == 1 && m_edge.is_there() && m_position.is_there())
+      return on_edge(m_edge[i], m_position[i], p);
+    return location;
+  }
+
+  /// as the properties have it: what is found from coordinates may be off by a rounding
+  Location_2 on_edge(int edge, double s, const Point& p) const
+  {
+    if (edge < 0 || static_cast<std::size_t>(edge) >= m_domain.edges().size())
+      throw_property("edge", edge, p, "is no edge of the domain");
+    if (!(s > 0 && s < 1))
+      throw_property("position", s, p, "must be between 0 and 1");
+    const Point q = m_domain.point_on_edge(edge, s);
+    if (!(std::hypot(q.x() - p.x(), q.y() - p.y()) <= m_locate.rounding(edge, p)))
+      throw_property("position", s, p, "is another point of the edge");
+    return Location_2{Bubbles_2::EDGE, edge, s};
+  }
+
+  [[noreturn]] static void throw_property(const char* name, double value, const Point& p, const char* what)
+  {
+    throw std::invalid_argument("Bubble_relaxation_2: property " + std::string(name) + " = " + in_words(value) +
+                                " of the point " + in_words(p.x(), p.y()) + " " + what);
+  }
+
+  const Point_set& m_points;
+  const Domain_2& m_domain;
+  Domain_location_2 m_locate;
+  Point_property<Point_set, std::int64_t> m_number;
+  Point_property<Point_set, double> m_size, m_position;
+  Point_property<Point_set, int> m_dimension, m_edge;
+};
+
+/// Makes bubbles of the points of a `Point_set_3` with points and vectors of two dimensions, in their order.
+/// Points may have the properties `global_id` (`std::int64_t`; else all numbers are -1), `size` (`double`; else
+/// `sizing(point)`), `dimension`, `edge` (`int`) and `position` (`double`); where the last three do not tell
+/// what of the domain a point lies on it is found. Normals are velocities.
+/// \throws std::invalid_argument if a point is not finite or not in the domain, or has a property out of range
+template <class Point_set, class Sizing>
+Numbered_bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)
+{
+  return Point_set_reader_2<Point_set>(points, domain)(sizing);
+}
+
+/// Collective. `here`: points that this rank was given.
+/// \throws std::invalid_argument on all ranks if there are any and something that goes with them is missing, or if
+/// they would not be used
+inline void check_given_points(const Communicator& comm, std::size_t here, bool has_sizing_function,
+                               const Relaxation_options& options)
+{
+  const std::int64_t n = comm.sum(static_cast<std::int64_t>(here));
+  if (n == 0)
+    return;
+  const std::string points = "Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
+                             "together";
+  if (!has_sizing_function) {
+    comm.all_throw();
+    throw std::invalid_argument(points + ", but there is no sizing_function; no rank has their mesh to take sizes from");
+  }
+  if (!options.restart_path.empty() && !keeps_given_bubbles(options)) {
+    comm.all_throw();
+    throw std::invalid_argument(points + ", but the simulation starts from the file restart_from = " +
+                                options.restart_path);
+  }
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_POINT_SET_BUBBLES_H

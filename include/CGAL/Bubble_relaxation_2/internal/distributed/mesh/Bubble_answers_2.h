@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/order_in_space.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Kernel/global_functions_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The question whether any point that a rank does not know lies where it would change one of its triangles:
+/// in the circumscribed disc, and not beyond a side that is a constraint. What lies beyond such a side is
+/// hidden by it, since all of the disc there is cut off by that side.
+struct Triangle_question_2
+{
+  std::array<double, 3> x, y; ///< the vertices, counterclockwise
+  double xmin, ymin, xmax, ymax; ///< all that matters lies in this box
+  std::array<std::int32_t, 3> is_hidden; ///< for each vertex, what lies beyond the opposite side
+  std::int32_t vertex; ///< points near to this one matter first
+  std::int32_t number; ///< of the question, among those of its rank
+
+  Point point(int i) const { return Point(x[i], y[i]); }
+  Bbox_2 box() const { return Bbox_2(xmin, ymin, xmax, ymax); }
+
+  /// exact
+  bool concerns(const Point& q) const
+  {
+    const Point a = point(0), b = point(1), c = point(2);
+    if (CGAL::side_of_bounded_circle(a, b, c, q) == ON_UNBOUNDED_SIDE)
+      return false;
+    for (int i = 0; i < 3; ++i)
+      if (is_hidden[i] && CGAL::orientation(point(ccw(i)), point(cw(i)), q) == RIGHT_TURN)
+        return false;
+    return true;
+  }
+};
+
+/// Distance from the midpoint of the side `pq` of the triangle `pqr` to the farthest point of the part of
+/// its circumscribed disc that lies beyond that side, or a bit more; infinite if rounding hides it.
+inline double reach_beyond_side(const Point& p, const Point& q, const Point& r)
+{
+  constexpr double margin = 1 + 1e-9, rounding = 8 * std::numeric_limits<double>::epsilon();
+  const double ax = p.x() - r.x(), ay = p.y() - r.y(), bx = q.x() - r.x(), by = q.y() - r.y();
+  const double half = 0.5 * std::hypot(q.x() - p.x(), q.y() - p.y()) * margin;
+  const double dot = ax * bx + ay * by;
+  if (dot >= 0) // less than half of the disc
+    return half;
+  // the angle at r is obtuse: that part is as high as half the side times the tangent of half the angle
+  const double cross = std::abs(ax * by - ay * bx) - rounding * (std::abs(ax * by) + std::abs(ay * bx));
+  if (!(cross > 0))
+    return std::numeric_limits<double>::infinity();
+  return half * (std::max)(1., margin * (std::hypot(ax, ay) * std::hypot(bx, by) - dot) / cross);
+}
+
+/// The part of the plane that matters for the triangle `t`, in a box.
+inline Bbox_2 box_that_matters(const Marked_triangulation_2& mesh, Index t, const Bbox_2& domain_box)
+{
+  const Flat_triangulation_2& tr = mesh.tr;
+  Bbox_2 box = tr.point(t, 0).bbox() + tr.point(t, 1).bbox() + tr.point(t, 2).bbox();
+  const double largest = (std::max)((std::max)(std::abs(box.xmin()), std::abs(box.xmax())),
+                                    (std::max)(std::abs(box.ymin()), std::abs(box.ymax())));
+  for (int i = 0; i < 3; ++i) {
+    if (mesh.edges[t][i] != no_index)
+      continue;
+    const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
+    const double radius = reach_beyond_side(p, q, tr.point(t, i)) +
+                          4 * std::numeric_limits<double>::epsilon() * largest;
+    if (!std::isfinite(radius))
+      return domain_box;
+    const double x = p.x() + (q.x() - p.x()) / 2, y = p.y() + (q.y() - p.y()) / 2;
+    box += Bbox_2(x - radius, y - radius, x + radius, y + radius);
+  }
+  return Bbox_2((std::max)(box.xmin(), domain_box.xmin()), (std::max)(box.ymin(), domain_box.ymin()),
+                (std::min)(box.xmax(), domain_box.xmax()), (std::min)(box.ymax(), domain_box.ymax()));
+}
+
+inline Triangle_question_2 make_question(const Marked_triangulation_2& mesh, Index t, const Bbox_2& box,
+                                         int vertex, std::int32_t number)
+{
+  Triangle_question_2 question{};
+  for (int i = 0; i < 3; ++i) {
+    question.x[i] = mesh.tr.point(t, i).x();
+    question.y[i] = mesh.tr.point(t, i).y();
+    question.is_hidden[i] = mesh.edges[t][i] != no_index;
+  }
+  question.xmin = box.xmin();
+  question.ymin = box.ymin();
+  question.xmax = box.xmax();
+  question.ymax = box.ymax();
+  question.vertex = vertex;
+  question.number = number;
+  return question;
+}
+
+/// Finds points in boxes. Boxes around eight consecutive points, around eight such boxes, and so on: points that
+/// follow each other should be near to each other.
+class Box_tree_2
+{
+public:
+  Box_tree_2() = default;
+
+  explicit Box_tree_2(std::vector<Point> points) : m_points(std::move(points))
+  {
+    add_level(m_points.size(), [this](std::size_t i) { return m_points[i].bbox(); });
+    while (m_levels.back().size() > 1) {
+      const std::size_t below = m_levels.size() - 1;
+      add_level(m_levels[below].size(), [this, below](std::size_t i) { return m_levels[below][i]; });
+    }
+  }
+
+  /// calls `f` with the index of each point in the box
+  template <class Function>
+  void for_each_in(const Bbox_2& box, const Function& f) const
+  {
+    if (!m_points.empty())
+      visit(m_levels.size() - 1, 0, box, f);
+  }
+
+private:
+  static constexpr std::size_t fan = 8;
+
+  template <class Box_of>
+  void add_level(std::size_t n, const Box_of& box_of)
+  {
+    std::vector<Bbox_2> boxes((n + fan - 1) / fan);
+    for (std::size_t i = 0; i < n; ++i)
+      boxes[i / fan] += box_of(i);
+    m_levels.push_back(std::move(boxes));
+  }
+
+  template <class Function>
+  void visit(std::size_t level, std::size_t k, const Bbox_2& box, const Function& f) const
+  {
+    if (!do_overlap(m_levels[level][k], box))
+      return;
+    const std::size_t n = level == 0 ? m_points.size() : m_levels[level - 1].size();
+    for (std::size_t i = fan * k; i < (std::min)(fan * (k + 1), n); ++i)
+      if (level > 0)
+        visit(level - 1, i, box, f);
+      else if (do_overlap(m_points[i].bbox(), box))
+        f(i);
+  }
+
+  std::vector<Point> m_points;
+  std::vector<std::vector<Bbox_2>> m_levels; // of boxes around points, around those boxes, and so on
+};
+
+/// whether all ranks know a bubble: those on the edges of the domain and its corners
+inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
+{
+  return b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index);
+}
+
+/// a bubble that the asker of a question did not know
+struct Bubble_answer_2
+{
+  Bubble_record_2 bubble;
+  std::int64_t question;
+};
+
+/// Answers the questions of other ranks from the bubbles of this one, and none twice to the same rank. A
+/// triangle over a part of the domain that its rank hardly knows has a huge disc, so an answer names only
+/// some bubbles, those next to the asker; if the triangle outlives them it will be asked about again.
+class Bubble_answers_2
+{
+public:
+  static constexpr std::size_t most_bubbles = 12; ///< in one answer: about two stars
+
+  /// keeps references; `own`: this rank's bubbles
+  Bubble_answers_2(const Numbered_bubbles_2& own, const Hilbert_curve_2& curve)
+    : m_own(own), m_curve(curve)
+  {}
+
+  /// the bubble `i` was sent to `rank`
+  void note_sent(int rank, Index i) { m_sent[rank].insert(i); }
+
+  /// adds what a question of `rank` asks for
+  void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
+  {
+    if (!m_is_collected)
+      collect();
+    std::unordered_set<Index>& sent = m_sent[rank];
+    m_found.clear();
+    m_tree.for_each_in(question.box(), [&](std::size_t k) { test(question, m_inner[k], sent); });
+    const std::size_t n = (std::min)(m_found.size(), most_bubbles);
+    std::partial_sort(m_found.begin(), m_found.begin() + static_cast<std::ptrdiff_t>(n), m_found.end(),
+                      [](const Found& f, const Found& g) {
+                        return std::tie(f.distance, f.i) < std::tie(g.distance, g.i);
+                      });
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = static_cast<std::size_t>(m_found[k].i);
+      answers.push_back({record(m_own.bubbles, i, m_own.numbers[i]), question.number});
+      sent.insert(m_found[k].i);
+    }
+  }
+
+private:
+  struct Found
+  {
+    double distance;
+    Index i;
+  };
+
+  void collect()
+  {
+    const Bubbles_2& b = m_own.bubbles;
+    std::vector<Point> points;
+    for (Index i : order_in_space(m_curve, b))
+      if (!is_on_outline(b, static_cast<std::size_t>(i))) {
+        m_inner.push_back(i);
+        points.push_back(b.point(static_cast<std::size_t>(i)));
+      }
+    m_tree = Box_tree_2(std::move(points));
+    m_is_collected = true;
+  }
+
+  void test(const Triangle_question_2& question, Index i, const std::unordered_set<Index>& sent)
+  {
+    const Point p = m_own.bubbles.point(static_cast<std::size_t>(i));
+    if (sent.count(i) != 0 || !question.concerns(p))
+      return;
+    const double dx = p.x() - question.x[question.vertex], dy = p.y() - question.y[question.vertex];
+    m_found.push_back(Found{dx * dx + dy * dy, i});
+  }
+
+  const Numbered_bubbles_2& m_own;
+  const Hilbert_curve_2& m_curve;
+  bool m_is_collected = false;
+  std::vector<Index> m_inner; // those that others may not know
+  Box_tree_2 m_tree;           // of these
+  std::map<int, std::unordered_set<Index>> m_sent;
+  std::vector<Found> m_found;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H

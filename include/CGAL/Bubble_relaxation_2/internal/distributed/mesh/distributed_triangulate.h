@@ -1,0 +1,320 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Bubble_answers_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/order_in_space.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Makes each rank's part of the constrained Delaunay triangulation of the bubbles of all ranks.
+///
+/// All ranks get all bubbles of the outline, which are few, so each knows all constraints and which sides of
+/// them lie in the domain. Of the others a rank gets those that are near to its piece of the plane. It
+/// triangulates what it knows and asks, for each of its triangles whose disc reaches into other pieces, their
+/// owners for bubbles there; and again with what it gets, until no rank asks. A triangle about which nothing
+/// unknown was found is one of the whole, and stays: no unknown bubble is in its disc. Of points on one circle
+/// CGAL triangulates any subset in the same way, in whatever order they come.
+class Distributed_triangulation_2
+{
+public:
+  /// \pre bubbles `own` lie in this rank's piece, and their numbers ascend
+  Distributed_triangulation_2(const Domain_2& domain, const Numbered_bubbles_2& own,
+                              const Hilbert_partition_2& partition, const Communicator& comm,
+                              Agreement& agreement, Sparse_exchange& exchange, double reach)
+    : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_agreement(agreement),
+      m_exchange(exchange), m_answers(own, partition.curve())
+  {
+    get_outline();
+    get_nearby(reach);
+  }
+
+  /// Collective.
+  Distributed_mesh_2 operator()()
+  {
+    for (;;) {
+      Messages<Triangle_question_2> questions;
+      m_agreement.reach_after([&] {
+        if (m_is_new)
+          triangulate();
+        questions = questions_about_triangles();
+      });
+      if (!m_comm.any(!questions.empty()))
+        break;
+      ++m_mesh.number_of_rounds;
+      ask(questions);
+    }
+    m_agreement.reach_after([&] { m_mesh.mark_triangles(m_comm.rank()); });
+    return std::move(m_mesh);
+  }
+
+private:
+  using Triangle = std::array<std::int64_t, 3>; // numbers of the vertices, ascending
+
+  void get_outline()
+  {
+    std::vector<Bubble_record_2> records;
+    m_agreement.reach_after([&] {
+      for (std::size_t i = 0; i < m_own.size(); ++i)
+        if (is_on_outline(m_own.bubbles, i))
+          records.push_back(record(m_own.bubbles, i, m_own.numbers[i]));
+    });
+    records = gather_records(m_comm, records);
+    m_agreement.reach_after([&] {
+      m_mesh.known = Known_bubbles_2(m_own, m_comm.rank());
+      for (const Bubble_record_2& r : records) {
+        const int owner = m_partition.owner(r.x, r.y);
+        if (owner != m_comm.rank())
+          m_mesh.known.add(r, owner);
+      }
+    });
+  }
+
+  void get_nearby(double reach)
+  {
+    Messages<Bubble_record_2> out;
+    m_agreement.reach_after([&] {
+      const Bubbles_2& b = m_own.bubbles;
+      m_free_radius.assign(m_own.size(), 0);
+      Clearance_2 clearance(m_partition, m_comm.rank());
+      for (std::size_t i = 0; i < m_own.size(); ++i) {
+        const double radius = reach * b.d[i];
+        m_free_radius[i] = clearance(b.x[i], b.y[i], radius);
+        if (m_free_radius[i] > 0)
+          continue;
+        const auto ranks = m_partition.owners_in_disc(b.x[i], b.y[i], radius);
+        if (ranks.size() == 1 && ranks.front() == m_comm.rank())
+          m_free_radius[i] = radius;
+        else if (!is_on_outline(b, i))
+          for (int rank : ranks)
+            send(static_cast<Index>(i), rank, out);
+      }
+    });
+    const Messages<Bubble_record_2> in = m_exchange(out);
+    m_agreement.reach_after([&] {
+      for (const auto& message : in)
+        for (const Bubble_record_2& r : message.second)
+          m_mesh.known.add(r, message.first);
+      m_mesh.known.sort();
+    });
+  }
+
+  void send(Index i, int rank, Messages<Bubble_record_2>& out)
+  {
+    if (rank == m_comm.rank())
+      return;
+    const std::size_t k = static_cast<std::size_t>(i);
+    out[rank].push_back(record(m_own.bubbles, k, m_own.numbers[k]));
+    m_answers.note_sent(rank, i);
+  }
+
+  void triangulate()
+  {
+    const Bubbles_2& b = m_mesh.known.bubbles;
+    if (follow_space(b))
+      m_mesh.triangulation = internal::triangulate(m_domain, b);
+    else
+      triangulate_along_curve();
+    m_is_new = false;
+    m_radius.assign(m_mesh.known.size(), no_radius);
+    for (std::size_t i = 0, k = 0; i < m_own.size(); ++i, ++k) {
+      while (m_mesh.known.numbers[k] != m_own.numbers[i])
+        ++k;
+      m_radius[k] = m_free_radius[i];
+    }
+  }
+
+  /// CGAL searches each point from the last one
+  void triangulate_along_curve()
+  {
+    Bubbles_2 sorted = m_mesh.known.bubbles;
+    const std::vector<Index> order = order_in_space(m_partition.curve(), sorted);
+    sorted.select(order);
+    m_mesh.triangulation = internal::triangulate(m_domain, sorted);
+    Flat_triangulation_2& tr = m_mesh.triangulation.tr;
+    for (std::size_t i = 0; i < tr.points.size(); ++i)
+      tr.points[i] = m_mesh.known.bubbles.point(i);
+    for (std::array<Index, 3>& vertices : tr.vertices)
+      for (Index& v : vertices)
+        v = order[v];
+  }
+
+  Messages<Triangle_question_2> questions_about_triangles()
+  {
+    Messages<Triangle_question_2> questions;
+    m_asked.clear();
+    if (m_comm.size() == 1)
+      return questions;
+    const Marked_triangulation_2& mesh = m_mesh.triangulation;
+    for (std::size_t k = 0; k < mesh.tr.number_of_triangles(); ++k) {
+      const Index t = static_cast<Index>(k);
+      const int vertex = mesh.inside[k] ? own_vertex(t) : -1;
+      if (vertex == -1 || is_clearly_free(t))
+        continue;
+      const Bbox_2 box = box_that_matters(mesh, t, m_domain.bbox());
+      if (is_free(t, box))
+        continue;
+      const auto ranks = owners(box);
+      if ((ranks.size() == 1 && ranks.front() == m_comm.rank()) || m_is_certain.count(triangle(t)) != 0)
+        continue;
+      const auto question = make_question(mesh, t, box, vertex, static_cast<std::int32_t>(m_asked.size()));
+      m_asked.push_back(triangle(t));
+      for (int rank : ranks)
+        if (rank != m_comm.rank())
+          questions[rank].push_back(question);
+    }
+    m_mesh.number_of_questions += m_asked.size();
+    return questions;
+  }
+
+  /// a vertex of the triangle that this rank owns, -1 if there is none
+  int own_vertex(Index t) const
+  {
+    for (int i = 0; i < 3; ++i)
+      if (m_radius[m_mesh.triangulation.tr.vertices[t][i]] != no_radius)
+        return i;
+    return -1;
+  }
+
+  /// Of a triangle without an obtuse angle the disc lies in a disc around each vertex with less than 1.4 times
+  /// the longest side as radius. That decides about most triangles.
+  bool is_clearly_free(Index t) const
+  {
+    const Flat_triangulation_2& tr = m_mesh.triangulation.tr;
+    double longest = 0, sum = 0, radius = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
+      const double dx = q.x() - p.x(), dy = q.y() - p.y(), square = dx * dx + dy * dy;
+      longest = (std::max)(longest, square);
+      sum += square;
+      radius = (std::max)(radius, m_radius[tr.vertices[t][i]]);
+    }
+    return 2 * longest < sum && 2 * longest < radius * radius;
+  }
+
+  /// whether the box lies in a disc around a vertex of which this rank owns all
+  bool is_free(Index t, const Bbox_2& box) const
+  {
+    const Flat_triangulation_2& tr = m_mesh.triangulation.tr;
+    for (int i = 0; i < 3; ++i) {
+      const double radius = m_radius[tr.vertices[t][i]], x = tr.point(t, i).x(), y = tr.point(t, i).y();
+      const double dx = (std::max)(x - box.xmin(), box.xmax() - x);
+      const double dy = (std::max)(y - box.ymin(), box.ymax() - y);
+      if (radius > 0 && dx * dx + dy * dy < 0.999999 * radius * radius)
+        return true;
+    }
+    return false;
+  }
+
+  Hilbert_partition_2::Ranks owners(const Bbox_2& box) const
+  {
+    const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin();
+    return m_partition.owners_in_disc(box.xmin() + dx / 2, box.ymin() + dy / 2,
+                                      0.5000001 * std::hypot(dx, dy));
+  }
+
+  Triangle triangle(Index t) const
+  {
+    Triangle result;
+    for (int i = 0; i < 3; ++i)
+      result[i] = m_mesh.known.numbers[m_mesh.triangulation.tr.vertices[t][i]];
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void ask(const Messages<Triangle_question_2>& questions)
+  {
+    const Messages<Triangle_question_2> asked = m_exchange(questions);
+    Messages<Bubble_answer_2> answers;
+    m_agreement.reach_after([&] {
+      for (const auto& message : asked)
+        for (const Triangle_question_2& question : message.second)
+          m_answers(message.first, question, answers[message.first]);
+    });
+    const Messages<Bubble_answer_2> got = m_exchange(answers);
+    m_agreement.reach_after([&] { learn(got); });
+  }
+
+  void learn(const Messages<Bubble_answer_2>& answers)
+  {
+    std::vector<char> is_open(m_asked.size(), 0);
+    std::size_t n = 0;
+    for (const auto& message : answers)
+      for (const Bubble_answer_2& answer : message.second) {
+        m_mesh.known.add(answer.bubble, message.first);
+        ++n;
+        is_open[static_cast<std::size_t>(answer.question)] = 1;
+      }
+    for (std::size_t k = 0; k < m_asked.size(); ++k)
+      if (!is_open[k])
+        m_is_certain.insert(m_asked[k]);
+    if (n == 0)
+      return;
+    m_mesh.number_of_answers += n;
+    m_mesh.known.sort();
+    m_is_new = true;
+  }
+
+  static constexpr double no_radius = -1; // of bubbles of other ranks
+
+  const Domain_2& m_domain;
+  const Numbered_bubbles_2& m_own;
+  const Hilbert_partition_2& m_partition;
+  const Communicator& m_comm;
+  Agreement& m_agreement;
+  Sparse_exchange& m_exchange;
+  Bubble_answers_2 m_answers;
+  Distributed_mesh_2 m_mesh;
+  bool m_is_new = true;              // there are bubbles that are not in the triangulation
+  std::vector<double> m_free_radius; // of own bubbles: of a disc that reaches into no other piece, or 0
+  std::vector<double> m_radius;      // the same by index in the mesh
+  std::vector<Triangle> m_asked;     // in this round
+  std::set<Triangle> m_is_certain;   // of those that were asked about
+};
+
+/// Collective. The part of this rank of the constrained Delaunay triangulation of the bubbles of all ranks:
+/// the union of the triangles that ranks own is `triangulate(domain, all bubbles)`.
+/// \param own this rank's bubbles, whose keys lie in its piece of the partition; their numbers are different
+/// on all ranks and ascend
+/// \param reach how far from the piece of a rank it gets the bubbles at once, in units of their own d; no
+/// result depends on it, but for the ghosts
+/// \throws std::runtime_error on all ranks if `triangulate()` would throw
+inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const Numbered_bubbles_2& own,
+                                                  const Hilbert_partition_2& partition,
+                                                  const Communicator& comm, Agreement& agreement,
+                                                  Sparse_exchange& exchange, double reach = 3)
+{
+  return Distributed_triangulation_2(domain, own, partition, comm, agreement, exchange, reach)();
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H

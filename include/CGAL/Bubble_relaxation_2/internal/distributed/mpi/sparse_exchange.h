@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MPI_SPARSE_EXCHANGE_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MPI_SPARSE_EXCHANGE_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// records for each of some ranks, or from each
+template <class T>
+using Messages = std::map<int, std::vector<T>>;
+
+/// Exchanges messages between ranks that do not know beforehand who will send: each rank sends to few, and
+/// nothing is of the size of the communicator (non-blocking consensus, Hoefler, Siebert and Lumsdaine 2010).
+class Sparse_exchange
+{
+public:
+  explicit Sparse_exchange(const Communicator& comm) : m_comm(comm) {}
+
+  /// Collective. What a rank sends to itself it gets as well.
+  template <class T>
+  Messages<T> operator()(const Messages<T>& out)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "records are sent as bytes");
+    Messages<T> in;
+    m_tag = 1 - m_tag; // a fast rank may be one exchange ahead of a slow one, never two
+    std::vector<MPI_Request> sends;
+    for (const auto& message : out) {
+      if (message.second.empty())
+        continue;
+      if (message.first == m_comm.rank()) {
+        in[message.first] = message.second;
+        continue;
+      }
+      sends.emplace_back();
+      check_mpi(MPI_Issend(message.second.data(), bytes(message.second), MPI_BYTE, message.first, m_tag,
+                           m_comm.handle(), &sends.back()));
+    }
+    receive_until_all_are_done(sends, in);
+    return in;
+  }
+
+private:
+  template <class T>
+  static int bytes(const std::vector<T>& records)
+  {
+    const std::size_t n = records.size() * sizeof(T);
+    if (n > static_cast<std::size_t>((std::numeric_limits<int>::max)()))
+      throw std::length_error("Bubble_relaxation_2: a message to one rank has more than 2^31 bytes");
+    return static_cast<int>(n);
+  }
+
+  template <class T>
+  void receive_until_all_are_done(std::vector<MPI_Request>& sends, Messages<T>& in)
+  {
+    MPI_Request barrier = MPI_REQUEST_NULL;
+    bool is_waiting = false;
+    for (int is_done = 0; !is_done;) {
+      receive_if_any(in);
+      if (is_waiting) {
+        check_mpi(MPI_Test(&barrier, &is_done, MPI_STATUS_IGNORE));
+        continue;
+      }
+      int all_sent = 0; // and received: the sends are synchronous
+      check_mpi(MPI_Testall(static_cast<int>(sends.size()), sends.data(), &all_sent, MPI_STATUSES_IGNORE));
+      if (all_sent) {
+        check_mpi(MPI_Ibarrier(m_comm.handle(), &barrier));
+        is_waiting = true;
+      }
+    }
+  }
+
+  template <class T>
+  void receive_if_any(Messages<T>& in)
+  {
+    int is_there = 0, size = 0;
+    MPI_Status status;
+    check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, m_tag, m_comm.handle(), &is_there, &status));
+    if (!is_there)
+      return;
+    MPI_Get_count(&status, MPI_BYTE, &size);
+    std::vector<T>& records = in[status.MPI_SOURCE];
+    records.resize(static_cast<std::size_t>(size) / sizeof(T));
+    check_mpi(MPI_Recv(records.data(), size, MPI_BYTE, status.MPI_SOURCE, m_tag, m_comm.handle(),
+                       MPI_STATUS_IGNORE));
+  }
+
+  const Communicator& m_comm;
+  int m_tag = 0;
+};
+
+/// Exchanges messages between ranks that know who sends how much at most, while they do something else: something that does
+/// not throw, since what was begun has to be ended.
+template <class T>
+class Known_exchange
+{
+public:
+  explicit Known_exchange(const Communicator& comm) : m_comm(comm) {}
+
+  Known_exchange(const Known_exchange&) = delete;
+  Known_exchange& operator=(const Known_exchange&) = delete;
+
+  /// Begins. `in`: messages of the sizes that those that come have at most. Until `finish()` nobody else may touch `in`
+  /// and `out`. \pre what was begun before is ended
+  void start(const Messages<T>& out, Messages<T>& in)
+  {
+    m_in = &in;
+    m_requests.clear();
+    m_requests.reserve(in.size() + out.size());
+    m_statuses.resize(in.size() + out.size());
+    for (auto& message : in) {
+      m_requests.emplace_back();
+      check_mpi(MPI_Irecv(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
+                          m_comm.handle(), &m_requests.back()));
+    }
+    for (const auto& message : out) {
+      m_requests.emplace_back();
+      check_mpi(MPI_Isend(message.second.data(), bytes(message.second), MPI_BYTE, message.first, tag,
+                          m_comm.handle(), &m_requests.back()));
+    }
+  }
+
+  /// Ends: the messages in `in` get the sizes of what came.
+  void finish()
+  {
+    check_mpi(MPI_Waitall(static_cast<int>(m_requests.size()), m_requests.data(), m_statuses.data()));
+    std::size_t k = 0;
+    for (auto& message : *m_in) {
+      int size = 0;
+      MPI_Get_count(&m_statuses[k++], MPI_BYTE, &size);
+      message.second.resize(static_cast<std::size_t>(size) / sizeof(T));
+    }
+  }
+
+private:
+  static constexpr int tag = 2; // not those of exchanges with unknown senders
+
+  static int bytes(const std::vector<T>& records) { return static_cast<int>(records.size() * sizeof(T)); }
+
+  const Communicator& m_comm;
+  Messages<T>* m_in = nullptr;
+  std::vector<MPI_Request> m_requests; // those of `in` first
+  std::vector<MPI_Status> m_statuses;
+};
+
+/// The same at once.
+template <class T>
+void exchange_known(const Communicator& comm, const Messages<T>& out, Messages<T>& in)
+{
+  Known_exchange<T> exchange(comm);
+  exchange.start(out, in);
+  exchange.finish();
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MPI_SPARSE_EXCHANGE_H

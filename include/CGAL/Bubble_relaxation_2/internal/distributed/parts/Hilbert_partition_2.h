@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HILBERT_PARTITION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HILBERT_PARTITION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Which rank owns which part of the plane: consecutive pieces of a Hilbert curve. One key for each rank but
+/// the first says all, to all ranks.
+class Hilbert_partition_2
+{
+public:
+  using Key = Hilbert_curve_2::Key;
+  using Ranks = boost::container::small_vector<int, 4>;
+
+  /// `first_keys`: where the pieces of ranks 1, 2, … begin, in this order
+  Hilbert_partition_2(const Hilbert_curve_2& curve, std::vector<Key> first_keys)
+    : m_curve(curve), m_first_keys(std::move(first_keys))
+  {}
+
+  /// the first of some ranks owns all
+  static Hilbert_partition_2 of_first_rank(const Hilbert_curve_2& curve, int number_of_ranks)
+  {
+    return Hilbert_partition_2(curve, std::vector<Key>(static_cast<std::size_t>(number_of_ranks - 1), ~Key(0)));
+  }
+
+  const Hilbert_curve_2& curve() const { return m_curve; }
+  int number_of_ranks() const { return static_cast<int>(m_first_keys.size()) + 1; }
+
+  int owner(Key key) const
+  {
+    return static_cast<int>(std::upper_bound(m_first_keys.begin(), m_first_keys.end(), key) -
+                            m_first_keys.begin());
+  }
+
+  int owner(double x, double y) const { return owner(m_curve.key(x, y)); }
+
+  /// calls `visit(owner, first, last)` for the intervals of elements that one rank owns; they are sorted by their `key`
+  template <class Iterator, class Visit>
+  void for_each_owner(Iterator first, Iterator end, const Visit& visit) const
+  {
+    while (first != end) { // the owners ascend, too
+      const int rank = owner(first->key);
+      const Iterator last =
+        std::partition_point(first, end, [&](const auto& element) { return owner(element.key) == rank; });
+      visit(rank, first, last);
+      first = last;
+    }
+  }
+
+  /// All ranks that own a part of the disc, and perhaps some that own something beside it; sorted.
+  Ranks owners_in_disc(double x, double y, double radius) const
+  {
+    Ranks result;
+    visit_disc(x, y, radius, [&result](int first, int last) {
+      for (int rank = first; rank <= last; ++rank)
+        if (result.empty() || result.back() != rank)
+          result.push_back(rank);
+      return true;
+    });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// Whether a rank owns the whole disc, or a little more even.
+  bool owns_disc(int rank, double x, double y, double radius) const
+  {
+    return visit_disc(x, y, radius, [rank](int first, int last) { return first == rank && last == rank; });
+  }
+
+private:
+  /// so many times a square about as wide as the disc is quartered: it need not be exact what is beside the disc
+  static constexpr int finest = 3;
+
+  /// cells around a disc
+  struct Box
+  {
+    std::uint32_t first_column, last_column, first_row, last_row;
+  };
+
+  static std::uint32_t at(std::uint32_t cell, int level)
+  {
+    return level < Hilbert_curve_2::levels ? cell >> level : 0;
+  }
+
+  /// Calls `visit(first, last)` for intervals of ranks, all of which own something in the disc or beside it, until it
+  /// returns false; then this does so too.
+  template <class Visit>
+  bool visit_disc(double x, double y, double radius, const Visit& visit) const
+  {
+    if (m_first_keys.empty())
+      return visit(0, 0);
+    const Box disc{m_curve.column(x - radius), m_curve.column(x + radius), m_curve.row(y - radius),
+                   m_curve.row(y + radius)};
+    // at most four cells of this level cover the disc
+    const std::uint32_t widest = (std::max)(disc.last_column - disc.first_column, disc.last_row - disc.first_row);
+    int level = 1; // of the last cell of level 0 there is no next
+    while (level < Hilbert_curve_2::levels && (widest >> level) > 0)
+      ++level;
+    for (std::uint32_t row = at(disc.first_row, level); row <= at(disc.last_row, level); ++row)
+      for (std::uint32_t column = at(disc.first_column, level); column <= at(disc.last_column, level); ++column)
+        if (!visit_square(disc, column, row, level, (std::max)(0, level - finest), visit))
+          return false;
+    return true;
+  }
+
+  /// the same for what lies in a square of 2^level cells in a row, as far as it is in the box
+  template <class Visit>
+  bool visit_square(const Box& box, std::uint32_t column, std::uint32_t row, int level, int last_level,
+                    const Visit& visit) const
+  {
+    if (column > at(box.last_column, level) || column < at(box.first_column, level) ||
+        row > at(box.last_row, level) || row < at(box.first_row, level))
+      return true;
+    const bool is_all = level == Hilbert_curve_2::levels;
+    const Key cells = is_all ? ~Key(0) : (Key(1) << 2 * level) - 1;
+    const Key first = is_all ? 0
+                             : m_curve.key_of_cell(column, row, Hilbert_curve_2::levels - level)
+                                 << 2 * level;
+    const int low = owner(first), high = owner(first | cells);
+    if (low == high || level == last_level)
+      return visit(low, high);
+    for (int quarter = 0; quarter < 4; ++quarter)
+      if (!visit_square(box, 2 * column + static_cast<std::uint32_t>(quarter & 1),
+                        2 * row + static_cast<std::uint32_t>(quarter >> 1), level - 1, last_level, visit))
+        return false;
+    return true;
+  }
+
+  Hilbert_curve_2 m_curve;
+  std::vector<Key> m_first_keys;
+};
+
+/// Collective. Cuts the curve so that all ranks own equally many of some keys, which are on any ranks. All cuts
+/// are searched at once by halving: 64 times each rank counts its keys before each cut.
+/// \param keys this rank's, sorted
+inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+                                          const std::vector<Hilbert_curve_2::Key>& keys)
+{
+  using Key = Hilbert_curve_2::Key;
+  const std::int64_t all = comm.sum(static_cast<std::int64_t>(keys.size()));
+  const std::size_t cuts = static_cast<std::size_t>(comm.size() - 1);
+  std::vector<Key> first(cuts, 0); // the largest keys that are known to be enough
+  std::vector<std::int64_t> counts(cuts);
+  for (int bit = 63; bit >= 0 && cuts > 0; --bit) {
+    const Key half = Key(1) << bit;
+    for (std::size_t k = 0; k < cuts; ++k)
+      counts[k] = std::lower_bound(keys.begin(), keys.end(), first[k] | half) - keys.begin();
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(cuts), MPI_INT64_T, MPI_SUM,
+                            comm.handle()));
+    for (std::size_t k = 0; k < cuts; ++k)
+      if (counts[k] <= all * static_cast<std::int64_t>(k + 1) / comm.size())
+        first[k] |= half;
+  }
+  return Hilbert_partition_2(curve, first);
+}
+
+/// the same of the keys of sorted elements
+template <class Keyed>
+Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+                                   const std::vector<Keyed>& sorted)
+{
+  std::vector<Hilbert_curve_2::Key> keys;
+  keys.reserve(sorted.size());
+  for (const Keyed& element : sorted)
+    keys.push_back(element.key);
+  return even_partition(comm, curve, keys);
+}
+
+/// cuts the curve so that all ranks own equally many of some bubbles, which all of them have
+inline Hilbert_partition_2 partition_of_common(const Hilbert_curve_2& curve, const Bubbles_2& common, int ranks)
+{
+  std::vector<Hilbert_curve_2::Key> keys, first;
+  for (std::size_t i = 0; i < common.size(); ++i)
+    keys.push_back(curve.key(common.x[i], common.y[i]));
+  std::sort(keys.begin(), keys.end());
+  for (int rank = 1; rank < ranks; ++rank)
+    first.push_back(keys[keys.size() * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks)]);
+  return Hilbert_partition_2(curve, first);
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HILBERT_PARTITION_2_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A greedy choice that several ranks make together, each of its own candidates. Each rank guesses what others
+/// choose, is told, and chooses again as long as any guess was wrong. When none is, all is as one rank alone would
+/// have chosen, by induction from the best candidate to the worst.
+class Choice_exchange_2
+{
+public:
+  explicit Choice_exchange_2(const Communicator& comm) : m_comm(comm) {}
+
+  /// starts anew, with as many candidates of ours
+  void start(std::size_t number_of_ours)
+  {
+    m_number_of_ours = static_cast<Index>(number_of_ours);
+    m_sent.clear();
+    m_received.clear();
+  }
+
+  void sent(int rank, Index candidate) { m_sent[rank].push_back(candidate); }
+  void received(int rank, Index candidate) { m_received[rank].push_back(candidate); }
+
+  template <class Choice>
+  void decide(Choice& choice) const
+  {
+    choice.decide([](Index) { return true; });
+    Messages<char> out, in;
+    for (const auto& received : m_received)
+      in[received.first].resize(received.second.size());
+    for (bool was_wrong = true; was_wrong; was_wrong = m_comm.any(was_wrong)) {
+      for (const auto& sent : m_sent) {
+        out[sent.first].clear();
+        for (Index k : sent.second)
+          out[sent.first].push_back(choice.is_chosen(k));
+      }
+      exchange_known(m_comm, out, in);
+      was_wrong = take_decisions(in, choice);
+      if (was_wrong)
+        choice.decide([this](Index k) { return k < m_number_of_ours; });
+    }
+  }
+
+private:
+  template <class Choice>
+  bool take_decisions(const Messages<char>& in, Choice& choice) const
+  {
+    bool was_wrong = false;
+    for (const auto& received : m_received)
+      for (std::size_t n = 0; n < received.second.size(); ++n) {
+        const Index k = received.second[n];
+        const bool value = in.at(received.first)[n] != 0;
+        was_wrong = was_wrong || choice.is_chosen(k) != value;
+        choice.set_chosen(k, value);
+      }
+    return was_wrong;
+  }
+
+  const Communicator& m_comm;
+  Index m_number_of_ours = 0;
+  Messages<Index> m_sent, m_received; // candidates, in one order on both sides
+};
+
+/// Places for new bubbles, among which ranks choose together: each of those in its own part.
+class Hole_exchange_2
+{
+public:
+  Hole_exchange_2(const Communicator& comm, Sparse_exchange& exchange)
+    : m_comm(comm), m_exchange(exchange), m_choice(comm)
+  {}
+
+  /// Collective. See `Population_alone::share_holes()`.
+  std::size_t share(const Hilbert_partition_2& partition, std::vector<Hole_2>& holes, double reach)
+  {
+    Messages<Hole_2> out;
+    for (const Hole_2& h : holes)
+      out[partition.owner(h.x, h.y)].push_back(h);
+    holes.clear();
+    for (const auto& message : m_exchange(out))
+      holes.insert(holes.end(), message.second.begin(), message.second.end());
+    const std::size_t number_of_ours = holes.size();
+    m_choice.start(number_of_ours);
+    std::vector<Hilbert_partition_2::Ranks> told(number_of_ours);
+    std::vector<int> owners(number_of_ours, m_comm.rank());
+    out.clear();
+    for (std::size_t k = 0; k < number_of_ours; ++k)
+      for (int rank : partition.owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
+        tell(holes[k], static_cast<Index>(k), rank, told[k], out);
+    receive(out, holes, owners);
+    out.clear();
+    tell_of_smaller(holes, number_of_ours, owners, reach, told, out);
+    receive(out, holes, owners);
+    return number_of_ours;
+  }
+
+  /// Collective.
+  template <class Choice>
+  void decide(Choice& choice) const
+  {
+    m_choice.decide(choice);
+  }
+
+private:
+  using Told = std::vector<Hilbert_partition_2::Ranks>;
+
+  /// who was told of a larger one tells of smaller ones near it
+  void tell_of_smaller(const std::vector<Hole_2>& holes, std::size_t number_of_ours, const std::vector<int>& owners,
+                       double reach, Told& told, Messages<Hole_2>& out)
+  {
+    if (number_of_ours == 0 || holes.size() == number_of_ours)
+      return;
+    Bubble_buckets_2 ours(2 * reach, holes[0].d, holes[0].x, holes[0].y, number_of_ours);
+    for (std::size_t k = 0; k < number_of_ours; ++k)
+      ours.insert(static_cast<Index>(k), holes[k].x, holes[k].y, holes[k].d);
+    for (std::size_t l = number_of_ours; l < holes.size(); ++l) {
+      const double far = reach * holes[l].d;
+      ours.for_each_near(holes[l].x, holes[l].y, holes[l].d, [&](Index k, double squared, double) {
+        if (squared < far * far)
+          tell(holes[k], k, owners[l], told[k], out);
+        return true;
+      });
+    }
+  }
+
+  void tell(const Hole_2& hole, Index k, int rank, Hilbert_partition_2::Ranks& told, Messages<Hole_2>& out)
+  {
+    if (rank == m_comm.rank() || std::find(told.begin(), told.end(), rank) != told.end())
+      return;
+    told.push_back(rank);
+    out[rank].push_back(hole);
+    m_choice.sent(rank, k);
+  }
+
+  void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes, std::vector<int>& owners)
+  {
+    for (const auto& message : m_exchange(out))
+      for (const Hole_2& h : message.second) {
+        m_choice.received(message.first, static_cast<Index>(holes.size()));
+        holes.push_back(h);
+        owners.push_back(message.first);
+      }
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Choice_exchange_2 m_choice;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H

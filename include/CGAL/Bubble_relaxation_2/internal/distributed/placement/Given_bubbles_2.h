@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GIVEN_BUBBLES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GIVEN_BUBBLES_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Point_distribution_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Mesh_surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The bubbles to start from, which are given as points on any ranks; or, if no rank has any, as the vertices of
+/// the domain's triangulation, which all ranks have. All ranks get those on the outline and the pinned ones, and
+/// each an equal share of the others.
+class Given_bubbles_2
+{
+public:
+  /// one in a face
+  struct Free
+  {
+    Point point;
+    std::int64_t number; ///< along the curve, among all
+  };
+
+  /// Collective. `points`: what this rank has of them.
+  /// \throws std::invalid_argument on all ranks if two points have the same coordinates
+  template <class Cdt>
+  Given_bubbles_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                  const Domain_reading_2<Cdt>& reading, const Numbered_bubbles_2& points)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_domain(reading.domain),
+      m_outline(outline_of_mesh(reading)), m_are_points(comm.any(points.size() > 0)),
+      m_distribution(reading.domain, comm, agreement, exchange)
+  {
+    if (m_are_points)
+      distribute(points);
+    else
+      take_share_of(reading);
+    m_has_free = comm.any(!m_free.empty());
+  }
+
+  const Mesh_outline_2& outline() const { return m_outline; }
+
+  /// whether there are any in faces
+  bool has_free() const { return m_has_free; }
+
+  /// this rank's share of those in faces, along the curve
+  const std::vector<Free>& free() const { return m_free; }
+
+  /// Collective. How the mesh of all given bubbles looks around those of `free()`.
+  template <class Cdt>
+  std::vector<Mesh_surroundings_2> surroundings(const Cdt& cdt, const Domain_reading_2<Cdt>& reading) const
+  {
+    if (m_are_points)
+      return surroundings_of_points();
+    std::vector<Mesh_surroundings_2> result;
+    for (const Free& f : m_free)
+      result.push_back(reading.surroundings(cdt, reading.free[static_cast<std::size_t>(f.number)]));
+    return result;
+  }
+
+private:
+  /// a point on an edge of the domain, or a pinned one
+  struct Placed
+  {
+    double x, y, s;
+    Index edge;
+
+    bool operator<(const Placed& p) const { return std::tie(edge, s, x, y) < std::tie(p.edge, p.s, p.x, p.y); }
+  };
+
+  template <class Cdt>
+  void take_share_of(const Domain_reading_2<Cdt>& reading)
+  {
+    const std::size_t n = reading.free.size(), ranks = static_cast<std::size_t>(m_comm.size()),
+                      rank = static_cast<std::size_t>(m_comm.rank());
+    for (std::size_t k = n * rank / ranks; k < n * (rank + 1) / ranks; ++k)
+      m_free.push_back(Free{Constraint_graph_2<Cdt>::to_point(reading.free[k]), static_cast<std::int64_t>(k)});
+  }
+
+  void distribute(const Numbered_bubbles_2& points)
+  {
+    gather_outline(points.bubbles);
+    Numbered_bubbles_2 others;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!is_pinned(points.bubbles.point(i)))
+        others.add(record(points.bubbles, i, no_index));
+    if (m_comm.rank() == 0)
+      for (const Point& p : m_outline.pinned) {
+        others.bubbles.add(p, std::numeric_limits<double>::quiet_NaN(), Bubbles_2::CORNER, no_index);
+        others.numbers.push_back(no_index);
+      }
+    m_points = m_distribution(others, false);
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_points.bubbles.is_in_face(i))
+        m_free.push_back(Free{m_points.bubbles.point(i), m_points.numbers[i]});
+  }
+
+  void gather_outline(const Bubbles_2& b)
+  {
+    std::vector<Placed> placed;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_on_edge(i))
+        placed.push_back(Placed{b.x[i], b.y[i], position_on_edge(m_domain, b.place[i], b.point(i)), b.place[i]});
+      else if (b.is_corner(i) && b.place[i] == no_index)
+        placed.push_back(Placed{b.x[i], b.y[i], 0, no_index});
+    placed = gather_records(m_comm, placed);
+    std::sort(placed.begin(), placed.end());
+    m_outline.on_edge.assign(m_domain.edges().size(), {});
+    for (const Placed& p : placed)
+      (p.edge == no_index ? m_outline.pinned : m_outline.on_edge[p.edge]).push_back(Point(p.x, p.y));
+    sort_pinned();
+  }
+
+  /// along the curve, as those of the domain are, and each once
+  void sort_pinned()
+  {
+    std::vector<Point>& pinned = m_outline.pinned;
+    std::vector<Point> sorted;
+    for (Index i : hilbert_order(hilbert_curve(m_domain), pinned))
+      sorted.push_back(pinned[i]);
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    pinned.swap(sorted);
+    m_pinned_by_place = pinned;
+    std::sort(m_pinned_by_place.begin(), m_pinned_by_place.end());
+  }
+
+  bool is_pinned(const Point& p) const
+  {
+    return std::binary_search(m_pinned_by_place.begin(), m_pinned_by_place.end(), p);
+  }
+
+  std::vector<Mesh_surroundings_2> surroundings_of_points() const
+  {
+    const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm,
+                                                            m_agreement, m_exchange);
+    const Flat_triangulation_2& tr = mesh.triangulation.tr;
+    std::vector<Index> beside(mesh.known.size(), no_index); // a triangle at each vertex
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      for (Index v : tr.vertices[t])
+        beside[v] = static_cast<Index>(t);
+    std::vector<Mesh_surroundings_2> result;
+    std::size_t v = 0;
+    for (const Free& f : m_free) { // in the order of their numbers, as the known ones
+      while (mesh.known.numbers[v] != f.number)
+        ++v;
+      result.push_back(mesh_surroundings(f.point, ring(tr, beside[v], static_cast<Index>(v))));
+    }
+    return result;
+  }
+
+  /// the neighbours of an inner vertex of the triangle `t`, counterclockwise from the lexicographically smallest on
+  static std::vector<Point> ring(const Flat_triangulation_2& tr, Index start, Index v)
+  {
+    std::vector<Point> result;
+    Index t = start;
+    do {
+      const int i = tr.vertices[t][0] == v ? 0 : tr.vertices[t][1] == v ? 1 : 2;
+      result.push_back(tr.point(t, ccw(i)));
+      t = tr.neighbors[t][ccw(i)];
+    } while (t != start);
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Agreement& m_agreement;
+  const Domain_2& m_domain;
+  Mesh_outline_2 m_outline;
+  std::vector<Point> m_pinned_by_place;
+  bool m_are_points, m_has_free = false;
+  Point_distribution_2 m_distribution;
+  Numbered_bubbles_2 m_points; // if there are points: as many on each rank, with corners and pinned ones
+  std::vector<Free> m_free;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GIVEN_BUBBLES_2_H

@@ -1,0 +1,397 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_holders_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/Growth_proposals_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A bubble of a face that is there before the growth begins, and its place among all such.
+struct Growth_seed_2
+{
+  double x, y, d;
+  double direction; ///< angle of the lattice
+  std::int64_t number;
+  Index triangle;   ///< of the domain
+};
+
+/// The ranks that grow one crystal together, each in its part of the domain. What comes out is what one rank
+/// would have grown, to the last bit.
+///
+/// A bubble belongs to the rank in whose part it came in. The owner proposes places around it, decides about
+/// these proposals, and settles it. Two bubbles nearer to each other than `needed_reach` times the size of the
+/// larger one are known to the owners of both: each is sent to the ranks whose parts a disc around it meets,
+/// and a rank that gets to know one that is larger than its own sends those to its owner. All that a proposal or
+/// a bubble depends on lies within.
+class Growth_team_2
+{
+public:
+  Growth_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_choice(comm)
+  {}
+
+  /// whether bubbles have grown in parts
+  bool is_divided() const { return m_partition != nullptr; }
+
+  void divide(const Domain_2& domain, const Bubbles_2& large)
+  {
+    m_partition =
+      std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
+    m_holders = std::make_unique<Growth_holders_2>(*m_partition, m_comm.rank());
+  }
+
+  /// Bubbles of faces that are there before the growth begins, which are on any ranks, come to those in whose parts
+  /// they are or near whose parts. They and their directions are added to `bubbles`, which are what all ranks have.
+  void bring_seeds(const std::vector<Growth_seed_2>& seeds, Bubbles_2& bubbles, std::vector<double>& directions)
+  {
+    Messages<Growth_seed_2> out;
+    for (const Growth_seed_2& s : seeds)
+      for (int rank : m_partition->owners_in_disc(s.x, s.y, reach * s.d))
+        out[rank].push_back(s);
+    std::vector<Growth_seed_2> here;
+    for (const auto& message : m_exchange(out))
+      here.insert(here.end(), message.second.begin(), message.second.end());
+    std::sort(here.begin(), here.end(),
+              [](const Growth_seed_2& s, const Growth_seed_2& t) { return s.number < t.number; });
+    for (const Growth_seed_2& s : here) {
+      bubbles.add(Point(s.x, s.y), s.d, Bubbles_2::FACE, s.triangle);
+      directions.push_back(s.direction);
+      m_seeds.push_back(s.number);
+    }
+  }
+
+  std::size_t part_of(double number) const
+  {
+    constexpr double uneven = 1.1; // parts differ, and each has some bubbles of others
+    return static_cast<std::size_t>(uneven * number / m_comm.size());
+  }
+
+  template <class Crystal>
+  void start(Crystal& crystal, std::size_t expected)
+  {
+    const Bubbles_2& b = crystal.bubbles();
+    make_room_for(expected, crystal);
+    m_number_of_common = b.size() - m_seeds.size();
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
+                                 (i < m_number_of_common ? 0 : m_seeds[i - m_number_of_common]);
+      crystal.add_birth(Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]});
+      m_holders->add(b.x[i], b.y[i], reach * b.d[i], no_index);
+    }
+    m_is_in_front.assign(b.size(), 0);
+    m_keys.assign(b.size(), 0);
+    m_others = std::make_unique<Bubble_buckets_2>(reach, b.d[0], b.x[0], b.y[0], b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      add_if_of_other(b, static_cast<Index>(i));
+    for (std::size_t i = 0, n = b.size(); i < n; ++i)
+      tell_those_who_need(crystal, static_cast<Index>(i));
+    std::vector<Growth_proposal_2> late; // seeds near larger bubbles of this rank
+    exchange_late(crystal, late);
+  }
+
+  double smallest(double key)
+  {
+    const double result = m_comm.smallest(m_agreement.has_failed() ? -1. : key);
+    if (result < 0)
+      m_agreement.reach();
+    ++m_generation;
+    return result;
+  }
+
+  void take(const std::vector<Proposer>& generation)
+  {
+    for (const Proposer& p : generation)
+      m_is_in_front[p.index] = 0;
+  }
+
+  bool owns(Index i) const { return m_holders->is_ours(i); }
+
+  void share(std::vector<Growth_proposal_2>& proposals)
+  {
+    m_choice.start(proposals.size());
+    Messages<Growth_proposal_2> out;
+    for (std::size_t k = 0; k < proposals.size(); ++k)
+      for (int rank : m_holders->others(proposals[k].from)) {
+        out[rank].push_back(proposals[k]);
+        m_choice.sent(rank, static_cast<Index>(k));
+      }
+    for (const auto& message : m_exchange(out))
+      for (Growth_proposal_2 p : message.second) {
+        p.from = foreign;
+        m_choice.received(message.first, static_cast<Index>(proposals.size()));
+        proposals.push_back(p);
+      }
+  }
+
+  template <class Choice>
+  void decide(Choice& choice)
+  {
+    m_choice.decide(choice);
+  }
+
+  void exchange_new(std::vector<Growth_proposal_2>& bubbles)
+  {
+    Messages<Growth_proposal_2> out;
+    std::vector<Growth_proposal_2> ours;
+    ours.reserve(bubbles.size());
+    for (const Growth_proposal_2& p : bubbles) {
+      const Index parent = p.from == foreign ? no_index : p.from;
+      if (m_holders->is_ours_alone(p.x, p.y, reach * p.d, parent)) {
+        ours.push_back(p);
+        continue;
+      }
+      for (int rank : m_partition->owners_in_disc(p.x, p.y, reach * p.d))
+        if (rank == m_comm.rank())
+          ours.push_back(p);
+        else if (p.from != foreign && !m_holders->has(p.from, rank)) // else it has decided on it too
+          out[rank].push_back(p);
+    }
+    const std::size_t own = ours.size(); // which are the best first
+    for (const auto& message : m_exchange(out))
+      for (Growth_proposal_2 p : message.second) {
+        p.from = foreign;
+        ours.push_back(p);
+      }
+    merge_tail(ours, own, [](const Growth_proposal_2& p, const Growth_proposal_2& q) {
+      return std::tie(p.misfit, p.x, p.y) < std::tie(q.misfit, q.x, q.y);
+    });
+    bubbles.swap(ours);
+  }
+
+  template <class Crystal>
+  void complete(Crystal& crystal, std::vector<Growth_proposal_2>& bubbles)
+  {
+    m_first = static_cast<Index>(crystal.size() - bubbles.size());
+    for (const Growth_proposal_2& p : bubbles)
+      enter(crystal, p, Growth_birth_2{m_generation, p.misfit, p.x, p.y});
+    for (Index i = m_first, n = static_cast<Index>(crystal.size()); i < n; ++i)
+      tell_those_who_need(crystal, i);
+    exchange_late(crystal, bubbles);
+    list_new(crystal);
+  }
+
+  void share_settled(std::vector<Point>& settled)
+  {
+    Messages<Place> out, in;
+    for (const auto& list : m_new_sent)
+      for (Index i : list.second)
+        out[list.first].push_back(Place{settled[i - m_first].x(), settled[i - m_first].y()});
+    for (const auto& list : m_new_received)
+      in[list.first].resize(list.second.size());
+    exchange_known(m_comm, out, in);
+    for (const auto& list : m_new_received)
+      for (std::size_t n = 0; n < list.second.size(); ++n)
+        settled[list.second[n] - m_first] = Point(in[list.first][n].x, in[list.first][n].y);
+  }
+
+  /// A bubble has its place and its size. Where d jumps, it may be larger than it was thought to be.
+  template <class Crystal>
+  void enter_front(const Crystal& crystal, Index i, double key)
+  {
+    m_keys[i] = key;
+    m_is_in_front[i] = 1;
+    const Bubbles_2& b = crystal.bubbles();
+    if (m_place_among_others[i] != no_index)
+      m_others->move(static_cast<std::size_t>(m_place_among_others[i]), b.x[i], b.y[i], b.d[i]);
+    else if (!m_holders->is_known_within(i, b.x[i], b.y[i], needed_reach * b.d[i]))
+      m_grown.push_back(i);
+  }
+
+  /// Makes bubbles that have grown known to those who need them, and others to them; returns those that this
+  /// rank gets to know.
+  template <class Crystal>
+  std::vector<Growth_proposal_2> catch_up(Crystal& crystal)
+  {
+    std::vector<Growth_proposal_2> late;
+    if (!m_comm.any(!m_grown.empty()))
+      return late;
+    const Bubbles_2& b = crystal.bubbles();
+    for (Index i : m_grown)
+      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
+        send_late(crystal, i, rank);
+    m_grown.clear();
+    exchange_late(crystal, late);
+    // whoever has one that has grown knows what it needs
+    for (std::size_t i = m_number_of_common, n = crystal.size(); i < n; ++i)
+      if (m_is_in_front[i])
+        tell_those_who_need(crystal, static_cast<Index>(i));
+    exchange_late(crystal, late);
+    return late;
+  }
+
+private:
+  /// makes room for `n` more bubbles than the crystal has
+  template <class Crystal>
+  void make_room_for(std::size_t n, Crystal& crystal)
+  {
+    const std::size_t all = crystal.size() + n;
+    crystal.make_room_for_births(all);
+    m_holders->make_room_for(all);
+    m_is_in_front.reserve(all);
+    m_keys.reserve(all);
+    m_place_among_others.reserve(all);
+  }
+
+  struct Place
+  {
+    double x, y;
+  };
+
+  /// a bubble that another rank needs only now
+  struct Late
+  {
+    Growth_birth_2 birth;
+    Growth_proposal_2 bubble; ///< as it is now; the key is negative if it has left the front
+  };
+
+  /// In sizes of the larger of two bubbles: links and proposals depend on what is nearer than the first, and
+  /// until they have settled bubbles may come nearer to each other.
+  static constexpr double needed_reach = 2.8, reach = 3.6;
+
+  /// instead of the bubble that proposes, if another rank owns it
+  static constexpr Index foreign = (std::numeric_limits<Index>::max)();
+
+  /// the next bubble, when it is known who owns it
+  void add_if_of_other(const Bubbles_2& b, Index i)
+  {
+    m_place_among_others.push_back(owns(i) ? no_index : static_cast<Index>(m_others->size()));
+    if (!owns(i))
+      m_others->insert(i, b.x[i], b.y[i], b.d[i]);
+  }
+
+  template <class Crystal>
+  void enter(Crystal& crystal, const Growth_proposal_2& p, const Growth_birth_2& birth)
+  {
+    m_holders->add(birth.x, birth.y, reach * p.d, p.from == foreign ? no_index : p.from);
+    m_is_in_front.push_back(0);
+    m_keys.push_back(p.key);
+    crystal.add_birth(birth);
+    add_if_of_other(crystal.bubbles(), static_cast<Index>(m_place_among_others.size()));
+  }
+
+  /// Tells of a bubble of ours the owners of larger ones near it, and the owner of another's of those of ours
+  /// that are smaller and near it.
+  template <class Crystal>
+  void tell_those_who_need(const Crystal& crystal, Index i)
+  {
+    const Bubbles_2& b = crystal.bubbles();
+    const double least = (std::max)(b.d[i], m_holders->clearance(i) / reach);
+    if (owns(i))
+      m_others->for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) {
+        send_late(crystal, i, m_holders->owner(e.id));
+        return true;
+      });
+    else
+      crystal.buckets().for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) {
+        if (owns(e.id))
+          send_late(crystal, e.id, m_holders->owner(i));
+        return true;
+      });
+  }
+
+  template <class Crystal>
+  void send_late(const Crystal& crystal, Index i, int rank)
+  {
+    if (m_holders->has(i, rank))
+      return;
+    m_holders->add_holder(i, rank);
+    if (static_cast<std::size_t>(i) < m_number_of_common)
+      return; // all have it, but this one is now told of its proposals
+    const Bubbles_2& b = crystal.bubbles();
+    const bool is_new = crystal.birth(i).generation == m_generation && m_is_in_front[i] == 0;
+    m_late[rank].push_back(Late{crystal.birth(i),
+                                Growth_proposal_2{0, is_new || m_is_in_front[i] ? m_keys[i] : -1., b.x[i], b.y[i],
+                                                  b.d[i], crystal.direction(i), b.place[i],
+                                                  is_new ? foreign : no_index}});
+  }
+
+  /// adds the bubbles that this rank gets to know to the crystal and to `bubbles`
+  template <class Crystal>
+  void exchange_late(Crystal& crystal, std::vector<Growth_proposal_2>& bubbles)
+  {
+    for (const auto& message : m_exchange(m_late))
+      for (const Late& late : message.second) {
+        const Growth_proposal_2& p = late.bubble;
+        crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
+        enter(crystal, p, late.birth);
+        bubbles.push_back(p);
+      }
+    m_late.clear();
+  }
+
+  /// who tells whom where new bubbles settle
+  template <class Crystal>
+  void list_new(const Crystal& crystal)
+  {
+    m_new_sent.clear();
+    m_new_received.clear();
+    for (std::size_t i = static_cast<std::size_t>(m_first); i < crystal.size(); ++i) {
+      const Index index = static_cast<Index>(i);
+      if (crystal.birth(i).generation != m_generation)
+        continue;
+      if (!owns(index))
+        m_new_received[m_holders->owner(i)].push_back(index);
+      else
+        for (int rank : m_holders->others(index))
+          m_new_sent[rank].push_back(index);
+    }
+    for (auto* lists : {&m_new_sent, &m_new_received})
+      for (auto& list : *lists)
+        std::sort(list.second.begin(), list.second.end(),
+                  [&crystal](Index i, Index j) { return crystal.came_before(i, j); });
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Agreement& m_agreement;
+  Choice_exchange_2 m_choice;
+  std::unique_ptr<Hilbert_partition_2> m_partition;
+  std::unique_ptr<Growth_holders_2> m_holders;
+  std::unique_ptr<Bubble_buckets_2> m_others; // the bubbles that this rank has but does not own
+  std::vector<Index> m_place_among_others;    // of each bubble in these, if it is one of them
+  std::size_t m_number_of_common = 0;
+  std::vector<std::int64_t> m_seeds; // numbers of those that this rank has, in the order of the crystal's bubbles
+  std::int64_t m_generation = 0;
+  std::vector<double> m_keys;      // of each bubble in the front
+  std::vector<char> m_is_in_front;
+  std::vector<Index> m_grown;      // of ours, not known to all that need them
+  Messages<Late> m_late;
+  // of the present generation
+  Index m_first = 0;                             // of the new bubbles
+  Messages<Index> m_new_sent, m_new_received;    // new bubbles
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H

@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_QUALITY_EVALUATE_DISTRIBUTED_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_QUALITY_EVALUATE_DISTRIBUTED_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/order_independent.h>
+
+#include <CGAL/Mesh_quality_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What the values of all ranks are like, for statistics that are the same as if one rank had them all. All
+/// members are collective. See `All_values_here`.
+class Values_of_all_ranks
+{
+public:
+  explicit Values_of_all_ranks(const Communicator& comm) : m_comm(comm) {}
+
+  double smallest(double value) const { return m_comm.smallest(value); }
+  double largest(double value) const { return m_comm.largest(value); }
+
+  template <std::size_t n>
+  std::array<std::size_t, n> sums(const std::array<std::size_t, n>& counts) const
+  {
+    std::array<std::uint64_t, n> result;
+    std::copy(counts.begin(), counts.end(), result.begin());
+    add_up(result.data(), n);
+    std::array<std::size_t, n> sums;
+    std::copy(result.begin(), result.end(), sums.begin());
+    return sums;
+  }
+
+  /// Finds them byte after byte: how many values that begin as far as is known go on with which byte tells the
+  /// next one. No rank gets values of others, nor all positions a walk over all values.
+  template <std::size_t n>
+  std::array<double, n> sorted_at(const std::vector<double>& values,
+                                  const std::array<std::size_t, n>& positions) const
+  {
+    std::vector<std::uint64_t> candidates(values.size());
+    std::transform(values.begin(), values.end(), candidates.begin(), bits);
+    std::array<std::uint64_t, n> found{}, rest;
+    std::copy(positions.begin(), positions.end(), rest.begin());
+    for (int shift = 56; shift >= 0; shift -= 8) {
+      const std::vector<std::uint64_t> known = distinct(found);
+      std::vector<std::uint64_t> counts(known.size() * 256, 0);
+      const auto leave = [&](std::uint64_t candidate) { return !count(candidate, shift, known, counts); };
+      candidates.erase(std::remove_if(candidates.begin(), candidates.end(), leave), candidates.end());
+      add_up(counts.data(), counts.size());
+      for (std::size_t k = 0; k < n; ++k) {
+        const auto place = std::lower_bound(known.begin(), known.end(), found[k]) - known.begin();
+        add_byte(&counts[static_cast<std::size_t>(place) * 256], found[k], rest[k]);
+      }
+    }
+    std::array<double, n> result;
+    std::transform(found.begin(), found.end(), result.begin(), number);
+    return result;
+  }
+
+private:
+  void add_up(std::uint64_t* counts, std::size_t n) const
+  {
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts, static_cast<int>(n), MPI_UINT64_T, MPI_SUM, m_comm.handle()));
+  }
+
+  /// of numbers that are not negative; they have the order of their bits
+  static std::uint64_t bits(double value)
+  {
+    value += 0.; // there is a negative zero
+    std::uint64_t result;
+    std::memcpy(&result, &value, sizeof(result));
+    return result;
+  }
+
+  static double number(std::uint64_t bits)
+  {
+    double result;
+    std::memcpy(&result, &bits, sizeof(result));
+    return result;
+  }
+
+  /// what is known of the values at several positions, sorted: at first there is little that differs
+  template <std::size_t n>
+  static std::vector<std::uint64_t> distinct(const std::array<std::uint64_t, n>& found)
+  {
+    std::vector<std::uint64_t> result(found.begin(), found.end());
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// counts the next byte of a candidate that begins as one of those that are known; whether it does
+  static bool count(std::uint64_t candidate, int shift, const std::vector<std::uint64_t>& known,
+                    std::vector<std::uint64_t>& counts)
+  {
+    const std::uint64_t first_bytes = shift == 56 ? 0 : candidate >> (shift + 8);
+    for (std::size_t k = 0; k < known.size(); ++k)
+      if (known[k] == first_bytes) {
+        ++counts[k * 256 + (candidate >> shift & 255)];
+        return true;
+      }
+    return false;
+  }
+
+  static void add_byte(const std::uint64_t* counts, std::uint64_t& found, std::uint64_t& rest)
+  {
+    std::uint64_t byte = 0;
+    for (; byte < 255 && rest >= counts[byte]; ++byte)
+      rest -= counts[byte];
+    found = found << 8 | byte;
+  }
+
+  const Communicator& m_comm;
+};
+
+/// adds the triangles that a rank owns
+inline void add_owned_triangles(const Distributed_mesh_2& mesh, Mesh_quality_accumulator_2& accumulator)
+{
+  const Flat_triangulation_2& tr = mesh.triangulation.tr;
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    if (mesh.is_owned[t]) {
+      const Index f = static_cast<Index>(t);
+      accumulator.add_triangle(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2));
+    }
+}
+
+/// Calls `visit(a, b)` for the ends of all edges that a rank owns: those of which it owns the end with the smaller
+/// number.
+template <class Visitor>
+void for_each_owned_edge(const Distributed_mesh_2& mesh, int rank, const Visitor& visit)
+{
+  const Marked_triangulation_2& marked = mesh.triangulation;
+  const Flat_triangulation_2& tr = marked.tr;
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (int i = 0; i < 3 && mesh.is_final[t]; ++i) {
+      const Index n = tr.neighbors[t][i], f = static_cast<Index>(t);
+      if (n != no_index && marked.inside[n] && n < f)
+        continue; // seen from the other side
+      const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
+      if (mesh.known.owners[(std::min)(a, b)] == rank)
+        visit(a, b);
+    }
+}
+
+/// adds the lengths of the edges that a rank owns over d in the midpoints
+template <class Sizing>
+void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizing& sizing,
+                       Mesh_quality_accumulator_2& accumulator)
+{
+  const std::vector<Point>& points = mesh.triangulation.tr.points;
+  for_each_owned_edge(mesh, rank,
+                      [&](Index a, Index b) { add_length(points[a], points[b], sizing, accumulator); });
+}
+
+/// adds the vertices that a rank owns
+inline void add_owned_vertices(const Distributed_mesh_2& mesh, int rank,
+                               Mesh_quality_accumulator_2& accumulator)
+{
+  const Marked_triangulation_2& marked = mesh.triangulation;
+  const std::size_t n = mesh.known.size();
+  std::vector<char> is_in_domain(n, 0), is_interior(n, 1);
+  std::vector<std::size_t> degrees(n, 0);
+  for (std::size_t t = 0; t < marked.tr.number_of_triangles(); ++t) {
+    const auto& v = marked.tr.vertices[t];
+    for (int i = 0; i < 3; ++i) {
+      ++degrees[v[i]];
+      if (marked.inside[t])
+        is_in_domain[v[i]] = 1;
+      if (marked.edges[t][i] != no_index)
+        is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v)
+    if (is_in_domain[v] && mesh.known.owners[v] == rank)
+      accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
+}
+
+/// Collective. The statistics of the mesh of all ranks, on all ranks the same as one rank alone would find them,
+/// to the last bit. `sizing`: a pointer to the sizing field, or null if there are to be no lengths. What it
+/// throws on one rank all throw.
+template <class FT = double, class Sizing>
+Mesh_quality_2<FT> distributed_quality(const Distributed_mesh_2& mesh, const Sizing* sizing,
+                                       const Communicator& comm, Agreement& agreement)
+{
+  Mesh_quality_accumulator_2 accumulator;
+  agreement.reach_after([&] {
+    add_owned_triangles(mesh, accumulator);
+    add_owned_vertices(mesh, comm.rank(), accumulator);
+    if (sizing != nullptr)
+      add_owned_lengths(mesh, comm.rank(), *sizing, accumulator);
+  });
+  return Mesh_quality_2<FT>(accumulator.statistics(Values_of_all_ranks(comm)));
+}
+
+/// d at the vertices of the triangles around own bubbles
+template <class Sizing>
+std::vector<double> sizes_around_own(const Distributed_mesh_2& mesh, const Sizing& sizing)
+{
+  const Flat_triangulation_2& tr = mesh.triangulation.tr;
+  std::vector<char> is_needed(tr.points.size(), 0);
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (Index v : tr.vertices[t])
+      is_needed[v] |= mesh.is_final[t];
+  std::vector<double> sizes(tr.points.size(), 0);
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+    if (is_needed[v])
+      sizes[v] = sizing(tr.points[v]);
+  return sizes;
+}
+
+/// Collective. Puts the statistics of the mesh of all ranks into the report, as `evaluate()` does of that of one.
+/// What d throws on one rank all throw.
+template <class Sizing, class Report>
+void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizing& sizing, const Communicator& comm,
+                          Agreement& agreement, Report& report)
+{
+  const Phase_timer timer(report.seconds.evaluation);
+  report.quality = distributed_quality<typename Report::FT>(mesh, &sizing, comm, agreement);
+  report.number_of_vertices = report.quality.number_of_vertices();
+  report.number_of_triangles = report.quality.number_of_triangles();
+  Size_gradient_2 gradient(Report::steep_size_gradient);
+  agreement.reach_after([&] {
+    const std::vector<double> sizes = sizes_around_own(mesh, sizing);
+    const std::vector<Point>& points = mesh.triangulation.tr.points;
+    for_each_owned_edge(mesh, comm.rank(),
+                        [&](Index a, Index b) { gradient.add(points[a], sizes[a], points[b], sizes[b]); });
+  });
+  gradient.tell(report, Values_of_all_ranks(comm));
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_QUALITY_EVALUATE_DISTRIBUTED_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_BUBBLE_STATE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_BUBBLE_STATE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// all that a simulation knows of a bubble, on its way from one rank to another
+struct Bubble_state_2
+{
+  Bubble_record_2 bubble;
+  Bubble_memory_2 memory;
+
+  bool operator<(const Bubble_state_2& s) const { return bubble.number < s.bubble.number; }
+};
+
+/// adds a bubble that is a part of all
+inline void add(Bubbles_2& bubbles, const Bubble_record_2& r, bool is_foreign)
+{
+  add(bubbles, r);
+  bubbles.number.push_back(r.number);
+  bubbles.is_foreign.push_back(is_foreign);
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_BUBBLE_STATE_2_H

@@ -1,0 +1,421 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What one rank of a simulation holds of others and sends to them. The control of the population and reductions
+/// do not count.
+struct Traffic_2
+{
+  std::int64_t steps = 0;
+  std::int64_t ghosts = 0;    ///< bubbles of others that it holds, summed over the steps
+  std::int64_t neighbors = 0; ///< ranks that it has such bubbles of, summed over the steps
+  std::int64_t waits = 0;     ///< bubbles that stopped in another's part until the next exchange (paper's protocol)
+  std::int64_t messages = 0;  ///< that it has sent: moves, bubbles made known, and bubbles that go home
+  std::int64_t bytes = 0;     ///< in these messages
+
+  void add_message(std::size_t size)
+  {
+    ++messages;
+    bytes += static_cast<std::int64_t>(size);
+  }
+
+  /// `Messages`: see `Sparse_exchange`
+  template <class Messages>
+  void add_messages(const Messages& out)
+  {
+    for (const auto& message : out)
+      if (!message.second.empty())
+        add_message(message.second.size() * sizeof(message.second[0]));
+  }
+};
+
+/// The bubbles of other ranks that lie around those of one, and who knows which of its own. Two bubbles nearer to
+/// each other than the reach times the size of the larger one are known to the owners of both: each is sent to the
+/// ranks whose parts a disc around it meets, and owners of larger ones are told of smaller ones around them.
+///
+/// This holds for where bubbles were when it was last looked after. It stays good enough, for neighbours of neighbours,
+/// while none has gone far or grown much, of which `is_outgrown_by()` tells; those are looked after again by
+/// `look_after()`. Ownership does not change: `is_far_from_home()` tells of a bubble that may have left the part of its
+/// owner so far that all have to be distributed anew.
+///
+/// For the paper's protocol it can have one width for all instead: then each bubble is known to the ranks whose
+/// parts are nearer than that.
+class Halo_2
+{
+public:
+  /// In sizes: bubbles may go as far as the first until they are looked after, and then with the step in which they
+  /// do; and as far as the second from their owner's part.
+  static constexpr double most_moved = 0.5, farthest_from_home = 1;
+
+  /// how far a bubble may be from its owner's part, with what it has moved since it was looked after
+  static constexpr double away_from_part = farthest_from_home + most_moved + Boundary_2::longest_step;
+
+  /// `neighbor_radius`: of the neighbour sets
+  Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic, double neighbor_radius)
+    : m_comm(comm), m_exchange(exchange), m_traffic(traffic),
+      m_needed_reach((std::max)(least_needed_reach, 2 * neighbor_radius)),
+      m_reach(m_needed_reach + away_from_part + most_moved + Boundary_2::longest_step)
+  {}
+
+  /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own; `expected`: about so
+  /// many bubbles will be added
+  void start(const Hilbert_partition_2& partition, double width = 0, std::size_t expected = 0)
+  {
+    m_partition = &partition;
+    m_clearance.emplace(partition, m_comm.rank());
+    m_width = width;
+    m_places.clear();
+    m_holders.clear();
+    m_holders.make_room_for(expected);
+    m_near_border.clear();
+    m_is_near_border.clear();
+    m_has_gone_far = false;
+    m_number_of_ours = 0;
+    m_sent.clear();
+    m_received.clear();
+    m_owner.clear();
+    m_owner.reserve(expected);
+    m_places.reserve(expected);
+    m_is_near_border.reserve(expected);
+    ++m_number_of_changes;
+  }
+
+  /// a bubble was added after the last that `owner` owns
+  void add(const Bubbles_2& b, Index i, int owner)
+  {
+    m_owner.push_back(owner);
+    m_holders.add_empty();
+    m_is_near_border.push_back(0);
+    m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
+    if (owner == m_comm.rank()) {
+      ++m_number_of_ours;
+      find_clearance(b, i);
+    } else {
+      m_received[owner].push_back(i);
+      ++m_number_of_changes;
+      note_near_border(i);
+    }
+    set_limits(b, i);
+  }
+
+  /// for each neighbouring rank, the bubbles that it has of ours, and those that we have of it, in one order
+  const Messages<Index>& sent() const { return m_sent; }
+  const Messages<Index>& received() const { return m_received; }
+
+  int owner(Index i) const { return m_owner[i]; }
+
+  /// whether another rank has a bubble of ours
+  bool is_at_border(Index i) const { return !m_holders.is_empty(i); }
+
+  /// whether no other rank has to know of a bubble of ours
+  bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
+
+  /// whether a bubble of ours cannot have come to another rank's part since it was looked after
+  bool is_surely_home(const Bubbles_2& b, Index i) const
+  {
+    const Place& p = m_places[i];
+    const double x = b.x[i] - p.x, y = b.y[i] - p.y;
+    return x * x + y * y < p.clearance * p.clearance;
+  }
+
+  /// whether a bubble has gone so far, or grown so much, that it is to be looked after
+  bool is_outgrown_by(const Bubbles_2& b, Index i) const
+  {
+    const Place& p = m_places[i];
+    const double x = b.x[i] - p.x, y = b.y[i] - p.y, square_moved = x * x + y * y;
+    if (square_moved > p.most_moved * p.most_moved)
+      return true;
+    const double left = p.largest_disc - (m_needed_reach + away_from_part) * b.d[i];
+    return left < 0 || square_moved > left * left;
+  }
+
+  /// Those that are to be looked after: the bubbles that have outgrown their places, which are `outgrown`, and of those
+  /// near the border all that have gone a third of the way to this.
+  std::vector<Index> almost_outgrown(const Bubbles_2& b, const std::vector<Index>& outgrown) const
+  {
+    std::vector<Index> result;
+    for (Index i : m_near_border) {
+      const Place& p = m_places[i];
+      if (b.is_gone(i))
+        continue;
+      if (9 * CGAL::squared_distance(Point(p.x, p.y), b.point(i)) > p.most_moved * p.most_moved ||
+          is_outgrown_by(b, i))
+        result.push_back(i);
+    }
+    for (Index i : outgrown)
+      if (!m_is_near_border[i] && !b.is_gone(i))
+        result.push_back(i);
+    return result;
+  }
+
+  /// how often one of the lists has got longer
+  std::size_t number_of_changes() const { return m_number_of_changes; }
+
+  /// whether a bubble that was looked after may have gone far from its owner's part; until all are distributed anew
+  bool has_gone_far() const { return m_has_gone_far; }
+
+  /// whether it may have gone far from its owner's part
+  bool is_far_from_home(const Bubbles_2& b, Index i) const
+  {
+    const Place& p = m_places[i];
+    return !is_surely_home(b, i) && std::hypot(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
+  }
+
+  /// Makes bubbles known to those who need them, and others to those who need them for these. `finder` is a
+  /// `Neighbor_sets_2`, or finds bubbles as that does; `state(i)` and `add(state, owner)` give away and take in a
+  /// bubble. Collective.
+  template <class Finder, class State, class Add>
+  void look_after(const Bubbles_2& b, std::vector<Index> those, const Finder& finder,
+                  const State& state, const Add& add)
+  {
+    for (int turn = 0; turn < 2; ++turn) { // who gets to know a bubble knows what it needs
+      Messages<Bubble_state_2> out;
+      for (Index i : those)
+        note_place(b, i);
+      tell_of_ours(b, those, finder, state, out);
+      if (m_width == 0) // else it is the same from the other side
+        tell_owners(b, those, finder, state, out);
+      m_traffic.add_messages(out);
+      those.clear();
+      for (const auto& message : m_exchange(out))
+        for (const Bubble_state_2& s : message.second) {
+          those.push_back(static_cast<Index>(b.size()));
+          add(s, message.first);
+        }
+    }
+  }
+
+  /// whether it is known that nothing within `radius` of a bubble of ours is in other ranks' parts
+  bool is_ours_within(const Bubbles_2& b, Index i, double radius) const
+  {
+    const Place& p = m_places[i];
+    return p.clearance > 0 && std::hypot(b.x[i] - p.x, b.y[i] - p.y) + radius < p.clearance;
+  }
+
+  /// Gets bubbles that others own at places where this rank asks for them: `asked` are places by ranks, and
+  /// `find(place, visit)` calls `visit(j)` for all that are asked for there. Collective.
+  template <class Asked, class Find, class State, class Add>
+  void fetch(const Messages<Asked>& asked, const Find& find, const State& state, const Add& add)
+  {
+    Messages<Bubble_state_2> out;
+    for (const auto& message : m_exchange(asked))
+      for (const Asked& place : message.second)
+        find(place, [&](Index j) {
+          if (is_ours(j))
+            give(j, message.first, state, out);
+        });
+    for (const auto& message : m_exchange(out))
+      for (const Bubble_state_2& s : message.second)
+        add(s, message.first);
+  }
+
+private:
+  /// The control of the population looks so far; and neighbours of neighbours count.
+  static constexpr double least_needed_reach = 3.5;
+
+  /// Where a bubble was when it was last looked after, and when it was in its owner's part then; how far it was from
+  /// other ranks' parts, if it is known to be as far as this; and how far it may go, and its disc reach.
+  struct Place
+  {
+    double x, y, home_x, home_y, clearance, most_moved, largest_disc;
+  };
+
+  /// how far away the ranks are that get to know a bubble of ours
+  double reach_of(const Bubbles_2& b, Index i) const { return m_width > 0 ? m_width : m_reach * b.d[i]; }
+
+  void find_clearance(const Bubbles_2& b, Index i)
+  {
+    m_places[i].clearance = (*m_clearance)(b.x[i], b.y[i], reach_of(b, i));
+    if (m_places[i].clearance == 0)
+      note_near_border(i);
+  }
+
+  void note_near_border(Index i)
+  {
+    if (!m_is_near_border[i])
+      m_near_border.push_back(i);
+    m_is_near_border[i] = 1;
+  }
+
+  void set_limits(const Bubbles_2& b, Index i)
+  {
+    Place& p = m_places[i];
+    // one of others that far away is so large that it has as much of a margin in its own size
+    p.most_moved = most_moved * (std::max)(b.d[i], p.clearance / (m_reach + most_moved));
+    p.largest_disc = (std::max)(p.clearance, m_reach * b.d[i]);
+  }
+
+  void note_place(const Bubbles_2& b, Index i)
+  {
+    Place& p = m_places[i];
+    p.x = b.x[i];
+    p.y = b.y[i];
+    if (is_ours(i))
+      find_clearance(b, i);
+    if (p.clearance > 0 || m_partition->owner(p.x, p.y) == m_owner[i]) {
+      p.home_x = p.x;
+      p.home_y = p.y;
+    }
+    m_has_gone_far = m_has_gone_far || is_far_from_home(b, i);
+    set_limits(b, i);
+  }
+
+  bool is_ours(Index i) const { return m_owner[i] == m_comm.rank(); }
+
+  template <class Finder, class State>
+  void tell_of_ours(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
+                    Messages<Bubble_state_2>& out)
+  {
+    for (Index i : those)
+      if (is_ours(i))
+        tell_of(b, i, finder, state, out);
+  }
+
+  /// tells of a bubble of ours all ranks near it, and the owners of larger ones that reach it
+  template <class Finder, class State>
+  void tell_of(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
+               Messages<Bubble_state_2>& out)
+  {
+    const double clearance = m_places[i].clearance;
+    if (clearance == 0)
+      for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach_of(b, i)))
+        give(i, rank, state, out);
+    if (m_width > 0 || is_known_to_all_around(i))
+      return;
+    finder.find_large(b.x[i], b.y[i], (std::max)(b.d[i], clearance / m_reach), m_reach, [&](Index j) {
+      if (!is_ours(j) && is_reached_by(b, j, i))
+        give(i, m_owner[j], state, out);
+    });
+  }
+
+  /// whether all ranks of which we have bubbles have this one of ours
+  bool is_known_to_all_around(Index i) const
+  {
+    return std::all_of(m_received.begin(), m_received.end(),
+                       [&](const Messages<Index>::value_type& list) { return has(list.first, i); });
+  }
+
+  /// whether another rank has a bubble of ours
+  bool has(int rank, Index i) const { return m_holders.has(i, rank); }
+
+  /// Tells the owners of others' bubbles of ours that these reach. Bubbles that follow each other mostly lie together,
+  /// and what a few of them reach is looked for at once.
+  template <class Finder, class State>
+  void tell_owners(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
+                   Messages<Bubble_state_2>& out)
+  {
+    std::vector<Index> group;
+    for (Index i : those) {
+      if (is_ours(i) || knows_all_of_ours(m_owner[i]))
+        continue;
+      if (!group.empty() && !lies_with(b, i, group))
+        tell_owner_of(b, std::exchange(group, {}), finder, state, out);
+      group.push_back(i);
+    }
+    if (!group.empty())
+      tell_owner_of(b, group, finder, state, out);
+  }
+
+  bool knows_all_of_ours(int rank) const
+  {
+    const auto sent = m_sent.find(rank);
+    return sent != m_sent.end() && sent->second.size() == m_number_of_ours;
+  }
+
+  bool lies_with(const Bubbles_2& b, Index i, const std::vector<Index>& group) const
+  {
+    constexpr std::size_t most = 8;
+    constexpr double farthest = 3, largest = 1.2; // in units of the first one's size
+    const Index first = group.front();
+    const double far = farthest * b.d[first];
+    return group.size() < most && m_owner[i] == m_owner[first] && b.d[i] <= largest * b.d[first] &&
+           CGAL::squared_distance(b.point(i), b.point(first)) <= far * far;
+  }
+
+  /// \pre the bubbles of the group have one owner
+  template <class Finder, class State>
+  void tell_owner_of(const Bubbles_2& b, const std::vector<Index>& group, const Finder& finder, const State& state,
+                     Messages<Bubble_state_2>& out)
+  {
+    const Index first = group.front();
+    const int owner = m_owner[first];
+    double d = 0, square_radius = 0;
+    for (Index i : group) {
+      d = (std::max)(d, b.d[i]);
+      square_radius = (std::max)(square_radius, CGAL::squared_distance(b.point(i), b.point(first)));
+    }
+    finder.find_within(b.x[first], b.y[first], d, m_reach + std::sqrt(square_radius) / d, [&](Index j) {
+      if (is_ours(j) && !has(owner, j) &&
+          std::any_of(group.begin(), group.end(), [&](Index i) { return is_reached_by(b, i, j); }))
+        give(j, owner, state, out);
+    });
+  }
+
+  bool is_reached_by(const Bubbles_2& b, Index i, Index j) const
+  {
+    const double far = m_reach * b.d[i];
+    return CGAL::squared_distance(b.point(i), b.point(j)) < far * far;
+  }
+
+  /// gives a bubble of ours to a rank that has not got it
+  template <class State>
+  void give(Index i, int rank, const State& state, Messages<Bubble_state_2>& out)
+  {
+    if (rank == m_comm.rank() || has(rank, i))
+      return;
+    m_holders.add(i, rank);
+    m_sent[rank].push_back(i);
+    ++m_number_of_changes;
+    out[rank].push_back(state(i));
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Traffic_2& m_traffic;
+  const Hilbert_partition_2* m_partition = nullptr;
+  std::optional<Clearance_2> m_clearance;
+  double m_needed_reach, m_reach; // in sizes
+  double m_width = 0;             // of all, or 0
+  std::vector<int> m_owner; // of each bubble
+  std::vector<Place> m_places;
+  Lists_of_few<int> m_holders; // the other ranks that have a bubble of ours
+  std::vector<Index> m_near_border;      // others', and ours whose disc met another part once
+  std::vector<char> m_is_near_border;    // the same, of each bubble
+  bool m_has_gone_far = false;
+  Messages<Index> m_sent, m_received;
+  std::size_t m_number_of_ours = 0; // that ever were
+  std::size_t m_number_of_changes = 0;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H

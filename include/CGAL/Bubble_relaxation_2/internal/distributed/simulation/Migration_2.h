@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MIGRATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MIGRATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// How many bubbles all ranks have, and the sum of their numbers, which no migration may change.
+class Bubble_census
+{
+public:
+  /// Collective. Bubbles that stay, and those that are sent away.
+  Bubble_census(const Communicator& comm, const std::vector<Bubble_state_2>& here,
+                const Messages<Bubble_state_2>& leaving)
+    : m_comm(comm)
+  {
+    add(here);
+    for (const auto& message : leaving)
+      add(message.second);
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, m_values.data(), 2, MPI_UINT64_T, MPI_SUM, comm.handle()));
+  }
+
+  /// \throws std::logic_error on all ranks if another census has another result
+  void check(const Bubble_census& after) const
+  {
+    if (m_values == after.m_values)
+      return;
+    m_comm.all_throw();
+    throw std::logic_error("Bubble_relaxation_2: of " + std::to_string(m_values[0]) + " bubbles " +
+                           std::to_string(after.m_values[0]) + " have arrived on other ranks, or not the same");
+  }
+
+private:
+  void add(const std::vector<Bubble_state_2>& states)
+  {
+    m_values[0] += states.size();
+    for (const Bubble_state_2& s : states)
+      m_values[1] += static_cast<std::uint64_t>(s.bubble.number);
+  }
+
+  const Communicator& m_comm;
+  std::array<std::uint64_t, 2> m_values{0, 0}; // sums modulo 2^64 will do
+};
+
+/// The way of simulated bubbles to the ranks that own their places, and the parts of the ranks, which are cut anew when
+/// one has too many.
+class Migration_2
+{
+public:
+  Migration_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic)
+    : m_comm(comm), m_exchange(exchange), m_traffic(traffic)
+  {}
+
+  void start(const Hilbert_partition_2& partition)
+  {
+    m_partition = std::make_unique<Hilbert_partition_2>(partition);
+  }
+
+  /// who owns what; it stays in one place
+  const Hilbert_partition_2& partition() const { return *m_partition; }
+
+  /// Collective. Whether a rank has so many more bubbles than the mean that all should migrate.
+  bool is_due(const Bubbles_2& bubbles) const { return is_unbalanced(bubbles, too_many); }
+
+  /// Collective. Cuts the curve anew so that each rank has as many bubbles, if that is worth while. When bubbles
+  /// migrate often it is so less often.
+  void balance(const Bubbles_2& bubbles, bool is_often)
+  {
+    if (!is_unbalanced(bubbles, is_often ? too_many : many))
+      return;
+    std::vector<Hilbert_curve_2::Key> keys;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (is_here(bubbles, i))
+        keys.push_back(m_partition->curve().key(bubbles.x[i], bubbles.y[i]));
+    std::sort(keys.begin(), keys.end());
+    *m_partition = even_partition(m_comm, m_partition->curve(), keys);
+  }
+
+  /// Collective. Brings each bubble to the rank that owns its place now, and what the simulation knows of it.
+  template <class Simulation>
+  void bring_home(Simulation& simulation, Bubbles_2& bubbles) const
+  {
+    std::vector<Bubble_state_2> ours;
+    Messages<Bubble_state_2> out;
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      if (!is_here(bubbles, i))
+        continue;
+      const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
+      (owner == m_comm.rank() ? ours : out[owner])
+        .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(static_cast<Index>(i))});
+    }
+    m_traffic.add_messages(out);
+    const Bubble_census before(m_comm, ours, out);
+    for (const auto& message : m_exchange(out))
+      ours.insert(ours.end(), message.second.begin(), message.second.end());
+    before.check(Bubble_census(m_comm, ours, {}));
+    std::sort(ours.begin(), ours.end());
+    bubbles = Bubbles_2();
+    bubbles.make_room_for(ours.size());
+    std::vector<Bubble_memory_2> memories;
+    for (const Bubble_state_2& s : ours) {
+      add(bubbles, s.bubble, false);
+      memories.push_back(s.memory);
+    }
+    simulation.restart(memories, simulation.is_roused());
+  }
+
+private:
+  /// more bubbles than the mean: so many that all migrate, and so many that they migrate to other parts if they do
+  static constexpr double too_many = 1.1, many = 1.01;
+
+  static bool is_here(const Bubbles_2& bubbles, std::size_t i) { return bubbles.is_ours(i) && !bubbles.is_gone(i); }
+
+  /// Collective. Whether a rank has so many times more bubbles than the mean that others wait for it.
+  bool is_unbalanced(const Bubbles_2& bubbles, double most) const
+  {
+    const double few = 160 * (most - 1); // bubbles more than that make no difference
+    std::int64_t n = 0;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      n += is_here(bubbles, i);
+    return double(m_comm.largest(n)) > most * double(m_comm.sum(n)) / m_comm.size() + few;
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Traffic_2& m_traffic;
+  std::unique_ptr<Hilbert_partition_2> m_partition;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MIGRATION_2_H

@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_POPULATION_TEAM_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_POPULATION_TEAM_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The ranks that control the population together: each deletes its own bubbles and inserts in its own part.
+class Population_team_2
+{
+public:
+  using Triangle = std::array<Index, 3>;
+
+  Population_team_2(const Communicator& comm, Sparse_exchange& exchange, const Halo_2& halo)
+    : m_comm(comm), m_exchange(exchange), m_halo(halo), m_holes(comm, exchange)
+  {}
+
+  /// `number`: of all bubbles that ever were
+  void start(const Hilbert_partition_2& partition, std::int64_t number)
+  {
+    m_partition = &partition;
+    m_next_number = number;
+  }
+
+  std::int64_t next_number() const { return m_next_number; }
+
+  /// `touched`, as far as it is known of others' bubbles as well
+  std::vector<Index> share_touched(const Bubbles_2& b, const std::vector<Index>& touched)
+  {
+    std::vector<char> is_touched(b.size(), 0);
+    for (Index i : touched)
+      is_touched[i] = b.is_ours(i);
+    share(is_touched);
+    std::vector<Index> result;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (is_touched[i])
+        result.push_back(static_cast<Index>(i));
+    return result;
+  }
+
+  void share_triangles(const Bubbles_2& b, std::vector<Triangle>& triangles)
+  {
+    using Numbers = std::array<std::int64_t, 3>;
+    Messages<Numbers> out;
+    for (const Triangle& t : triangles) {
+      const Numbers numbers{b.number[t[0]], b.number[t[1]], b.number[t[2]]};
+      const std::array<int, 3> owners{m_halo.owner(t[0]), m_halo.owner(t[1]), m_halo.owner(t[2])};
+      for (int k = 0; k < 3; ++k) // each once
+        if (owners[k] != m_comm.rank() && std::find(owners.begin(), owners.begin() + k, owners[k]) == owners.begin() + k)
+          out[owners[k]].push_back(numbers);
+    }
+    const std::unordered_map<std::int64_t, Index> indices = indices_at_border(b);
+    const auto index = [&indices](std::int64_t number) {
+      const auto found = indices.find(number);
+      return found == indices.end() ? no_index : found->second;
+    };
+    for (const auto& message : m_exchange(out))
+      for (const Numbers& n : message.second)
+        triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
+  }
+
+  template <class T>
+  bool share(std::vector<T>& values) const
+  {
+    Messages<T> out, in;
+    for (const auto& list : m_halo.sent())
+      for (Index i : list.second)
+        out[list.first].push_back(values[i]);
+    for (const auto& list : m_halo.received())
+      in[list.first].resize(list.second.size());
+    exchange_known(m_comm, out, in);
+    bool has_changed = false;
+    for (const auto& list : m_halo.received())
+      for (std::size_t n = 0; n < list.second.size(); ++n) {
+        T& value = values[list.second[n]];
+        has_changed = has_changed || value != in[list.first][n];
+        value = in[list.first][n];
+      }
+    return m_comm.any(has_changed);
+  }
+
+  std::size_t share_holes(std::vector<Hole_2>& holes, double reach)
+  {
+    return m_holes.share(*m_partition, holes, reach);
+  }
+
+  template <class Choice>
+  void decide(Choice& choice) const
+  {
+    m_holes.decide(choice);
+  }
+
+  bool owns_place(const Point& p) const { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
+
+  /// All ranks have the outline of the domain, and now all its bubbles.
+  Outline_bubbles_2 outline(const Domain_2& domain, const Bubbles_2& b) const
+  {
+    std::vector<Placed> ours;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_ours(i) && (b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index)))
+        ours.push_back(Placed{b.x[i], b.y[i], b.d[i], b.s[i], b.number[i], b.place[i], b.is_on_edge(i)});
+    std::vector<Placed> all = gather_records(m_comm, ours);
+    std::sort(all.begin(), all.end());
+    std::unordered_map<std::int64_t, Index> indices;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_on_edge(i) || b.is_corner(i))
+        indices[b.number[i]] = static_cast<Index>(i);
+    Outline_bubbles_2 result;
+    result.on_edge.resize(domain.edges().size());
+    result.on_corner.assign(domain.corners().size(), Outline_bubble_2{0, 0, 1, 0, no_index});
+    for (const Placed& p : all) {
+      const auto found = indices.find(p.number);
+      const Outline_bubble_2 bubble{p.x, p.y, p.d, p.s, found == indices.end() ? no_index : found->second};
+      if (p.is_on_edge)
+        result.on_edge[p.place].push_back(bubble);
+      else
+        result.on_corner[p.place] = bubble;
+    }
+    return result;
+  }
+
+  /// \pre they are sorted along the curve
+  void number(Bubbles_2& inserted)
+  {
+    const std::int64_t n = static_cast<std::int64_t>(inserted.size());
+    std::int64_t number = m_next_number + m_comm.sum_before(n);
+    m_next_number += m_comm.sum(n);
+    for (std::size_t k = 0; k < inserted.size(); ++k)
+      inserted.number.push_back(number++);
+    inserted.is_foreign.assign(inserted.size(), 0);
+  }
+
+private:
+  /// a bubble of the outline
+  struct Placed
+  {
+    double x, y, d, s;
+    std::int64_t number;
+    Index place;
+    std::int32_t is_on_edge;
+
+    bool operator<(const Placed& p) const
+    {
+      return std::tie(is_on_edge, place, s, number) < std::tie(p.is_on_edge, p.place, p.s, p.number);
+    }
+  };
+
+  /// of bubbles that we have of others, and others of ours
+  std::unordered_map<std::int64_t, Index> indices_at_border(const Bubbles_2& b) const
+  {
+    std::unordered_map<std::int64_t, Index> result;
+    for (const auto* lists : {&m_halo.sent(), &m_halo.received()})
+      for (const auto& list : *lists)
+        for (Index i : list.second)
+          result[b.number[i]] = i;
+    return result;
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  const Halo_2& m_halo;
+  Hole_exchange_2 m_holes;
+  const Hilbert_partition_2* m_partition = nullptr;
+  std::int64_t m_next_number = 0;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_POPULATION_TEAM_2_H

@@ -1,0 +1,396 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATION_TEAM_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATION_TEAM_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Population_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/wide_hole_sides.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The ranks that simulate bubbles together: each moves its own, and is told of others' before the next step.
+class Simulation_team_2
+{
+public:
+  static constexpr bool is_alone = false;
+
+  Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                    Checkpoints_2& checkpoints, const Relaxation_options& options)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
+      m_interval(options.exchange_interval), m_migration(comm, exchange, m_traffic),
+      m_halo(comm, exchange, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
+      m_population(comm, exchange, m_halo),
+      m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
+      m_has_population(options.population != Bubble_population::NONE)
+  {}
+
+  /// Begins with bubbles that are numbered from 0 on, each on the rank that owns its place, sorted.
+  void start(const Placed_part_2& part)
+  {
+    m_migration.start(part.partition);
+    m_number_of_all = m_comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
+    m_population.start(partition(), m_number_of_all);
+  }
+
+  /// Begins with bubbles that were simulated before.
+  void start(const Restart_2& restart)
+  {
+    m_migration.start(restart.partition);
+    m_number_of_all = restart.header.number_of_all;
+    m_population.start(partition(), m_number_of_all);
+  }
+
+  template <class Simulation, class Report>
+  std::size_t resume(Simulation& simulation, Bubbles_2& bubbles, Report& report)
+  {
+    if (!m_checkpoints.is_restart())
+      return 0;
+    const std::size_t rounds = m_checkpoints.resume(simulation, report);
+    surround(simulation, bubbles);
+    return rounds;
+  }
+
+  template <class Simulation, class Report>
+  void end_round(const Simulation& simulation, const Bubbles_2& bubbles, Report& report)
+  {
+    m_checkpoints.end_round(simulation, bubbles, partition(), m_population.next_number(), report);
+  }
+
+  /// Gives the bubbles of each rank their surroundings before the first step.
+  template <class Simulation>
+  void surround(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    surround(simulation, bubbles, m_interval.is_used() ? Bubble_force_2::cut_off * largest_size(bubbles) : 0);
+    m_interval.start_stage();
+  }
+
+  /// Looks after the bubbles that have gone far or grown. If one has gone too far, all are brought to the ranks
+  /// that own their places now; and so they are in each exchange of the paper's protocol.
+  template <class Simulation>
+  void surround_anew(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    if (m_interval.is_used()) {
+      release_marked(simulation, bubbles);
+      migrate_and_surround(simulation, bubbles);
+      wake_around_others(simulation, bubbles);
+    } else if (m_is_far_from_home)
+      migrate_and_surround(simulation, bubbles);
+    else
+      look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles, m_outgrown));
+    m_outgrown.clear();
+    m_is_outgrown = m_is_far_from_home = false;
+  }
+
+  /// After the steps of a round the paper's protocol ends, and the population is controlled as it always is.
+  template <class Simulation>
+  void end_steps(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    if (!m_interval.is_used())
+      return;
+    release_marked(simulation, bubbles);
+    m_interval.make_due();
+    if (!m_has_population)
+      return;
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles, 0);
+  }
+
+  /// Gets the bubbles that those of ours beside wide holes look at, which are farther away than others ever look.
+  template <class Simulation>
+  void look_across_holes(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    const Neighbor_sets_2& neighbors = simulation.neighbors();
+    const Messages<Wide_hole_side_2> asked =
+      wide_hole_sides(bubbles, neighbors, simulation.touched(), m_halo, partition(), m_comm.rank());
+    if (!m_comm.any(!asked.empty()))
+      return;
+    m_halo.fetch(
+      asked,
+      [&](const Wide_hole_side_2& side, const auto& visit) { neighbors.find_around(side.x, side.y, side.d, visit); },
+      [&](Index i) { return state(simulation, bubbles, i); },
+      [&](const Bubble_state_2& s, int owner) { add_of_other(simulation, bubbles, s, owner); });
+    m_moves.connect(m_halo, bubbles.size());
+  }
+
+  /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
+  template <class Simulation>
+  void share_new(Simulation& simulation, Bubbles_2& bubbles, Index first)
+  {
+    const std::int64_t first_new = m_number_of_all;
+    m_number_of_all = m_population.next_number();
+    if (m_number_of_all == first_new)
+      return;
+    std::vector<Index> those;
+    for (Index i = first, last = static_cast<Index>(bubbles.size()); i < last; ++i) {
+      m_halo.add(bubbles, i, m_comm.rank());
+      those.push_back(i);
+    }
+    look_after(simulation, bubbles, those);
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.number[i] >= first_new && !bubbles.is_ours(i))
+        simulation.wake_around(static_cast<Index>(i));
+    if (m_migration.is_due(bubbles))
+      m_is_outgrown = m_is_far_from_home = true; // all migrate before the next step
+  }
+
+  std::size_t number_of_all(const Bubbles_2&) const { return static_cast<std::size_t>(m_number_of_all); }
+
+  bool any(bool here) const { return m_comm.any(here); }
+
+  Population_team_2& population() { return m_population; }
+
+  bool is_at_border(Index i) const { return m_halo.is_at_border(i); }
+
+  /// where bubbles are within a step; `sets` are their neighbours
+  void send_positions(const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
+  {
+    if (!m_interval.is_used())
+      m_stages.send(m_halo, sets, x, y);
+  }
+
+  void receive_positions(std::vector<double>& x, std::vector<double>& y)
+  {
+    if (!m_interval.is_used())
+      m_stages.receive(m_halo, x, y);
+  }
+
+  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets)
+  {
+    Shared_sets_2(m_halo, b)(m_exchange, sets);
+  }
+
+  void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving)
+  {
+    count_step();
+    if (!m_interval.is_used())
+      m_moves.send(b, active, is_moving);
+  }
+
+  const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
+                                          std::vector<char>& is_moving)
+  {
+    m_others.clear();
+    if (m_interval.is_used()) {
+      mark_those_that_left(b, active);
+      return m_others;
+    }
+    m_moves.receive(b, m_others, is_moving);
+    note_outgrown(b, active);
+    note_outgrown(b, m_others);
+    return m_others;
+  }
+
+  Step_sums sum(const Step_sums& sums)
+  {
+    const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
+    const bool is_far_here = m_is_far_here || (!m_interval.is_used() && m_halo.has_gone_far());
+    std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
+                                       static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
+                                       !m_outgrown.empty() || is_far_here, is_far_here, is_stale};
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 6, MPI_INT64_T, MPI_SUM, m_comm.handle()));
+    if (values[2] != 0)
+      m_agreement.reach();
+    m_is_outgrown = m_is_outgrown || values[3] != 0; // until the next step
+    m_is_far_from_home = m_is_far_from_home || values[4] != 0;
+    m_is_far_here = false;
+    if (values[0] == 0 && values[5] != 0) { // they rest among others that may have moved
+      m_interval.make_due();
+      values[0] = 1;
+    }
+    return Step_sums{static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1])};
+  }
+
+  bool goes_on(bool here) const { return m_may_be_stopped ? !m_comm.any(!here) : here; }
+
+  /// whether a bubble of any rank has gone so far that the halo is to be made anew, or it is time for that
+  bool is_outgrown() const { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
+
+  const Hilbert_partition_2& partition() const { return m_migration.partition(); }
+
+  const Traffic_2& traffic() const { return m_traffic; }
+
+private:
+  /// makes the halo, of one width or by the bubbles' sizes
+  template <class Simulation>
+  void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
+  {
+    m_halo.start(partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
+    std::vector<Index> near_others;
+    for (std::size_t k = 0; k < bubbles.size(); ++k) {
+      const Index i = static_cast<Index>(k);
+      m_halo.add(bubbles, i, m_comm.rank());
+      if (!m_halo.is_far_from_others(i))
+        near_others.push_back(i);
+    }
+    look_after(simulation, bubbles, near_others);
+  }
+
+  double largest_size(const Bubbles_2& bubbles) const
+  {
+    return m_comm.largest(bubbles.size() == 0 ? 0. : *std::max_element(bubbles.d.begin(), bubbles.d.end()));
+  }
+
+  void mark_those_that_left(Bubbles_2& b, const std::vector<Index>& active)
+  {
+    for (Index i : active)
+      if (!m_halo.is_surely_home(b, i) && partition().owner(b.x[i], b.y[i]) != m_comm.rank()) {
+        m_interval.mark(b, i);
+        ++m_traffic.waits;
+      }
+  }
+
+  template <class Simulation>
+  void release_marked(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    m_interval.release(bubbles, [&simulation](Index i) { simulation.wake_around(i); });
+  }
+
+  /// others may have moved since their neighbours here fell asleep
+  template <class Simulation>
+  static void wake_around_others(Simulation& simulation, const Bubbles_2& bubbles)
+  {
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (!bubbles.is_ours(i))
+        simulation.wake_around(static_cast<Index>(i));
+  }
+
+  void count_step()
+  {
+    m_interval.count_step();
+    ++m_traffic.steps;
+    m_traffic.neighbors += static_cast<std::int64_t>(m_halo.received().size());
+    for (const auto& list : m_halo.received())
+      m_traffic.ghosts += static_cast<std::int64_t>(list.second.size());
+  }
+
+  void note_outgrown(const Bubbles_2& b, const std::vector<Index>& moved)
+  {
+    for (Index i : moved)
+      if (m_halo.is_outgrown_by(b, i)) {
+        m_outgrown.push_back(i);
+        m_is_far_here = m_is_far_here || m_halo.is_far_from_home(b, i);
+      }
+  }
+
+  template <class Simulation>
+  static Bubble_state_2 state(const Simulation& simulation, const Bubbles_2& bubbles, Index i)
+  {
+    return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)};
+  }
+
+  template <class Simulation>
+  Index add_of_other(Simulation& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
+  {
+    const Index i = static_cast<Index>(bubbles.size());
+    add(bubbles, s.bubble, true);
+    simulation.add_known(s.memory);
+    m_halo.add(bubbles, i, owner);
+    return i;
+  }
+
+  template <class Simulation>
+  void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
+  {
+    std::unique_ptr<Bubbles_here_2> here;
+    if (!simulation.keeps_references())
+      here = std::make_unique<Bubbles_here_2>(bubbles);
+    const auto look_after_with = [&](const auto& finder) {
+      m_halo.look_after(
+        bubbles, those, finder,
+        [&](Index i) { return state(simulation, bubbles, i); },
+        [&](const Bubble_state_2& s, int owner) {
+          const Index i = add_of_other(simulation, bubbles, s, owner);
+          if (here)
+            here->add(bubbles, i);
+        });
+    };
+    if (here)
+      look_after_with(*here);
+    else
+      look_after_with(simulation.neighbors());
+    m_moves.connect(m_halo, bubbles.size());
+  }
+
+  template <class Simulation>
+  void migrate_and_surround(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    if (!simulation.keeps_references()) {
+      migrate_with_sets(simulation, bubbles);
+      return;
+    }
+    migrate(simulation, bubbles);
+    surround(simulation, bubbles);
+  }
+
+  /// the same; neighbour sets that are not what references tell go with their bubbles
+  template <class Simulation>
+  void migrate_with_sets(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    m_migration.balance(bubbles, m_interval.is_used());
+    Numbered_sets messages;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+        messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
+                     static_cast<Index>(i));
+    messages.exchange(m_exchange);
+    m_migration.bring_home(simulation, bubbles);
+    surround(simulation, bubbles);
+    std::vector<std::vector<Index>> sets(bubbles.size());
+    messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
+    simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
+  }
+
+  template <class Simulation>
+  void migrate(Simulation& simulation, Bubbles_2& bubbles)
+  {
+    m_migration.balance(bubbles, m_interval.is_used());
+    m_migration.bring_home(simulation, bubbles);
+  }
+
+  const Communicator& m_comm;
+  Sparse_exchange& m_exchange;
+  Agreement& m_agreement;
+  Checkpoints_2& m_checkpoints;
+  Exchange_interval_2 m_interval;
+  Traffic_2 m_traffic;
+  Migration_2 m_migration;
+  Halo_2 m_halo;
+  Moves_exchange_2 m_moves;
+  Stage_exchange_2 m_stages;
+  Population_team_2 m_population;
+  std::int64_t m_number_of_all = 0; // that ever were
+  bool m_may_be_stopped, m_has_population, m_is_outgrown = false, m_is_far_here = false,
+       m_is_far_from_home = false;
+  std::vector<Index> m_others;
+  std::vector<Index> m_outgrown; // of those that moved since the halo was looked after
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATION_TEAM_2_H

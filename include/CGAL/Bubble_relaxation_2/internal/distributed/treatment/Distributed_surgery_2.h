@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_DISTRIBUTED_SURGERY_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_DISTRIBUTED_SURGERY_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The operations of `Defect_surgery_2` by ranks: each operates on the triangles it owns that are among the worst of
+/// all. An operation looks at the mesh as it was before all of them, so its outcome does not depend on others; of
+/// patches that overlap the one with the worse triangle counts.
+class Distributed_surgery_2
+{
+public:
+  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, const Communicator& comm,
+                        Agreement& agreement, Sparse_exchange& exchange)
+    : m_domain(domain), m_piece(piece), m_known(piece.mesh.known), m_triangulation(piece.mesh.triangulation),
+      m_comm(comm), m_agreement(agreement), m_exchange(exchange)
+  {}
+
+  /// what was done on all ranks
+  std::int64_t number_of_insertions = 0, number_of_deletions = 0;
+
+  /// Collective. Finds the worst triangles of all, `most` at most, and their patches; returns whether the piece is
+  /// wide enough for that on all ranks.
+  bool find_patches(double bad_quality, std::size_t most)
+  {
+    bool is_cut_off = false;
+    std::vector<Bad_triangle_2> worst;
+    m_agreement.reach_after([&] {
+      worst = bad_triangles(m_known.bubbles, m_triangulation, bad_quality);
+      worst.erase(std::remove_if(worst.begin(), worst.end(),
+                                 [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
+                  worst.end());
+      worst.resize((std::min)(most, worst.size()));
+    });
+    keep_worst_of_all(most, worst);
+    m_agreement.reach_after([&] {
+      for (const Bad_triangle_2& bad : worst) {
+        m_operations.push_back(
+          Operation{bad, Mesh_patch_2(m_known.bubbles, m_triangulation, bad.triangle), {}, false});
+        is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
+      }
+    });
+    return !m_comm.any(is_cut_off);
+  }
+
+  /// Collective. Operates on patches that do not overlap: returns what became of those that are known here. What is
+  /// inserted gets numbers from `end` on.
+  Patch_changes_2 operate(std::int64_t end)
+  {
+    std::vector<Patch_claim_2> claims;
+    for (const Operation& operation : m_operations)
+      claims.push_back(claim(operation));
+    Patch_choice_2 choose(m_comm, m_exchange, claims, m_known);
+    choose([this](std::size_t k) { return operate_on(m_operations[k]); }, m_agreement);
+    number_operations(end);
+    Patch_changes_2 own;
+    m_agreement.reach_after([&] {
+      for (const Operation& operation : m_operations)
+        if (operation.is_chosen)
+          own[operation.place] = describe(operation);
+    });
+    number_of_insertions = m_comm.sum(number_of_insertions);
+    number_of_deletions = m_comm.sum(number_of_deletions);
+    return Patch_exchange_2(m_piece, m_comm, m_exchange)(own);
+  }
+
+private:
+  struct Operation
+  {
+    Bad_triangle_2 bad;
+    Mesh_patch_2 patch;
+    Patch_outcome_2 outcome;
+    bool is_chosen;
+    std::int32_t place = 0;        ///< among all that are chosen
+    std::int64_t first_number = 0; ///< of what is inserted
+
+    std::int64_t number_of_insertions() const
+    {
+      return std::count_if(outcome.original.begin(), outcome.original.end(), [this](Index i) {
+        return static_cast<std::size_t>(i) >= patch.indices().size();
+      });
+    }
+  };
+
+  void keep_worst_of_all(std::size_t most, std::vector<Bad_triangle_2>& worst) const
+  {
+    std::vector<Bad_triangle_2> all = gather_records(m_comm, worst);
+    if (all.size() <= most)
+      return;
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
+    const Bad_triangle_2& first_too_many = all[most];
+    worst.erase(std::lower_bound(worst.begin(), worst.end(), first_too_many), worst.end());
+  }
+
+  /// returns whether it helped
+  bool operate_on(Operation& operation) const
+  {
+    Patch_operation_2 operate(m_domain, m_known.bubbles, m_triangulation, operation.patch);
+    operation.is_chosen = operate(operation.bad.triangle);
+    operation.outcome = operate.best();
+    return operation.is_chosen;
+  }
+
+  Patch_claim_2 claim(const Operation& operation) const
+  {
+    Patch_claim_2 result{operation.bad, {}};
+    for (Index t : operation.patch.triangles())
+      result.triangles.push_back(m_triangulation.tr.vertices[t]);
+    return result;
+  }
+
+  /// numbers operations, and what they insert, as if all were made by one rank
+  void number_operations(std::int64_t end)
+  {
+    struct Insertion
+    {
+      Bad_triangle_2 bad;
+      std::int64_t number;
+
+      bool operator<(const Insertion& i) const { return bad < i.bad; }
+    };
+    std::vector<Insertion> own;
+    for (const Operation& operation : m_operations)
+      if (operation.is_chosen)
+        own.push_back(Insertion{operation.bad, operation.number_of_insertions()});
+    std::vector<Insertion> all = gather_records(m_comm, own);
+    std::sort(all.begin(), all.end());
+    for (Insertion& i : all)
+      end += std::exchange(i.number, end);
+    for (Operation& operation : m_operations)
+      if (operation.is_chosen) {
+        const auto found = std::lower_bound(all.begin(), all.end(), Insertion{operation.bad, 0});
+        operation.place = static_cast<std::int32_t>(found - all.begin());
+        operation.first_number = found->number;
+      }
+  }
+
+  Patch_change_2 describe(const Operation& operation)
+  {
+    Patch_change_2 result;
+    const std::vector<Index>& indices = operation.patch.indices();
+    const Bubbles_2& b = operation.outcome.bubbles;
+    std::vector<char> is_left(indices.size(), 0);
+    std::vector<std::int64_t> numbers; // of the bubbles of the outcome
+    std::int64_t number = operation.first_number;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      const std::size_t original = static_cast<std::size_t>(operation.outcome.original[k]);
+      if (original >= indices.size()) {
+        result.bubbles.push_back({operation.place, m_comm.rank(), record(b, k, number)});
+        numbers.push_back(number++);
+        ++number_of_insertions;
+        continue;
+      }
+      is_left[original] = 1;
+      const Index i = indices[original];
+      numbers.push_back(m_known.numbers[i]);
+      result.bubbles.push_back({operation.place, m_known.owners[i], // those on the rim look like corners
+                                b.can_move(k) ? record(b, k, numbers.back()) : record_here(i)});
+    }
+    for (std::size_t l = 0; l < indices.size(); ++l)
+      if (!is_left[l]) {
+        Bubble_record_2 gone = record_here(indices[l]);
+        gone.dimension = Bubbles_2::GONE;
+        result.bubbles.push_back({operation.place, m_known.owners[indices[l]], gone});
+        ++number_of_deletions;
+      }
+    describe_triangles(operation, numbers, result);
+    return result;
+  }
+
+  Bubble_record_2 record_here(Index i) const
+  {
+    return record(m_known.bubbles, static_cast<std::size_t>(i), m_known.numbers[i]);
+  }
+
+  void describe_triangles(const Operation& operation, const std::vector<std::int64_t>& numbers,
+                          Patch_change_2& change) const
+  {
+    for (Index t : operation.patch.triangles()) {
+      const std::array<Index, 3>& v = m_triangulation.tr.vertices[t];
+      change.triangles.push_back(
+        {operation.place, 0, {m_known.numbers[v[0]], m_known.numbers[v[1]], m_known.numbers[v[2]]}, {}});
+    }
+    std::vector<Index> same(numbers.size());
+    std::iota(same.begin(), same.end(), Index(0));
+    for (const New_triangle_2& t : operation.outcome.triangles(operation.patch, same)) {
+      const std::array<Index, 3>& v = t.vertices;
+      change.triangles.push_back({operation.place, 1, {numbers[v[0]], numbers[v[1]], numbers[v[2]]}, t.edges});
+    }
+  }
+
+  const Domain_2& m_domain;
+  const Mesh_piece_2& m_piece;
+  const Known_bubbles_2& m_known;
+  const Marked_triangulation_2& m_triangulation;
+  const Communicator& m_comm;
+  Agreement& m_agreement;
+  Sparse_exchange& m_exchange;
+  std::vector<Operation> m_operations;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_DISTRIBUTED_SURGERY_2_H

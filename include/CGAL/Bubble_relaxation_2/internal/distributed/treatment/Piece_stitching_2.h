@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PIECE_STITCHING_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PIECE_STITCHING_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Puts what operations made of patches in their place in the pieces of all ranks, as far as each piece reaches. Bubbles
+/// are numbered without gaps then, as on one rank.
+class Piece_stitching_2
+{
+public:
+  Piece_stitching_2(Mesh_piece_2& piece, const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
+    : m_piece(piece), m_known(piece.mesh.known), m_mesh(piece.mesh.triangulation), m_comm(comm),
+      m_agreement(agreement), m_exchange(exchange)
+  {}
+
+  bool has_changed_outline = false; ///< of the whole domain
+
+  /// Collective. `end`: the first number of an inserted bubble. Returns whether all pieces are still wide enough.
+  bool operator()(const Patch_changes_2& changes, std::int64_t end)
+  {
+    m_end = end;
+    std::vector<std::int64_t> gone;
+    bool is_wide_enough = false;
+    m_agreement.reach_after([&] {
+      Mesh_stitching_2 stitching(m_mesh);
+      replace(changes, stitching);
+      Editable_triangulation_2 mesh = stitching.finish(m_known.bubbles.indices_left());
+      gone = forget_gone();
+      Border_certificate_2 certificate(m_mesh);
+      is_wide_enough = forget_doubtful(m_known.bubbles, triangles_beside_others(m_known.bubbles, m_mesh), certificate, mesh);
+    });
+    close_gaps(gone);
+    link_with_others();
+    m_piece.mesh.mark_triangles(m_comm.rank());
+    has_changed_outline = m_comm.any(has_changed_outline);
+    return !m_comm.any(!is_wide_enough);
+  }
+
+private:
+  using Triangles = std::map<std::array<Index, 3>, Index>; // by their vertices, in order
+
+  void replace(const Patch_changes_2& changes, Mesh_stitching_2& stitching)
+  {
+    const Triangles before = triangles_between(changes);
+    for (const auto& change : changes) {
+      std::vector<Index> taken_away;
+      std::vector<New_triangle_2> made;
+      for (const Changed_bubble_2& b : change.second.bubbles)
+        replace(b);
+      for (const Changed_triangle_2& t : change.second.triangles) {
+        const std::array<Index, 3> v = indices(t);
+        const auto known_before = before.find(sorted(v));
+        if (!t.is_new && known_before != before.end())
+          taken_away.push_back(known_before->second);
+        if (t.is_new && sorted(v).front() != no_index)
+          made.push_back(New_triangle_2{v, t.edges});
+      }
+      stitching.replace(taken_away, made);
+    }
+  }
+
+  /// the triangles of the piece between bubbles of the changes
+  Triangles triangles_between(const Patch_changes_2& changes) const
+  {
+    std::vector<char> is_changed(m_known.size(), 0);
+    for (const auto& change : changes)
+      for (const Changed_bubble_2& b : change.second.bubbles) {
+        const Index i = m_known.index(b.bubble.number);
+        if (i != no_index)
+          is_changed[i] = 1;
+      }
+    Triangles result;
+    for (std::size_t t = 0; t < m_mesh.inside.size(); ++t) {
+      const std::array<Index, 3>& v = m_mesh.tr.vertices[t];
+      if (m_mesh.inside[t] && is_changed[v[0]] && is_changed[v[1]] && is_changed[v[2]])
+        result[sorted(v)] = static_cast<Index>(t);
+    }
+    return result;
+  }
+
+  static std::array<Index, 3> sorted(std::array<Index, 3> v)
+  {
+    std::sort(v.begin(), v.end());
+    return v;
+  }
+
+  std::array<Index, 3> indices(const Changed_triangle_2& t) const
+  {
+    return {m_known.index(t.vertices[0]), m_known.index(t.vertices[1]), m_known.index(t.vertices[2])};
+  }
+
+  void replace(const Changed_bubble_2& changed)
+  {
+    const Bubble_record_2& r = changed.bubble;
+    Bubbles_2& b = m_known.bubbles;
+    const Index i = m_known.index(r.number);
+    if (i == no_index) {
+      if (r.number >= m_end)
+        insert(changed);
+      return; // others are not known here
+    }
+    const bool is_gone = r.dimension == Bubbles_2::GONE;
+    has_changed_outline = has_changed_outline || (b.is_on_edge(i) && (is_gone || Point(r.x, r.y) != b.point(i)));
+    if (is_gone) {
+      b.remove(i);
+      return;
+    }
+    b.x[i] = r.x;
+    b.y[i] = r.y;
+    b.s[i] = r.s;
+    b.place[i] = r.place;
+    m_mesh.tr.points[i] = b.point(i);
+  }
+
+  void insert(const Changed_bubble_2& changed)
+  {
+    m_known.add(changed.bubble, changed.owner);
+    m_known.bubbles.number.push_back(changed.bubble.number);
+    m_known.bubbles.is_foreign.push_back(changed.owner != m_comm.rank());
+    m_mesh.tr.points.push_back(m_known.bubbles.point(m_known.size() - 1));
+    has_changed_outline = has_changed_outline || changed.bubble.dimension == Bubbles_2::EDGE;
+  }
+
+  /// returns the numbers of those that were this rank's
+  std::vector<std::int64_t> forget_gone()
+  {
+    std::vector<std::int64_t> gone;
+    for (std::size_t i = 0; i < m_known.size(); ++i)
+      if (m_known.bubbles.is_gone(i) && m_known.owners[i] == m_comm.rank())
+        gone.push_back(m_known.numbers[i]);
+    const std::vector<Index> left = m_known.bubbles.left();
+    if (left.size() < m_known.size())
+      m_known.select(left);
+    return gone;
+  }
+
+  void close_gaps(const std::vector<std::int64_t>& gone_here)
+  {
+    std::vector<std::int64_t> gone = gather_records(m_comm, gone_here);
+    std::sort(gone.begin(), gone.end());
+    std::size_t before = 0;
+    for (std::int64_t& number : m_known.numbers) {
+      while (before < gone.size() && gone[before] < number)
+        ++before;
+      number -= static_cast<std::int64_t>(before);
+    }
+    m_known.bubbles.number = m_known.numbers;
+  }
+
+  /// each rank tells the others which of their bubbles it knows
+  void link_with_others()
+  {
+    Messages<std::int64_t> wanted;
+    m_piece.sent.clear();
+    m_piece.received.clear();
+    for (std::size_t i = 0; i < m_known.size(); ++i)
+      if (m_known.owners[i] != m_comm.rank()) {
+        wanted[m_known.owners[i]].push_back(m_known.numbers[i]);
+        m_piece.received[m_known.owners[i]].push_back(static_cast<Index>(i));
+      }
+    for (const auto& message : m_exchange(wanted))
+      for (std::int64_t number : message.second)
+        m_piece.sent[message.first].push_back(m_known.index(number));
+  }
+
+  Mesh_piece_2& m_piece;
+  Known_bubbles_2& m_known;
+  Marked_triangulation_2& m_mesh;
+  const Communicator& m_comm;
+  Agreement& m_agreement;
+  Sparse_exchange& m_exchange;
+  std::int64_t m_end = 0;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PIECE_STITCHING_2_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_INSIDE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_INSIDE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Greedy_coloring_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A rank that treats the defects of its own part of the mesh as if it were alone, see `Treatment_alone`. It may as long as
+/// two things hold; else it has come too near to others.
+///
+/// No candidate has a neighbour of another rank: then candidates that are connected are all of one rank, their colours are
+/// those that one rank alone would give them, and they are moved in the same order, among vertices that stay. And all
+/// triangles that flips make are between its own bubbles: then no other rank has one of them, and every edge is locally
+/// Delaunay again on the rank that changed something beside it, so the whole is Delaunay.
+class Treatment_inside_2
+{
+public:
+  static constexpr bool is_collective = false; ///< whether ranks speak to each other within the treatment
+
+  Treatment_inside_2(const Communicator& comm, const Distributed_mesh_2& mesh)
+    : m_comm(comm), m_mesh(mesh), m_has_foreign_neighbors(mesh.known.size(), 0)
+  {
+    for (Index t : triangles_beside_others(mesh.known.bubbles, mesh.triangulation))
+      for (Index v : mesh.triangulation.tr.vertices[t])
+        m_has_foreign_neighbors[v] = 1;
+  }
+
+  bool goes_on(bool here) const { return here && !m_is_too_near; }
+
+  /// Collective. Whether any rank came too near to others: then what was done is worth nothing.
+  bool has_failed() const { return m_comm.any(m_is_too_near); }
+
+  std::size_t largest(std::size_t here) const { return here; }
+
+  void share_colors(const Editable_triangulation_2&, const std::vector<Index>& candidates, const Greedy_coloring_2&)
+  {
+    m_is_too_near = m_is_too_near || std::any_of(candidates.begin(), candidates.end(), [this](Index v) {
+                      return m_has_foreign_neighbors[v] != 0;
+                    });
+  }
+
+  void share_moves(const Marked_triangulation_2&, const Bubbles_2&, const std::vector<Index>&,
+                   const Treatment_log_2&) const
+  {}
+
+  void restore_border(Editable_triangulation_2& mesh)
+  {
+    const std::vector<Index> flipped = mesh.take_flipped();
+    m_is_too_near = m_is_too_near || std::any_of(flipped.begin(), flipped.end(), [&](Index t) {
+                      return is_beside_others(m_mesh.known.bubbles, mesh.triangulation().vertices[t]);
+                    });
+    m_changed.insert(m_changed.end(), flipped.begin(), flipped.end());
+  }
+
+  void add_neighbors_of_others(const Editable_triangulation_2&, const Bubbles_2&, const std::vector<Index>&) const {}
+
+  /// all that were flipped
+  const std::vector<Index>& changed_triangles() const { return m_changed; }
+
+private:
+  const Communicator& m_comm;
+  const Distributed_mesh_2& m_mesh;
+  std::vector<char> m_has_foreign_neighbors; // of each bubble
+  std::vector<Index> m_changed;
+  bool m_is_too_near = false;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_INSIDE_2_H

@@ -1,0 +1,336 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREAT_DISTRIBUTED_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREAT_DISTRIBUTED_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Piece_stitching_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_inside_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/widen_mesh.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Outside_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. While all defects are far from
+/// other ranks, each works on its own part of the mesh. Else it works on a piece that is wider than its own triangles;
+/// if that was not wide enough, all begin again with a wider one.
+class Distributed_treatment_2
+{
+public:
+  /// `first_reach`: how much wider the pieces are at first, in units of d \pre it is positive
+  Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, const Communicator& comm,
+                          Agreement& agreement, Sparse_exchange& exchange, double first_reach = usual_reach)
+    : m_domain(domain), m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+      m_first_reach(first_reach)
+  {}
+
+  /// Collective. The mesh of all ranks' bubbles, each of which is at home.
+  Distributed_mesh_2 triangulate(const Numbered_bubbles_2& own) const
+  {
+    Distributed_mesh_2 mesh =
+      distributed_triangulate(m_domain, own, m_partition, m_comm, m_agreement, m_exchange);
+    m_agreement.reach_after([&] {
+      label_edges(mesh.triangulation);
+      mesh.known.mark_foreign(m_comm.rank());
+    });
+    return mesh;
+  }
+
+  /// Collective.
+  double smallest_quality(const Distributed_mesh_2& mesh) const
+  {
+    double smallest = 1;
+    m_agreement.reach_after([&] { for_each_quality(mesh, [&](Index, double q) { smallest = (std::min)(smallest, q); }); });
+    return m_comm.smallest(smallest);
+  }
+
+  /// Collective. \pre `mesh` was made by `triangulate()`. Afterwards bubbles may have left their homes.
+  Treatment_counts operator()(Distributed_mesh_2& mesh, bool may_operate) const
+  {
+    Treatment_counts counts;
+    const Defects defects = find_defects(mesh);
+    double smallest = defects.smallest_quality;
+    Treated_piece piece{Mesh_piece_2{std::move(mesh), {}, {}}, 0, true};
+    if (defects.are_near_others)
+      widen(piece);
+    counts.treated = smooth(piece, smallest);
+    if (may_operate)
+      operate(piece, smallest, counts);
+    mesh = std::move(piece.piece.mesh);
+    return counts;
+  }
+
+  /// Collective.
+  std::int64_t number_of_bubbles(const Distributed_mesh_2& mesh) const
+  {
+    return m_comm.sum(std::count(mesh.known.owners.begin(), mesh.known.owners.end(), m_comm.rank()));
+  }
+
+  /// Collective. The bubbles of a mesh, brought home.
+  Numbered_bubbles_2 bubbles(const Distributed_mesh_2& mesh) const
+  {
+    Numbered_bubbles_2 own;
+    own.make_room_for(mesh.known.size());
+    for (std::size_t i = 0; i < mesh.known.size(); ++i)
+      if (mesh.known.owners[i] == m_comm.rank())
+        own.add(record(mesh.known.bubbles, i, mesh.known.numbers[i]));
+    return bring_home(m_partition, m_exchange, m_comm.rank(), std::move(own));
+  }
+
+private:
+  static constexpr double treated_quality = Defect_treatment_2<Sequential_tag>::treated_quality;
+  static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
+  static constexpr double reach_of_sweeps = 0.5; // of that, once; where it is not enough, it is seen
+
+  /// how bad the mesh of all ranks is
+  struct Defects
+  {
+    double smallest_quality;
+    bool are_near_others; ///< whether a bad triangle is so near to another rank's part that moves will probably get there
+  };
+
+  enum class Smoothing { KEPT, TAKEN_BACK, TOO_NARROW };
+
+  /// `visit(t, q)` for all triangles of this rank
+  template <class Visit>
+  static void for_each_quality(const Distributed_mesh_2& mesh, const Visit& visit)
+  {
+    for (std::size_t k = 0; k < mesh.is_owned.size(); ++k)
+      if (mesh.is_owned[k])
+        visit(static_cast<Index>(k), quality(mesh.triangulation.tr, static_cast<Index>(k)));
+  }
+
+  Defects find_defects(const Distributed_mesh_2& mesh) const
+  {
+    Defects found{1, false};
+    m_agreement.reach_after([&] {
+      const Bubbles_2& b = mesh.known.bubbles;
+      Clearance_2 clearance(m_partition, m_comm.rank());
+      for_each_quality(mesh, [&](Index t, double q) {
+        found.smallest_quality = (std::min)(found.smallest_quality, q);
+        if (q >= treated_quality || found.are_near_others)
+          return;
+        const Index v = mesh.first_vertex(t);
+        found.are_near_others = clearance(b.x[v], b.y[v], reach_of_sweeps * m_first_reach * b.d[v]) == 0;
+      });
+    });
+    return Defects{m_comm.smallest(found.smallest_quality), m_comm.any(found.are_near_others)};
+  }
+
+  /// a piece, which gets narrower with what is done to it
+  struct Treated_piece
+  {
+    Mesh_piece_2 piece;
+    double reach;    ///< 0: the part of each rank alone
+    bool is_as_wide; ///< as `reach` says
+  };
+
+  /// when it is too narrow: makes it as wide as it was, or twice as wide
+  void widen(Treated_piece& p) const
+  {
+    if (p.is_as_wide)
+      p.reach = p.reach == 0 ? m_first_reach : 2 * p.reach;
+    p.piece = Mesh_widening_2(std::move(p.piece.mesh), m_partition, m_comm, m_agreement, m_exchange)(p.reach);
+    p.is_as_wide = true;
+    ++p.piece.mesh.number_of_widenings;
+  }
+
+  /// moves vertices; returns how many were moved
+  std::size_t smooth(Treated_piece& p, double& smallest) const
+  {
+    std::size_t number = 0;
+    if (smallest >= treated_quality)
+      return number;
+    for (;; widen(p)) {
+      const Smoothing result = try_to_smooth(p, smallest, number);
+      if (result == Smoothing::TOO_NARROW)
+        continue;
+      p.is_as_wide = p.is_as_wide && (p.reach == 0 || result == Smoothing::TAKEN_BACK);
+      return number;
+    }
+  }
+
+  Smoothing try_to_smooth(Treated_piece& p, double& smallest, std::size_t& number) const
+  {
+    if (p.reach > 0) {
+      Treatment_team_2 team(m_comm, p.piece);
+      return smooth_with(team, p.piece.mesh, smallest, number);
+    }
+    std::optional<Treatment_inside_2> team;
+    m_agreement.reach_after([&] { team.emplace(m_comm, p.piece.mesh); });
+    return smooth_with(*team, p.piece.mesh, smallest, number);
+  }
+
+  /// moves vertices, unless the mesh gets worse by that or a rank knows too little
+  template <class Team>
+  Smoothing smooth_with(Team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
+  {
+    Bubbles_2& bubbles = mesh.known.bubbles;
+    Defect_treatment_2<Sequential_tag, Team> treat(m_domain, mesh.triangulation, bubbles, team);
+    std::vector<Index> moved;
+    if constexpr (Team::is_collective)
+      moved = treat();
+    else
+      m_agreement.reach_after([&] { moved = treat(); });
+    if (team.has_failed()) {
+      treat.undo();
+      ++mesh.number_of_failed_treatments;
+      return Smoothing::TOO_NARROW;
+    }
+    mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
+    const double smallest_now = smallest_quality(mesh);
+    const bool moves_outline =
+      std::any_of(moved.begin(), moved.end(), [&](Index v) { return bubbles.is_on_edge(v); });
+    // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
+    if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
+      treat.undo();
+      mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
+      return Smoothing::TAKEN_BACK;
+    }
+    smallest = smallest_now;
+    number = static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
+    return Smoothing::KEPT;
+  }
+
+  bool has_valid_outline(const Distributed_mesh_2& mesh) const
+  {
+    std::vector<Bubble_record_2> own;
+    for (std::size_t i = 0; i < mesh.known.size(); ++i)
+      if (mesh.known.owners[i] == m_comm.rank() && is_on_outline(mesh.known.bubbles, i))
+        own.push_back(record(mesh.known.bubbles, i, mesh.known.numbers[i]));
+    std::vector<Bubble_record_2> all = gather_records(m_comm, own);
+    bool is_valid = false;
+    m_agreement.reach_after([&] {
+      std::sort(all.begin(), all.end(), [](const Bubble_record_2& r, const Bubble_record_2& s) {
+        return r.number < s.number;
+      });
+      Bubbles_2 bubbles;
+      for (const Bubble_record_2& r : all)
+        add(bubbles, r);
+      Marked_triangulation_2 outline;
+      is_valid = triangulate_outline(m_domain, bubbles, outline);
+    });
+    return is_valid;
+  }
+
+  void operate(Treated_piece& piece, double smallest, Treatment_counts& counts) const
+  {
+    for (double bad_quality : bad_qualities) {
+      if (smallest >= bad_quality)
+        break;
+      Treatment_counts changes;
+      std::optional<Treated_piece> changed = operate_once(piece, bad_quality, changes);
+      if (!changed)
+        break;
+      double smallest_now = smallest_quality(changed->piece.mesh);
+      changes.treated = smooth(*changed, smallest_now);
+      if (smallest_now < smallest)
+        break;
+      smallest = smallest_now;
+      piece = std::move(*changed);
+      counts += changes;
+    }
+  }
+
+  /// inserts and deletes bubbles around the worst triangles; returns nothing if there is nothing to be done
+  std::optional<Treated_piece> operate_once(Treated_piece& p, double bad_quality, Treatment_counts& counts) const
+  {
+    const std::int64_t end = number_of_bubbles(p.piece.mesh);
+    if (p.reach == 0)
+      widen(p);
+    for (;; widen(p)) {
+      Distributed_surgery_2 surgery(m_domain, p.piece, m_comm, m_agreement, m_exchange);
+      if (!surgery.find_patches(bad_quality, most_operations(static_cast<std::size_t>(end))))
+        continue;
+      const Patch_changes_2 changes = surgery.operate(end);
+      if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
+        return std::nullopt;
+      Treated_piece changed{p.piece, p.reach, false};
+      Piece_stitching_2 stitch(changed.piece, m_comm, m_agreement, m_exchange);
+      if (!stitch(changes, end))
+        continue;
+      // rounding can make a mess of a change; then what was there is good
+      if (stitch.has_changed_outline && !has_valid_outline(changed.piece.mesh))
+        return std::nullopt;
+      counts.inserted = static_cast<std::size_t>(surgery.number_of_insertions);
+      counts.deleted = static_cast<std::size_t>(surgery.number_of_deletions);
+      return changed;
+    }
+  }
+
+  const Domain_2& m_domain;
+  const Hilbert_partition_2& m_partition;
+  const Communicator& m_comm;
+  Agreement& m_agreement;
+  Sparse_exchange& m_exchange;
+  const double m_first_reach;
+};
+
+/// `keep_the_better()` by ranks: given bubbles whose mesh is better than what was made of them are treated instead.
+template <class Cdt, class Sizing>
+void keep_the_better_of_all(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, const Numbered_bubbles_2& points,
+                            bool may_operate, const Communicator& comm, Agreement& agreement,
+                            Sparse_exchange& exchange, Distributed_mesh_2& mesh, Treatment_counts& counts)
+{
+  const Placed_part_2 given = given_bubbles_distributed(comm, exchange, agreement, reading, sizing, points);
+  const Distributed_treatment_2 treat(reading.domain, given.partition, comm, agreement, exchange);
+  const std::int64_t before = comm.sum(static_cast<std::int64_t>(given.bubbles.size()));
+  if (!is_about_as_many(static_cast<std::size_t>(before), static_cast<std::size_t>(treat.number_of_bubbles(mesh))))
+    return;
+  Distributed_mesh_2 given_mesh = treat.triangulate(given.bubbles);
+  if (treat.smallest_quality(given_mesh) <= treat.smallest_quality(mesh))
+    return;
+  counts = treat(given_mesh, may_operate);
+  mesh = std::move(given_mesh);
+}
+
+/// Collective. The triangulation of the simulated bubbles of all ranks, as `make_mesh()` makes it on one. What it
+/// adds to the report are counts of all ranks. `points`: those that were given on this rank.
+template <class Cdt, class Sizing, class Report>
+Distributed_mesh_2 treat_distributed(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                                     const Relaxation_options& options, const Numbered_bubbles_2& points,
+                                     const Placed_part_2& part, const Communicator& comm, Agreement& agreement,
+                                     Sparse_exchange& exchange, Report& report)
+{
+  const Phase_timer timer(report.seconds.treatment);
+  const Distributed_treatment_2 treat(reading.domain, part.partition, comm, agreement, exchange);
+  Distributed_mesh_2 mesh = treat.triangulate(part.bubbles);
+  if (!is_treatment_due(options, report))
+    return mesh;
+  const bool may_operate = options.population != Bubble_population::NONE;
+  Treatment_counts counts = treat(mesh, may_operate);
+  if (keeps_given_bubbles(options))
+    keep_the_better_of_all(reading, sizing, points, may_operate, comm, agreement, exchange, mesh, counts);
+  counts.add_to(report);
+  return mesh;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREAT_DISTRIBUTED_H

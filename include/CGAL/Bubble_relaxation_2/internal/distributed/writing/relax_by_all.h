@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_RELAX_BY_ALL_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_RELAX_BY_ALL_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/with_same_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
+
+#include <CGAL/Bubble_relaxation_enums.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
+
+#include <mpi.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Collective. Makes of what each rank did in the simulation what all did together.
+template <class Report>
+void add_up_report(const Communicator& comm, Report& report)
+{
+  const std::array<std::size_t*, 4> counts{&report.number_of_moves, &report.number_of_insertions,
+                                           &report.number_of_deletions, &report.number_of_returns};
+  std::array<std::uint64_t, 4> sums;
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    sums[k] = *counts[k];
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_UINT64_T, MPI_SUM,
+                          comm.handle()));
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    *counts[k] = static_cast<std::size_t>(sums[k]);
+}
+
+/// Collective. Each phase takes as long as on the slowest rank.
+template <class Seconds>
+void find_slowest(const Communicator& comm, Seconds& s)
+{
+  const std::array<double*, 8> phases{&s.reading,    &s.placement, &s.renewal, &s.motion,
+                                      &s.population, &s.treatment, &s.writing, &s.evaluation};
+  std::array<double, 8> seconds;
+  for (std::size_t k = 0; k < phases.size(); ++k)
+    seconds[k] = *phases[k];
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, seconds.data(), static_cast<int>(seconds.size()), MPI_DOUBLE, MPI_MAX,
+                          comm.handle()));
+  for (std::size_t k = 0; k < phases.size(); ++k)
+    *phases[k] = seconds[k];
+}
+
+/// What a rank has when bubbles have been simulated and treated, before its points are changed.
+struct Relaxed_part_2
+{
+  Distributed_mesh_2& mesh;             ///< with the sizes of its own bubbles, and old ones of others
+  const Numbered_bubbles_2& bubbles;    ///< its own, in the order of their numbers
+  const Hilbert_partition_2& partition; ///< from which they may have moved a little
+  const Relaxation_options& options;
+  const Communicator& comm;
+  Agreement& agreement;
+  Sparse_exchange& exchange;
+};
+
+/// Collective. What `Distributed::npbs_relax()` and `Distributed::npbs_mesh()` have in common: all but what they
+/// return, which `write(part, sizing, report)` prepares by all ranks. If it throws, it throws on all.
+template <class PointSet, class CDT, class NamedParameters, class Write>
+auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const NamedParameters& np, const Write& write)
+{
+  const Communicator ranks(comm);
+  Agreement agreement(ranks);
+  Sparse_exchange exchange(ranks);
+
+  Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type> report;
+  Phase_timer reading_time(report.seconds.reading);
+  const Relaxation_options options = read_same_options(np, ranks, agreement);
+  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value, options);
+  Progress progress(options.callback, options.number_of_rounds);
+  const Same_domain_2<CDT> same = read_same_domain(domain, np, ranks, agreement);
+  const Domain_reading_2<CDT>& reading = *same.reading;
+  check_same_vertices(ranks, reading);
+  with_same_sizing_field(domain, np, same, options, ranks, agreement, [&](const auto& sizing, const auto& wanted) {
+    Numbered_bubbles_2 given;
+    agreement.reach_after([&] { given = read_bubbles(points, reading.domain, sizing); });
+    reading_time.stop();
+
+    const Placed_part_2 part = simulate_distributed(ranks, exchange, agreement, domain, reading, sizing, options,
+                                                    progress, report, given);
+    agreement.reach(); // the callback may have thrown, or d after the last step
+    add_up_report(ranks, report);
+    if (report.stop_reason == Bubble_stop_reason::STOPPED_BY_CALLBACK)
+      return;
+    Distributed_mesh_2 mesh = treat_distributed(reading, sizing, options, given, part, ranks, agreement, exchange,
+                                                report);
+    evaluate_distributed(mesh, wanted, ranks, agreement, report);
+
+    const Phase_timer writing_time(report.seconds.writing);
+    Point_replacement_2<PointSet> replacement(points);
+    Numbered_bubbles_2 bubbles;
+    agreement.reach_after([&] {
+      ask_own_sizes(mesh, ranks.rank(), sizing);
+      bubbles = own_bubbles(mesh, ranks.rank());
+    });
+    write(Relaxed_part_2{mesh, bubbles, part.partition, options, ranks, agreement, exchange}, sizing, report);
+    agreement.reach_after([&] {
+      replacement.prepare(bubbles);
+      progress.report(1);
+    });
+    replacement.finish(); // nothing can fail on any rank from here on
+  });
+  find_slowest(ranks, report.seconds);
+  return report;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_RELAX_BY_ALL_H

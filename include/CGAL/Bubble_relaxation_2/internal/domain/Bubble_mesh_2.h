@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_BUBBLE_MESH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_BUBBLE_MESH_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Bubbles and their constrained Delaunay triangulation, with the same indices.
+struct Bubble_mesh_2
+{
+  Bubbles_2 bubbles;
+  Marked_triangulation_2 triangulation;
+};
+
+/// The bubbles on each edge of the domain in the order from source to target, without the ends.
+inline std::vector<std::vector<Index>> bubbles_on_edges(const Domain_2& domain, const Bubbles_2& b)
+{
+  std::vector<std::vector<Index>> on_edge(domain.edges().size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_on_edge(i))
+      on_edge[b.place[i]].push_back(static_cast<Index>(i));
+  for (std::vector<Index>& bubbles : on_edge)
+    std::sort(bubbles.begin(), bubbles.end(), [&](Index i, Index j) {
+      return b.s[i] < b.s[j] || (b.s[i] == b.s[j] && i < j);
+    });
+  return on_edge;
+}
+
+/// The bubble on each corner of the domain.
+inline std::vector<Index> bubbles_on_corners(const Domain_2& domain, const Bubbles_2& b)
+{
+  std::vector<Index> on_corner(domain.corners().size(), no_index);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_corner(i) && b.place[i] != no_index)
+      on_corner[b.place[i]] = static_cast<Index>(i);
+  return on_corner;
+}
+
+/// The edges of the domain cut at their bubbles, between indices of bubbles.
+inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubbles_2& b)
+{
+  const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(domain, b);
+  const std::vector<Index> on_corner = bubbles_on_corners(domain, b);
+  std::vector<Domain_edge_2> pieces;
+  for (std::size_t e = 0; e < on_edge.size(); ++e) {
+    Domain_edge_2 piece = domain.edges()[e];
+    const Index target = on_corner[piece.target];
+    piece.source = on_corner[piece.source];
+    for (Index i : on_edge[e]) {
+      piece.target = i;
+      pieces.push_back(piece);
+      piece.source = i;
+    }
+    piece.target = target;
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+/// Makes the constrained Delaunay triangulation of the bubbles with the domain marked, in arrays; returns
+/// whether it can be made.
+inline bool try_to_triangulate(const Domain_2& domain, const Bubbles_2& b, Marked_triangulation_2& mesh)
+{
+  std::vector<Point> points;
+  points.reserve(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    points.push_back(b.point(i));
+  mesh = Marked_triangulation_2();
+  return mark_triangulation(points, cut_edges(domain, b), mesh) == Marking_error::NONE;
+}
+
+/// The constrained Delaunay triangulation of the bubbles with the domain marked, in arrays.
+/// \pre no two bubbles are in one place, see `remove_coincident()`
+inline Marked_triangulation_2 triangulate(const Domain_2& domain, const Bubbles_2& b)
+{
+  Marked_triangulation_2 mesh;
+  if (!try_to_triangulate(domain, b, mesh))
+    throw std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the "
+                             "rounding of bubbles on them");
+  return mesh;
+}
+
+/// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
+template <class Concurrency_tag>
+void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles)
+{
+  std::vector<Point> points;
+  points.reserve(bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    points.push_back(bubbles.point(i));
+  bubbles.select(hilbert_order<Concurrency_tag>(hilbert_curve(domain), points));
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_BUBBLE_MESH_2_H

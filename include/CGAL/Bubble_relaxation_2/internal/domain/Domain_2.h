@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The domain as the simulation sees it: corners, straight edges between them, and the constrained
+/// triangulation of both, in which exact walks decide whether a bubble stays inside.
+class Domain_2
+{
+public:
+  Domain_2() = default;
+
+  /// \pre the edges meet in corners only
+  Marking_error build(std::vector<Point> corners, std::vector<Domain_edge_2> edges)
+  {
+    m_corners = std::move(corners);
+    m_edges = std::move(edges);
+    m_bbox = Bbox_2();
+    for (const Point& p : m_corners)
+      m_bbox += p.bbox();
+    const Marking_error error = mark_triangulation(m_corners, m_edges, m_marked);
+    if (error == Marking_error::NONE)
+      find_sides();
+    return error;
+  }
+
+  const std::vector<Point>& corners() const { return m_corners; }
+  const std::vector<Domain_edge_2>& edges() const { return m_edges; }
+  const Flat_triangulation_2& triangulation() const { return m_marked.tr; }
+  const Bbox_2& bbox() const { return m_bbox; }
+
+  bool is_inside(Index triangle) const { return m_marked.inside[triangle] != 0; }
+
+  /// index of the domain's edge on the side `i` of a triangle, `no_index` if there is none
+  Index edge(Index triangle, int i) const { return m_marked.edges[triangle][i]; }
+
+  const Point& source(Index e) const { return m_corners[m_edges[e].source]; }
+  const Point& target(Index e) const { return m_corners[m_edges[e].target]; }
+
+  double length(Index e) const
+  {
+    return std::hypot(target(e).x() - source(e).x(), target(e).y() - source(e).y());
+  }
+
+  /// from the source to the target
+  Direction direction(Index e) const
+  {
+    const Point &a = source(e), &b = target(e);
+    const double l = length(e);
+    return {(b.x() - a.x()) / l, (b.y() - a.y()) / l};
+  }
+
+  /// the point that divides the edge at `s` in [0,1]; always from the nearer end, so that a reversed
+  /// edge gives the same points
+  Point point_on_edge(Index e, double s) const
+  {
+    const Point& a = source(e);
+    const Point& b = target(e);
+    const double dx = b.x() - a.x(), dy = b.y() - a.y();
+    return s <= 0.5 ? Point(a.x() + s * dx, a.y() + s * dy)
+                    : Point(b.x() - (1 - s) * dx, b.y() - (1 - s) * dy);
+  }
+
+  /// walks from `p` in `triangle` towards `q` and stops at edges of the domain
+  Walk_end walk(Index triangle, const Point& p, const Point& q) const
+  {
+    return walk_straight(m_marked.tr, triangle, p, q, is_wall());
+  }
+
+  /// the triangle of `q` if it can be seen from `p` on the edge `e` through the domain, else `no_index`
+  Index walk_from_edge(Index e, const Point& p, const Point& q) const
+  {
+    const Orientation turn = CGAL::orientation(source(e), target(e), q);
+    if (turn == COLLINEAR || !(turn == LEFT_TURN ? m_edges[e].inside_left : m_edges[e].inside_right))
+      return no_index;
+    const Side& side = turn == LEFT_TURN ? m_left[e] : m_right[e];
+    const Walk_end end = walk_straight(m_marked.tr, side.triangle, p, q, is_wall(), side.index);
+    return end.is_blocked() ? no_index : end.triangle;
+  }
+
+  /// the triangle that contains `q`, in or out of the domain, searched from `hint`; `no_index` if `q`
+  /// lies outside of the convex hull
+  Index locate(const Point& q, Index hint) const { return internal::locate(m_marked.tr, hint, q); }
+
+  /// the triangle of the domain that contains `q`, or `no_index`; `hint` becomes where the search ended
+  Index locate_inside(const Point& q, Index& hint) const
+  {
+    const Index triangle = locate(q, hint);
+    if (triangle == no_index)
+      return no_index;
+    hint = triangle;
+    return is_inside(triangle) ? triangle : no_index;
+  }
+
+  /// The same; of two triangles on whose common side `q` lies the first, wherever the search began.
+  Index place_inside(const Point& q, Index& hint) const
+  {
+    const Index found = locate(q, hint);
+    if (found == no_index)
+      return no_index;
+    hint = found;
+    Index first = is_inside(found) ? found : no_index;
+    for (int i = 0; i < 3; ++i) {
+      const Index t = m_marked.tr.neighbors[found][i];
+      if (t != no_index && is_inside(t) && (first == no_index || t < first) &&
+          CGAL::orientation(m_marked.tr.point(found, ccw(i)), m_marked.tr.point(found, cw(i)), q) == COLLINEAR)
+        first = t;
+    }
+    return first;
+  }
+
+private:
+  struct Side
+  {
+    Index triangle = no_index;
+    int index = -1;
+  };
+
+  struct Is_wall
+  {
+    const Marked_triangulation_2& marked;
+
+    bool operator()(Index t, int i) const { return marked.edges[t][i] != no_index; }
+  };
+
+  Is_wall is_wall() const { return Is_wall{m_marked}; }
+
+  void find_sides()
+  {
+    m_left.assign(m_edges.size(), Side());
+    m_right.assign(m_edges.size(), Side());
+    for (std::size_t t = 0; t < m_marked.edges.size(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        const Index e = m_marked.edges[t][i];
+        if (e == no_index)
+          continue;
+        const bool is_left = m_marked.tr.vertices[t][ccw(i)] == m_edges[e].source;
+        (is_left ? m_left : m_right)[e] = Side{static_cast<Index>(t), i};
+      }
+  }
+
+  std::vector<Point> m_corners;
+  std::vector<Domain_edge_2> m_edges;
+  Marked_triangulation_2 m_marked;
+  std::vector<Side> m_left, m_right; // the triangles beside each edge
+  Bbox_2 m_bbox;
+};
+
+/// The longest of the domain's edges; of several that only rounding tells apart, the first.
+inline Index longest_edge(const Domain_2& domain)
+{
+  constexpr double rounding = 1e-9;
+  Index longest = 0;
+  for (std::size_t e = 1; e < domain.edges().size(); ++e)
+    if (domain.length(static_cast<Index>(e)) > (1 + rounding) * domain.length(longest))
+      longest = static_cast<Index>(e);
+  return longest;
+}
+
+/// The curve in whose order the bubbles of a domain are, one rank after the other. A single crystal grows from the
+/// longest edge row by row, so the halves of the curve lie side by side there, and ranks have parts of the same row.
+inline Hilbert_curve_2 hilbert_curve(const Domain_2& domain)
+{
+  const Index e = longest_edge(domain);
+  const Kernel::Vector_2 along = domain.target(e) - domain.source(e);
+  return Hilbert_curve_2(domain.bbox(), std::abs(along.y()) > std::abs(along.x()));
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_2_H

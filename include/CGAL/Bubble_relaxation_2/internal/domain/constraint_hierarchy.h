@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_CONSTRAINT_HIERARCHY_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_CONSTRAINT_HIERARCHY_H
+
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/tags.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// whether a triangulation is a `Constrained_triangulation_plus_2`, which knows its constraints whole
+template <class Cdt, class = void>
+struct Has_constraint_hierarchy : std::false_type {};
+
+template <class Cdt>
+struct Has_constraint_hierarchy<Cdt, std::void_t<typename Cdt::Constraint_hierarchy_tag>>
+  : std::is_same<typename Cdt::Constraint_hierarchy_tag, Tag_true> {};
+
+/// Which vertices may only split a constraint. A plain triangulation cannot tell: all that look so.
+template <class Cdt, bool = Has_constraint_hierarchy<Cdt>::value>
+class Splitting_vertices
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+
+public:
+  explicit Splitting_vertices(const Cdt&) {}
+
+  bool operator()(Vertex_handle, Vertex_handle, Vertex_handle) const { return true; }
+};
+
+/// With a hierarchy: the vertices that were not given as points of a constraint, on pieces that belong
+/// to one constraint only.
+template <class Cdt>
+class Splitting_vertices<Cdt, true>
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+
+public:
+  explicit Splitting_vertices(const Cdt& cdt) : m_cdt(cdt), m_is_input(false)
+  {
+    for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+      const auto first = cdt.vertices_in_constraint_begin(*c);
+      const auto end = cdt.vertices_in_constraint_end(*c);
+      Vertex_handle last = *first;
+      for (auto v = first; v != end; ++v) {
+        last = *v;
+        if (v == first || v.input())
+          m_is_input[*v] = true;
+      }
+      m_is_input[last] = true;
+    }
+  }
+
+  bool operator()(Vertex_handle before, Vertex_handle v, Vertex_handle after) const
+  {
+    return !m_is_input[v] && m_cdt.number_of_enclosing_constraints(before, v) == 1 &&
+           m_cdt.number_of_enclosing_constraints(v, after) == 1;
+  }
+
+private:
+  const Cdt& m_cdt;
+  Unique_hash_map<Vertex_handle, bool> m_is_input;
+};
+
+/// Whether constraints know the hierarchy that they belong to (CGAL 6.1).
+template <class Constraint_id, class = void>
+struct Knows_its_hierarchy : std::false_type {};
+
+template <class Constraint_id>
+struct Knows_its_hierarchy<
+  Constraint_id,
+  std::void_t<decltype(std::declval<Constraint_id>().vl_with_info_pointer()->hierarchy_ptr)>>
+  : std::true_type
+{};
+
+/// The same constraint in a copy of a triangulation: the set of constraints has another order there, but
+/// the lists of contexts of a piece have the same. `copied` maps vertices to their copies.
+template <class Cdt, class Vertex_map>
+auto constraint_in_copy(const Cdt& cdt, const Cdt& copy, typename Cdt::Constraint_id id,
+                        const Vertex_map& copied)
+{
+  auto v = cdt.vertices_in_constraint_begin(id);
+  const auto first = *v, second = *++v;
+  auto in_copy = copy.contexts_begin(copied[first], copied[second]);
+  for (auto c = cdt.contexts_begin(first, second); !((*c).id() == id); ++c)
+    ++in_copy;
+  return (*in_copy).id();
+}
+
+/// Which vertices of a polyline were given by the user is not copied by CGAL 5.5.
+template <class Cdt>
+void copy_input_flags(const Cdt& cdt, Cdt& copy)
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  Unique_hash_map<Vertex_handle, Vertex_handle> copied;
+  auto w = copy.finite_vertices_begin();
+  for (Vertex_handle v : cdt.finite_vertex_handles())
+    copied[v] = w++; // a copy has the same order
+  for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+    auto to = copy.vertices_in_constraint_begin(constraint_in_copy(cdt, copy, *c, copied));
+    for (auto from = cdt.vertices_in_constraint_begin(*c); from != cdt.vertices_in_constraint_end(*c);
+         ++from, ++to)
+      to.input() = from.input();
+  }
+}
+
+/// Makes `copy`, which is empty, a copy of `cdt` that may be swapped with it.
+template <class Cdt>
+void copy_to_swap(Cdt& cdt, Cdt& copy)
+{
+  if constexpr (Has_constraint_hierarchy<Cdt>::value) {
+    // swap() takes along what orders the map of the constraints' pieces, and that refers to a
+    // triangulation: it must be the one that lives on
+    copy.hierarchy_ref() = std::decay_t<decltype(copy.hierarchy_ref())>(&cdt);
+    copy.copy_triangulation(cdt);
+    copy_input_flags(cdt, copy);
+  } else {
+    copy.copy_triangulation(cdt);
+  }
+}
+
+/// Gives `cdt` the content of its copy.
+template <class Cdt>
+void swap_with_copy(Cdt& cdt, Cdt& copy)
+{
+  cdt.swap(copy);
+  if constexpr (Has_constraint_hierarchy<Cdt>::value)
+    if constexpr (Knows_its_hierarchy<typename Cdt::Constraint_id>::value)
+      for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c)
+        (*c).vl_with_info_pointer()->hierarchy_ptr = &cdt.hierarchy_ref();
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_CONSTRAINT_HIERARCHY_H

@@ -1,0 +1,280 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A triangulation of a domain that is refined until sizes whose growth is limited are nearly linear in its
+/// triangles. In each turn all edges are cut for which this does not hold, and the triangulation is made
+/// anew: constrained Delaunay, so that its triangles stay as round as the domain allows.
+template <class Sizing>
+class Background_mesh_2
+{
+public:
+  /// \param points places inside the domain that become vertices, besides its corners
+  Background_mesh_2(const Domain_2& domain, const std::vector<Point>& points, const Sizing& sizing, double g,
+                    std::size_t maximum_number_of_vertices)
+    : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices),
+      m_extent((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
+                          domain.bbox().ymax() - domain.bbox().ymin())),
+      m_points(domain.corners()), m_pieces(domain.edges())
+  {
+    m_points.insert(m_points.end(), points.begin(), points.end());
+  }
+
+  /// Makes the mesh. False if there is not enough room among the vertices or the numbers.
+  bool build()
+  {
+    // what the domain itself lets be triangulated, its corners, was so before
+    while (triangulate()) {
+      m_given = given_sizes();
+      m_sizes = m_given;
+      Gradient_limiter_2(m_mesh.tr, m_mesh.inside, m_g).spread(m_sizes);
+      std::vector<Cut> cuts = find_cuts();
+      const std::size_t room = m_maximum > m_points.size() ? m_maximum - m_points.size() : 0;
+      if (cuts.empty() || room == 0)
+        return cuts.empty();
+      if (cuts.size() > room)
+        cuts.resize(room); // the worst ones come first
+      make(cuts);
+    }
+    return false;
+  }
+
+  Marked_triangulation_2& mesh() { return m_mesh; }
+
+  /// at the vertices, limited as far as `Gradient_limiter_2::spread()` does
+  std::vector<double>& sizes() { return m_sizes; }
+
+private:
+  /// How far the linear interpolation may be from the limited size, relative to it; the longest edges inside
+  /// and on constraints, relative to the extent of the domain; the length of edges, relative to the size, that
+  /// are fine enough, and that where d or the field is too steep; the gradients, relative to the limit, of
+  /// triangles that are too coarse and of the sides of dips; and how much longer another side of a triangle is
+  /// that is cut first.
+  static constexpr double tolerance = 0.05, longest = 1. / 32, longest_on_constraints = 1. / 128,
+                          shortest = 1, shortest_where_steep = 0.25, steepest = 1.1, steep_in_dips = 2,
+                          much_longer = 1.3;
+
+  /// A point that is to be inserted, on a piece of a constraint or inside.
+  struct Cut
+  {
+    double error;
+    Point point;
+    Index piece;
+
+    bool operator<(const Cut& c) const
+    {
+      return std::make_tuple(-error, point, piece) < std::make_tuple(-c.error, c.point, c.piece);
+    }
+  };
+
+  bool triangulate()
+  {
+    Marked_triangulation_2 mesh;
+    if (mark_triangulation(m_points, m_pieces, mesh) != Marking_error::NONE) {
+      m_points.resize(m_sizes.size()); // the last cuts are too fine for the numbers
+      return false;
+    }
+    m_mesh = std::move(mesh);
+    return true;
+  }
+
+  /// d at the vertices, not limited
+  std::vector<double> given_sizes()
+  {
+    std::vector<double> sizes(m_points.size(), 0);
+    for (std::size_t t = 0; t < m_mesh.tr.number_of_triangles(); ++t)
+      for (Index v : m_mesh.tr.vertices[t])
+        if (m_mesh.inside[t] && sizes[v] == 0)
+          sizes[v] = size(m_points[v]);
+    return sizes;
+  }
+
+  /// d, which is asked once in each place
+  double size(const Point& p)
+  {
+    const auto found = m_known.find(p);
+    if (found != m_known.end())
+      return found->second;
+    return m_known[p] = m_sizing(p);
+  }
+
+  std::vector<Cut> find_cuts()
+  {
+    std::vector<Cut> cuts;
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Gradient_limiter_2 limiter(tr, m_mesh.inside, m_g);
+    for (std::size_t k = 0; k < tr.number_of_triangles(); ++k) {
+      const Index t = static_cast<Index>(k);
+      if (!m_mesh.inside[t])
+        continue;
+      for (int i = 0; i < 3; ++i) {
+        const Index n = tr.neighbors[t][i];
+        if (n == no_index || !m_mesh.inside[n] || n > t) // else seen from the other side
+          add_edge(t, i, edge_error(t, i), cuts);
+      }
+      add_triangle(t, limiter.gradient(t, m_sizes), cuts);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    std::set<Point> seen;
+    cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
+                              [&](const Cut& c) { return !seen.insert(c.point).second; }),
+               cuts.end());
+    return cuts;
+  }
+
+  double length(Index t, int i) const
+  {
+    return std::sqrt(CGAL::squared_distance(m_mesh.tr.point(t, ccw(i)), m_mesh.tr.point(t, cw(i))));
+  }
+
+  double value(Index t, int i) const { return m_sizes[m_mesh.tr.vertices[t][i]]; }
+
+  /// how far the middle of a side is from linear, relative to the tolerance; infinite for a side that is too
+  /// long to know anything
+  double edge_error(Index t, int i)
+  {
+    const double l = length(t, i), a = value(t, ccw(i)), b = value(t, cw(i));
+    const bool is_constrained = m_mesh.edges[t][i] != no_index;
+    if (l > m_extent * (is_constrained ? longest_on_constraints : longest))
+      return std::numeric_limits<double>::infinity();
+    if (l > shortest_where_steep * (std::min)(a, b) && leads_into_dip(t, i, l))
+      return 1 / tolerance;
+    if (l <= shortest * (std::min)(a, b))
+      return 0;
+    const Point m = CGAL::midpoint(m_mesh.tr.point(t, ccw(i)), m_mesh.tr.point(t, cw(i)));
+    double limited = (std::min)(size(m), limit_across(t, i, m));
+    const Index n = m_mesh.tr.neighbors[t][i];
+    if (n != no_index && m_mesh.inside[n])
+      limited = (std::min)(limited, limit_across(n, m_mesh.tr.index_of_neighbor(n, t), m));
+    return std::abs(limited / (a + (b - a) / 2) - 1) / tolerance;
+  }
+
+  /// Whether the end of a side where d is smaller is the source of its own size although d is steep there: a
+  /// narrow dip, whose bottom may lie somewhere beside.
+  bool leads_into_dip(Index t, int i, double l) const
+  {
+    Index low = m_mesh.tr.vertices[t][ccw(i)], high = m_mesh.tr.vertices[t][cw(i)];
+    if (m_given[high] < m_given[low])
+      std::swap(low, high);
+    return m_sizes[low] == m_given[low] && m_given[high] - m_given[low] > steep_in_dips * m_g * l;
+  }
+
+  /// what fronts from the other two sides of a triangle bring to a point of the side `i`
+  double limit_across(Index t, int i, const Point& m) const
+  {
+    const Point& p = m_mesh.tr.point(t, i);
+    return (std::min)(
+      front_from_segment(p, value(t, i), m_mesh.tr.point(t, ccw(i)), value(t, ccw(i)), m, m_g),
+      front_from_segment(p, value(t, i), m_mesh.tr.point(t, cw(i)), value(t, cw(i)), m, m_g));
+  }
+
+  /// Cuts a side, or instead the much longer one that the triangles beside it lead to: else a triangle with a
+  /// long side that nobody asks to cut becomes flatter and flatter.
+  void add_edge(Index t, int i, double error, std::vector<Cut>& cuts) const
+  {
+    if (!(error > 1))
+      return;
+    for (double l = length(t, i), last = 0; l > last;) {
+      last = l;
+      l *= much_longer;
+      const Index n = m_mesh.tr.neighbors[t][i];
+      for (Index beside : {t, n})
+        for (int j = 0; j < 3 && beside != no_index && m_mesh.inside[beside]; ++j)
+          if (length(beside, j) > l) {
+            l = length(beside, j);
+            t = beside;
+            i = j;
+          }
+      if (l == last * much_longer)
+        break;
+    }
+    cuts.push_back(Cut{error, CGAL::midpoint(m_mesh.tr.point(t, ccw(i)), m_mesh.tr.point(t, cw(i))),
+                       m_mesh.edges[t][i]});
+  }
+
+  /// A triangle is cut where d is smaller in its middle than its corners tell, and its longest side where it
+  /// is too flat for the gradient.
+  void add_triangle(Index t, double gradient, std::vector<Cut>& cuts)
+  {
+    const double least = (std::min)({value(t, 0), value(t, 1), value(t, 2)});
+    const double l[3] = {length(t, 0), length(t, 1), length(t, 2)};
+    const int i = static_cast<int>(std::max_element(l, l + 3) - l);
+    if (gradient > steepest * m_g && l[i] > shortest_where_steep * least)
+      add_edge(t, i, 1 + gradient / m_g, cuts);
+    if (l[i] <= shortest * least)
+      return;
+    const Point c = CGAL::centroid(m_mesh.tr.point(t, 0), m_mesh.tr.point(t, 1), m_mesh.tr.point(t, 2));
+    const double error = (1 - size(c) / ((value(t, 0) + value(t, 1) + value(t, 2)) / 3)) / tolerance;
+    if (error > 1)
+      cuts.push_back(Cut{error, c, no_index});
+  }
+
+  void make(const std::vector<Cut>& cuts)
+  {
+    for (const Cut& c : cuts) {
+      const Index v = static_cast<Index>(m_points.size());
+      m_points.push_back(c.point);
+      if (c.piece == no_index)
+        continue;
+      Domain_edge_2 rest = m_pieces[c.piece];
+      m_pieces[c.piece].target = v;
+      rest.source = v;
+      m_pieces.push_back(rest);
+    }
+  }
+
+  struct Hash
+  {
+    std::size_t operator()(const Point& p) const
+    {
+      const double x = p.x() + 0., y = p.y() + 0.; // -0 and 0 are equal
+      std::uint64_t a, b;
+      std::memcpy(&a, &x, sizeof a);
+      std::memcpy(&b, &y, sizeof b);
+      const std::uint64_t mixed = (a * 0x9e3779b97f4a7c15u) ^ (b * 0xc2b2ae3d27d4eb4fu);
+      return static_cast<std::size_t>(mixed ^ (mixed >> 29));
+    }
+  };
+
+  const Sizing& m_sizing;
+  double m_g;
+  std::size_t m_maximum;
+  double m_extent;
+  std::vector<Point> m_points;
+  std::vector<Domain_edge_2> m_pieces; // of constraints, between points
+  Marked_triangulation_2 m_mesh;
+  std::vector<double> m_given, m_sizes; // d at points, and limited
+  std::unordered_map<Point, double, Hash> m_known;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H

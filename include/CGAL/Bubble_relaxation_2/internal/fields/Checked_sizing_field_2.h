@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_CHECKED_SIZING_FIELD_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_CHECKED_SIZING_FIELD_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The user's d(x, y) as the simulation calls it: in doubles, and with a clear exception where the
+/// value is no length. Instead of a function the user may give a number, of any type that becomes one of
+/// the kernel's.
+template <class User_point, class Sizing_function>
+class Checked_sizing_field_2
+{
+  using Kernel_number = typename Kernel_traits<User_point>::Kernel::FT;
+  static constexpr bool is_function =
+    std::is_invocable<const Sizing_function&, const User_point&>::value;
+  static_assert(is_function || std::is_convertible<const Sizing_function&, Kernel_number>::value,
+                "sizing_function must be callable, as a constant, with a point, or be a number");
+
+public:
+  explicit Checked_sizing_field_2(const Sizing_function& f) : m_f(f)
+  {
+    if constexpr (!is_function) // once: lazy numbers are not for several threads
+      m_number = CGAL::to_double(static_cast<Kernel_number>(f));
+  }
+
+  double operator()(double x, double y) const
+  {
+    const double d = value(x, y);
+    if (!(d > 0) || !std::isfinite(d))
+      throw_invalid(x, y, d);
+    return d;
+  }
+
+  /// for the points of the simulation, and for the user's
+  template <class Point_2>
+  double operator()(const Point_2& p) const
+  {
+    return (*this)(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  }
+
+private:
+  double value([[maybe_unused]] double x, [[maybe_unused]] double y) const
+  {
+    if constexpr (is_function)
+      return CGAL::to_double(m_f(User_point(x, y)));
+    else
+      return m_number;
+  }
+
+  [[noreturn]] static void throw_invalid(double x, double y, double d)
+  {
+    throw std::invalid_argument("Bubble_relaxation_2: parameter sizing_function: d" + in_words(x, y) + " = " +
+                                in_words(d) + " must be positive and finite");
+  }
+
+  const Sizing_function& m_f;
+  double m_number = 0; // if the user gave one
+};
+
+/// `f`, which stays where it is: a function object, a function, or a number
+template <class User_point, class Sizing_function>
+Checked_sizing_field_2<User_point, Sizing_function> checked_sizing_field(const Sizing_function& f)
+{
+  return Checked_sizing_field_2<User_point, Sizing_function>(f);
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_CHECKED_SIZING_FIELD_2_H

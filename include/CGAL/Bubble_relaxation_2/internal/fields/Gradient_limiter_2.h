@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_GRADIENT_LIMITER_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_GRADIENT_LIMITER_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The least value at `q` that a value which grows by `g` per unit of length brings there from the segment
+/// between `a` and `b`, between which it is linear: the front of a plane wave.
+inline double front_from_segment(const Point& a, double value_a, const Point& b, double value_b,
+                                 const Point& q, double g)
+{
+  const double dx = b.x() - a.x(), dy = b.y() - a.y(), length = std::sqrt(dx * dx + dy * dy);
+  const double px = q.x() - a.x(), py = q.y() - a.y();
+  const double slope = (value_b - value_a) / length;
+  double along = 0; // from a, where the ray to q starts
+  if (slope < 0)
+    along = length;
+  if (std::abs(slope) < g) {
+    const double foot = (px * dx + py * dy) / length, height = std::abs(px * dy - py * dx) / length;
+    along = foot - height * slope / std::sqrt(g * g - slope * slope);
+    along = (std::max)(0., (std::min)(length, along));
+  }
+  const double s = along / length, rx = px - s * dx, ry = py - s * dy;
+  return (1 - s) * value_a + s * value_b + g * std::sqrt(rx * rx + ry * ry);
+}
+
+/// Lowers values at the vertices of a triangulation so that they grow by no more than `g` per unit of length
+/// along its domain: from the smallest value to larger ones, as Dijkstra's algorithm goes. A vertex that is
+/// lowered later, which obtuse triangles do to each other, is visited again.
+class Gradient_limiter_2
+{
+public:
+  Gradient_limiter_2(const Flat_triangulation_2& tr, const std::vector<char>& inside, double g)
+    : m_tr(tr), m_g(g), m_first(tr.points.size() + 1, 0)
+  {
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      for (int i = 0; i < 3 && inside[t]; ++i)
+        ++m_first[tr.vertices[t][i] + 1];
+    for (std::size_t v = 1; v < m_first.size(); ++v)
+      m_first[v] += m_first[v - 1];
+    m_triangles.resize(m_first.back());
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      for (int i = 0; i < 3 && inside[t]; ++i)
+        m_triangles[next[tr.vertices[t][i]]++] = static_cast<Index>(t);
+  }
+
+  /// The largest values, up to rounding, that fronts across triangles allow: near to
+  /// min over y of values(y) + g |x - y|, measured within the domain. Their linear interpolation may be
+  /// steeper than `g`, by 15 % beside a minimum in a vertex of equilateral triangles.
+  void spread(std::vector<double>& values)
+  {
+    sweep(values, [this](Index t, std::vector<double>& h) {
+      std::array<double, 3> limits;
+      for (int i = 0; i < 3; ++i) {
+        const Index a = m_tr.vertices[t][ccw(i)], b = m_tr.vertices[t][cw(i)];
+        limits[i] = front_from_segment(m_tr.points[a], h[a], m_tr.points[b], h[b], m_tr.point(t, i), m_g);
+      }
+      return limits;
+    });
+  }
+
+  /// Lowers values until their linear interpolation is no steeper than `g` in any triangle.
+  void clip(std::vector<double>& values)
+  {
+    sweep(values, [this](Index t, std::vector<double>& h) { return clipped(t, h); });
+  }
+
+  /// the length of the gradient of the linear interpolation in a triangle
+  double gradient(Index t, const std::vector<double>& h) const
+  {
+    const auto& v = m_tr.vertices[t];
+    return gradient(Shape(m_tr, t, 0, 1, 2), h[v[1]] - h[v[0]], h[v[2]] - h[v[0]]);
+  }
+
+private:
+  /// Without a least change lowering could go on for ever in ever smaller steps.
+  static constexpr double least_change = 1e-10, tolerance = 1e-7;
+
+  /// a triangle seen from one of its vertices: two sides, squared, their product and twice the area
+  struct Shape
+  {
+    Shape(const Flat_triangulation_2& tr, Index t, int o, int a, int b)
+    {
+      const Point &p = tr.point(t, o), &q = tr.point(t, a), &r = tr.point(t, b);
+      const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = r.x() - p.x(), vy = r.y() - p.y();
+      aa = ux * ux + uy * uy;
+      bb = vx * vx + vy * vy;
+      ab = ux * vx + uy * vy;
+      area = std::abs(ux * vy - uy * vx);
+    }
+
+    double aa, bb, ab, area;
+  };
+
+  static double gradient(const Shape& s, double a, double b)
+  {
+    const double squared = a * a * s.bb - 2 * a * b * s.ab + b * b * s.aa;
+    return squared > 0 ? std::sqrt(squared) / s.area : 0;
+  }
+
+  /// The values of a triangle, lowered so that its gradient is no more than g. The smallest one stays.
+  std::array<double, 3> clipped(Index t, const std::vector<double>& h) const
+  {
+    std::array<double, 3> limits;
+    std::array<int, 3> order{0, 1, 2}; // from the smallest to the largest
+    for (int i = 0; i < 3; ++i)
+      limits[i] = h[m_tr.vertices[t][i]];
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+      return limits[i] < limits[j] || (limits[i] == limits[j] && m_tr.vertices[t][i] < m_tr.vertices[t][j]);
+    });
+    const Shape s(m_tr, t, order[0], order[1], order[2]);
+    const double base = limits[order[0]];
+    double a = limits[order[1]] - base, b = limits[order[2]] - base;
+    if (!(gradient(s, a, b) > m_g * (1 + tolerance)))
+      return limits;
+    a = (std::min)(a, m_g * std::sqrt(s.aa));
+    b = (std::min)(b, m_g * std::sqrt(s.bb));
+    if (gradient(s, a, b) > m_g)
+      lower(s, a, b);
+    limits[order[1]] = base + a;
+    limits[order[2]] = base + b;
+    return limits;
+  }
+
+  /// Lowers the values `a` and `b` over that of the third vertex until the gradient is g.
+  void lower(const Shape& s, double& a, double& b) const
+  {
+    if (a > b) // after both were cut to the lengths of their sides
+      return lower(mirrored(s), b, a);
+    if (b * s.aa <= a * s.ab) { // the larger one is too small for the other
+      a = largest(s.bb, s.ab, s.area, b);
+      return;
+    }
+    b = largest(s.aa, s.ab, s.area, a);
+    if (b < a) // the larger one may not fall below the other: both are as high as one
+      a = b = m_g * s.area / std::sqrt(s.aa + s.bb - 2 * s.ab);
+  }
+
+  static Shape mirrored(Shape s)
+  {
+    std::swap(s.aa, s.bb);
+    return s;
+  }
+
+  /// the largest value of one vertex for that of the other, for which the gradient is g
+  double largest(double squared_side, double product, double area, double other) const
+  {
+    return (other * product + area * std::sqrt((std::max)(0., m_g * m_g * squared_side - other * other))) /
+           squared_side;
+  }
+
+  template <class Limits>
+  void sweep(std::vector<double>& values, const Limits& limits)
+  {
+    using Visit = std::pair<double, Index>;
+    std::vector<Visit> all;
+    for (std::size_t v = 0; v < values.size(); ++v)
+      if (m_first[v] != m_first[v + 1])
+        all.emplace_back(values[v], static_cast<Index>(v));
+    std::priority_queue<Visit, std::vector<Visit>, std::greater<Visit>> queue(std::greater<Visit>(),
+                                                                              std::move(all));
+    while (!queue.empty()) {
+      const Visit visit = queue.top();
+      queue.pop();
+      if (visit.first != values[visit.second])
+        continue; // was lowered, and is in the queue again
+      for (std::size_t k = m_first[visit.second]; k < m_first[visit.second + 1]; ++k) {
+        const std::array<double, 3> limit = limits(m_triangles[k], values);
+        for (int i = 0; i < 3; ++i) {
+          const Index v = m_tr.vertices[m_triangles[k]][i];
+          if (limit[i] < values[v] * (1 - least_change)) {
+            values[v] = limit[i];
+            queue.emplace(limit[i], v);
+          }
+        }
+      }
+    }
+  }
+
+  const Flat_triangulation_2& m_tr;
+  double m_g;
+  std::vector<std::size_t> m_first; // of each vertex in `m_triangles`
+  std::vector<Index> m_triangles;   // of the domain around each vertex
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_GRADIENT_LIMITER_2_H

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_INTERPOLATED_FIELD_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_INTERPOLATED_FIELD_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Values at the vertices of a triangulation, linear in the triangles of its domain. Outside it is the value
+/// in the nearest point of the domain, and beyond the convex hull that in the nearest point of the hull.
+/// On an edge only the edge's ends count, so that both its triangles give the same bits. Queries change
+/// nothing.
+class Interpolated_field_2
+{
+public:
+  /// \param inside per triangle whether it belongs to the domain; some do
+  Interpolated_field_2(Flat_triangulation_2 tr, std::vector<char> inside, std::vector<double> values)
+    : m_tr(std::move(tr)), m_inside(std::move(inside)), m_values(std::move(values)), m_quadtree(m_tr)
+  {}
+
+  double operator()(double x, double y) const
+  {
+    if (!std::isfinite(x) || !std::isfinite(y))
+      return std::numeric_limits<double>::quiet_NaN();
+    const Point q(x, y);
+    const Walk_end end = locate_or_exit(m_tr, m_quadtree.start(x, y), q);
+    if (end.is_blocked())
+      return value_beyond_hull(end, q);
+    return m_inside[end.triangle] ? interpolate(end.triangle, q) : value_outside(end.triangle, q);
+  }
+
+  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
+
+  const Flat_triangulation_2& triangulation() const { return m_tr; }
+  const std::vector<char>& inside() const { return m_inside; }
+  const std::vector<double>& values() const { return m_values; }
+
+private:
+  double value(Index t, int i) const { return m_values[m_tr.vertices[t][i]]; }
+
+  double interpolate(Index t, const Point& q) const
+  {
+    double sum = 0, weights = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Point &a = m_tr.point(t, ccw(i)), &b = m_tr.point(t, cw(i));
+      if (CGAL::orientation(a, b, q) == COLLINEAR)
+        return on_side(t, i, q).value; // both triangles of the side must give the same bits
+      const double weight =
+        std::abs((b.x() - a.x()) * (q.y() - a.y()) - (b.y() - a.y()) * (q.x() - a.x()));
+      sum += weight * value(t, i);
+      weights += weight;
+    }
+    // in a triangle as thin as the rounding of its points all weights may be zero
+    return weights > 0 ? sum / weights : on_side(t, opposite_to_longest_side(t), q).value;
+  }
+
+  int opposite_to_longest_side(Index t) const
+  {
+    const auto squared = [&](int i) {
+      return CGAL::squared_distance(m_tr.point(t, ccw(i)), m_tr.point(t, cw(i)));
+    };
+    return squared(0) >= squared(1) && squared(0) >= squared(2) ? 0 : squared(1) >= squared(2) ? 1 : 2;
+  }
+
+  struct Nearest
+  {
+    Point point;
+    double distance, value;
+  };
+
+  /// the point of the side opposite to vertex `i` that is the nearest to `q`
+  Nearest on_side(Index t, int i, const Point& q) const
+  {
+    int from = ccw(i), to = cw(i);
+    if (m_tr.vertices[t][to] < m_tr.vertices[t][from])
+      std::swap(from, to);
+    const Point &a = m_tr.point(t, from), &b = m_tr.point(t, to);
+    const double dx = b.x() - a.x(), dy = b.y() - a.y();
+    const double along = ((q.x() - a.x()) * dx + (q.y() - a.y()) * dy) / (dx * dx + dy * dy);
+    const double s = (std::max)(0., (std::min)(1., along));
+    return Nearest{Point(a.x() + s * dx, a.y() + s * dy),
+                   std::hypot(q.x() - a.x() - s * dx, q.y() - a.y() - s * dy),
+                   (1 - s) * value(t, from) + s * value(t, to)};
+  }
+
+  /// The side of the hull that follows, counterclockwise or clockwise.
+  Walk_end next_on_hull(Walk_end side, bool is_ccw) const
+  {
+    const auto turn = [&](int i) { return is_ccw ? ccw(i) : cw(i); };
+    side.edge = turn(side.edge);
+    while (m_tr.neighbors[side.triangle][side.edge] != no_index) {
+      const Index next = m_tr.neighbors[side.triangle][side.edge];
+      side = Walk_end{next, turn(m_tr.index_of_neighbor(next, side.triangle))};
+    }
+    return side;
+  }
+
+  /// Descends over the sides of the hull that `q` lies beyond, of which `side` is one, to the nearest: among
+  /// these there is only one minimum.
+  double value_beyond_hull(Walk_end side, const Point& q) const
+  {
+    Nearest best = on_side(side.triangle, side.edge, q);
+    for (bool is_ccw : {true, false})
+      for (;;) {
+        const Walk_end next = next_on_hull(side, is_ccw);
+        if (!m_tr.is_beyond(next.triangle, next.edge, q))
+          break;
+        const Nearest n = on_side(next.triangle, next.edge, q);
+        if (!(n.distance < best.distance))
+          break;
+        side = next;
+        best = n;
+      }
+    return m_inside[side.triangle] ? best.value : value_outside(side.triangle, best.point);
+  }
+
+  /// The value in the point of the domain's boundary that is the nearest to `q` in the triangle `start`
+  /// outside. The segment to that point crosses triangles outside only, so the search goes from neighbour to
+  /// neighbour over sides that are nearer than what it has found. Most queries outside are so by a rounding
+  /// and end in the first triangle.
+  double value_outside(Index start, const Point& q) const
+  {
+    std::vector<Index> queue(1, start);
+    std::unordered_set<Index> seen(queue.begin(), queue.end());
+    Nearest best{q, std::numeric_limits<double>::infinity(), 0};
+    for (std::size_t k = 0; k < queue.size(); ++k)
+      for (int i = 0; i < 3; ++i) {
+        const Index t = queue[k], next = m_tr.neighbors[t][i];
+        if (next == no_index)
+          continue;
+        const Nearest n = on_side(t, i, q);
+        if (n.distance > best.distance)
+          continue;
+        if (!m_inside[next]) {
+          if (seen.insert(next).second)
+            queue.push_back(next);
+        } else if (n.distance < best.distance || n.value < best.value)
+          best = n;
+      }
+    return best.value;
+  }
+
+  Flat_triangulation_2 m_tr;
+  std::vector<char> m_inside;
+  std::vector<double> m_values;
+  Triangle_quadtree_2 m_quadtree;
+};
+
+struct Edge_length
+{
+  std::array<Index, 2> ends;
+  double length;
+};
+
+/// At each vertex the mean length of its edges in the domain. `edges`: both ends and the length of each.
+inline std::vector<double> mean_edge_lengths(std::size_t number_of_vertices,
+                                             std::vector<Edge_length> edges)
+{
+  // in the order of lengths, so that sums are rounded the same way whatever the order of the faces is
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge_length& e, const Edge_length& f) { return e.length < f.length; });
+  std::vector<double> sum(number_of_vertices, 0), count(number_of_vertices, 0);
+  double all = 0;
+  for (const Edge_length& e : edges) {
+    for (Index v : e.ends) {
+      sum[v] += e.length;
+      ++count[v];
+    }
+    all += e.length;
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    sum[v] = count[v] > 0 ? sum[v] / count[v] : all / static_cast<double>(edges.size());
+  return sum;
+}
+
+/// The size that a mesh has: at each vertex the mean length of its edges in the domain.
+template <class Cdt, class Is_inside>
+Interpolated_field_2 mean_edge_length_field(const Cdt& cdt, const Is_inside& is_inside)
+{
+  auto flat = flatten_triangulation(cdt);
+  const Flat_triangulation_2& tr = flat.tr;
+  std::vector<char> inside;
+  for (auto f : flat.faces)
+    inside.push_back(is_inside(f) ? 1 : 0);
+  std::vector<Edge_length> edges;
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (int i = 0; i < 3 && inside[t]; ++i) {
+      const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)], n = tr.neighbors[t][i];
+      if (a < b || n == no_index || !inside[n]) // else it is added from the other side
+        edges.push_back({{a, b}, std::sqrt(CGAL::squared_distance(tr.points[a], tr.points[b]))});
+    }
+  std::vector<double> sizes = mean_edge_lengths(tr.points.size(), std::move(edges));
+  return Interpolated_field_2(std::move(flat.tr), std::move(inside), std::move(sizes));
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_INTERPOLATED_FIELD_2_H

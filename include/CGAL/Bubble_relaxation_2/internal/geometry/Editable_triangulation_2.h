@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EDITABLE_TRIANGULATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EDITABLE_TRIANGULATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What bubbles and triangles of a mesh were before they were changed, so that all changes can be undone. In a mesh that
+/// is good almost everywhere few are changed, and this takes far less than a copy.
+class Treatment_log_2
+{
+public:
+  /// where a bubble was, for `note()`
+  struct Vertex
+  {
+    Index bubble, place;
+    double x, y, s;
+  };
+
+  /// where a bubble is
+  static Vertex vertex(const Bubbles_2& b, Index v) { return Vertex{v, b.place[v], b.x[v], b.y[v], b.s[v]}; }
+
+  /// a bubble was moved, or is going to be
+  void note(const Vertex& before) { m_vertices.push_back(before); }
+
+  /// a triangle, or what it knows of its neighbours, is going to be changed
+  void note(const Marked_triangulation_2& mesh, Index t)
+  {
+    m_triangles.push_back(
+      Triangle{t, mesh.inside[t] != 0, mesh.tr.vertices[t], mesh.tr.neighbors[t], mesh.edges[t]});
+  }
+
+  /// makes all what it was when the log was empty, and empties it
+  void undo(Marked_triangulation_2& mesh, Bubbles_2& b)
+  {
+    for (auto v = m_vertices.rbegin(); v != m_vertices.rend(); ++v) {
+      b.place[v->bubble] = v->place;
+      b.x[v->bubble] = v->x;
+      b.y[v->bubble] = v->y;
+      b.s[v->bubble] = v->s;
+      mesh.tr.points[v->bubble] = b.point(v->bubble);
+    }
+    for (auto t = m_triangles.rbegin(); t != m_triangles.rend(); ++t) {
+      mesh.inside[t->triangle] = t->is_inside;
+      mesh.tr.vertices[t->triangle] = t->vertices;
+      mesh.tr.neighbors[t->triangle] = t->neighbors;
+      mesh.edges[t->triangle] = t->edges;
+    }
+    m_vertices.clear();
+    m_triangles.clear();
+  }
+
+private:
+  struct Triangle
+  {
+    Index triangle;
+    bool is_inside;
+    std::array<Index, 3> vertices, neighbors, edges;
+  };
+
+  std::vector<Vertex> m_vertices;
+  std::vector<Triangle> m_triangles;
+};
+
+/// A vertex in one of its triangles.
+struct Corner_2
+{
+  Index triangle;
+  int index; // of the vertex in the triangle
+};
+
+using Star_2 = boost::container::small_vector<Corner_2, 10>;
+
+/// A marked triangulation whose vertices move and whose edges are flipped, as far as it is inside of the domain.
+class Editable_triangulation_2
+{
+public:
+  /// `log`: told of all triangles that are changed; not of vertices that are moved
+  explicit Editable_triangulation_2(Marked_triangulation_2& mesh, Treatment_log_2* log = nullptr)
+    : m_mesh(mesh), m_log(log), m_triangle_of(mesh.tr.points.size(), no_index)
+  {
+    for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
+      for (Index v : mesh.tr.vertices[t])
+        if (mesh.inside[t] || m_triangle_of[v] == no_index)
+          m_triangle_of[v] = static_cast<Index>(t);
+  }
+
+  const Flat_triangulation_2& triangulation() const { return m_mesh.tr; }
+  bool is_inside(Index t) const { return m_mesh.inside[t] != 0; }
+
+  /// all triangles around a vertex, counterclockwise; on the convex hull from one end to the other
+  Star_2 star(Index v) const
+  {
+    Star_2 corners;
+    const Corner_2 start = corner(m_triangle_of[v], v);
+    Corner_2 c = start;
+    do { // clockwise to the hull or once around
+      const Index next = m_mesh.tr.neighbors[c.triangle][cw(c.index)];
+      if (next == no_index)
+        break;
+      c = corner(next, v);
+    } while (c.triangle != start.triangle);
+    const Index first = c.triangle;
+    do {
+      corners.push_back(c);
+      const Index next = m_mesh.tr.neighbors[c.triangle][ccw(c.index)];
+      if (next == no_index)
+        break;
+      c = corner(next, v);
+    } while (c.triangle != first);
+    return corners;
+  }
+
+  /// whether all triangles of the domain around a vertex stay counterclockwise when it moves to `p`
+  bool stays_valid(Index v, const Point& p) const
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    for (const Corner_2& c : star(v)) {
+      const Point &a = tr.point(c.triangle, ccw(c.index)), &b = tr.point(c.triangle, cw(c.index));
+      if (is_inside(c.triangle) && CGAL::orientation(p, a, b) != LEFT_TURN)
+        return false;
+    }
+    return true;
+  }
+
+  void move(Index v, const Point& p) { m_mesh.tr.points[v] = p; }
+
+  /// flips edges until the domain has a constrained Delaunay triangulation again, after some vertices were moved
+  /// so little that all its triangles are still counterclockwise; returns the number of flips
+  std::size_t restore_delaunay(const std::vector<Index>& moved)
+  {
+    std::size_t number_of_flips = 0;
+    for (Index v : moved) {
+      for (const Corner_2& c : star(v)) {
+        m_doubtful.push_back(c);
+        m_doubtful.push_back(Corner_2{c.triangle, ccw(c.index)});
+      }
+      number_of_flips += flip_doubtful();
+    }
+    return number_of_flips;
+  }
+
+  /// the same around one triangle with vertices that were moved
+  std::size_t restore_delaunay_around(Index t)
+  {
+    for (int i = 0; i < 3; ++i)
+      m_doubtful.push_back(Corner_2{t, i});
+    return flip_doubtful();
+  }
+
+  /// makes an end of the mesh beside a triangle, which is not in the domain any more
+  void cut_off(Index t)
+  {
+    note(t);
+    m_mesh.inside[t] = 0;
+    for (Index& n : m_mesh.tr.neighbors[t]) {
+      note(n);
+      replace_neighbor(std::exchange(n, no_index), t, no_index);
+    }
+  }
+
+  /// the triangles that were flipped since this was asked last, some of them several times
+  std::vector<Index> take_flipped() { return std::exchange(m_flipped, {}); }
+
+private:
+  std::size_t flip_doubtful()
+  {
+    std::size_t number_of_flips = 0;
+    while (!m_doubtful.empty()) {
+      const Corner_2 edge = m_doubtful.back();
+      m_doubtful.pop_back();
+      number_of_flips += flip_unless_delaunay(edge.triangle, edge.index);
+    }
+    return number_of_flips;
+  }
+
+  Corner_2 corner(Index t, Index v) const
+  {
+    const auto& vertices = m_mesh.tr.vertices[t];
+    return Corner_2{t, vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2};
+  }
+
+  bool flip_unless_delaunay(Index t, int i)
+  {
+    const Index n = m_mesh.tr.neighbors[t][i];
+    if (n == no_index || m_mesh.edges[t][i] != no_index || !is_inside(t))
+      return false;
+    const int j = m_mesh.tr.index_of_neighbor(n, t);
+    if (is_delaunay(t, i, n, j))
+      return false;
+    flip(t, i, n, j);
+    for (Index flipped : {t, n}) {
+      m_flipped.push_back(flipped);
+      for (int k = 0; k < 3; ++k)
+        m_doubtful.push_back(Corner_2{flipped, k});
+    }
+    return true;
+  }
+
+  /// Of four vertices on a circle the edge must not end at the last one in the order of coordinates, as if that
+  /// were a little outside. This is how CGAL's triangulations have it: the order of flips does not matter.
+  bool is_delaunay(Index t, int i, Index n, int j) const
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Point &a = tr.point(t, i), &b = tr.point(t, ccw(i)), &c = tr.point(t, cw(i)), &d = tr.point(n, j);
+    const Oriented_side side = CGAL::side_of_oriented_circle(a, b, c, d);
+    if (side != ON_ORIENTED_BOUNDARY)
+      return side == ON_NEGATIVE_SIDE;
+    const auto is_smaller = [](const Point& p, const Point& q) { return CGAL::lexicographically_xy_smaller(p, q); };
+    const Point& last = (std::max)(b, c, is_smaller);
+    return is_smaller(last, a) || is_smaller(last, d);
+  }
+
+  /// replaces the common edge of the triangles `t` = (a, b, c) and `n` = (d, c, b), opposite to their
+  /// vertices `i` (a) and `j` (d), by the edge between a and d
+  void flip(Index t, int i, Index n, int j)
+  {
+    auto &vt = m_mesh.tr.vertices[t], &vn = m_mesh.tr.vertices[n];
+    auto &nt = m_mesh.tr.neighbors[t], &nn = m_mesh.tr.neighbors[n];
+    auto &et = m_mesh.edges[t], &en = m_mesh.edges[n];
+    const Index a = vt[i], b = vt[ccw(i)], c = vt[cw(i)], d = vn[j];
+    const Index beyond_ab = nt[cw(i)], beyond_ca = nt[ccw(i)], beyond_bd = nn[ccw(j)], beyond_dc = nn[cw(j)];
+    for (Index changed : {t, n, beyond_ab, beyond_ca, beyond_bd, beyond_dc})
+      note(changed);
+    const Index edge_ab = et[cw(i)], edge_ca = et[ccw(i)], edge_bd = en[ccw(j)], edge_dc = en[cw(j)];
+    vt = {a, b, d};
+    nt = {beyond_bd, n, beyond_ab};
+    et = {edge_bd, no_index, edge_ab};
+    vn = {a, d, c};
+    nn = {beyond_dc, beyond_ca, t};
+    en = {edge_dc, edge_ca, no_index};
+    replace_neighbor(beyond_bd, n, t);
+    replace_neighbor(beyond_ca, t, n);
+    m_triangle_of[a] = m_triangle_of[b] = m_triangle_of[d] = t;
+    m_triangle_of[c] = n;
+  }
+
+  void note(Index t)
+  {
+    if (m_log && t != no_index)
+      m_log->note(m_mesh, t);
+  }
+
+  void replace_neighbor(Index t, Index old_neighbor, Index neighbor)
+  {
+    if (t != no_index)
+      m_mesh.tr.neighbors[t][m_mesh.tr.index_of_neighbor(t, old_neighbor)] = neighbor;
+  }
+
+  Marked_triangulation_2& m_mesh;
+  Treatment_log_2* m_log;
+  std::vector<Index> m_triangle_of; // one of each vertex
+  std::vector<Corner_2> m_doubtful; // edges, each opposite to a vertex of a triangle
+  std::vector<Index> m_flipped;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EDITABLE_TRIANGULATION_2_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLAT_TRIANGULATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLAT_TRIANGULATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A triangulation in arrays, for walks that many bubbles do at once: triangle `t` has the vertices
+/// `vertices[t]` in counterclockwise order, and across the edge opposite to its vertex `i` lies
+/// `neighbors[t][i]`, `no_index` beyond the convex hull.
+struct Flat_triangulation_2
+{
+  std::vector<Point> points;
+  std::vector<std::array<Index, 3>> vertices;
+  std::vector<std::array<Index, 3>> neighbors;
+
+  std::size_t number_of_triangles() const { return vertices.size(); }
+
+  const Point& point(Index t, int i) const { return points[vertices[t][i]]; }
+
+  /// whether `q` is strictly beyond the edge of `t` opposite to its vertex `i`; exact
+  bool is_beyond(Index t, int i, const Point& q) const
+  {
+    return CGAL::orientation(point(t, ccw(i)), point(t, cw(i)), q) == RIGHT_TURN;
+  }
+
+  int index_of_neighbor(Index t, Index neighbor) const
+  {
+    return neighbors[t][0] == neighbor ? 0 : neighbors[t][1] == neighbor ? 1 : 2;
+  }
+};
+
+/// Where a walk ended: in triangle `triangle`, which contains the target, if `edge` is -1;
+/// else at the edge opposite to vertex `edge` of `triangle`, which it may not cross.
+struct Walk_end
+{
+  Index triangle;
+  int edge;
+
+  bool is_blocked() const { return edge != -1; }
+};
+
+/// Walks along the segment from `p` to `q`, where `t` contains `p`, and stops at the first edge that
+/// `is_wall(triangle, edge index)` says is a wall, or at the hull. All turns are decided by exact
+/// orientations; a segment through a vertex passes it on one side. If `p` lies on a side of `t`, only up
+/// to rounding perhaps, `entry` is that side and `q` must lie on the inner side of it.
+template <class Is_wall>
+Walk_end walk_straight(const Flat_triangulation_2& tr, Index t, const Point& p, const Point& q,
+                       const Is_wall& is_wall, int entry = -1)
+{
+  for (;;) {
+    int exit = -1;
+    for (int i = 0; i < 3; ++i) {
+      if (i == entry || !tr.is_beyond(t, i, q))
+        continue;
+      if (exit == -1) {
+        exit = i;
+        continue;
+      }
+      // beyond two edges: the segment leaves on the side of their common vertex that it passes
+      const int common = 3 - exit - i;
+      exit = CGAL::orientation(p, q, tr.point(t, common)) == RIGHT_TURN ? cw(common) : ccw(common);
+      break;
+    }
+    if (exit == -1)
+      return Walk_end{t, -1};
+    const Index next = tr.neighbors[t][exit];
+    if (next == no_index || is_wall(t, exit))
+      return Walk_end{t, exit};
+    entry = tr.index_of_neighbor(next, t);
+    t = next;
+  }
+}
+
+/// The triangle that contains `q`, or the side of the convex hull that `q` lies beyond: a walk from `t`
+/// over edges that `q` lies beyond, in changing order, since a fixed order can go round in circles where
+/// the triangulation is not Delaunay.
+inline Walk_end locate_or_exit(const Flat_triangulation_2& tr, Index t, const Point& q)
+{
+  std::uint32_t order = 1;
+  int entry = -1;
+  for (;;) {
+    order = 1664525u * order + 1013904223u;
+    int exit = -1;
+    for (int k = 0; k < 3 && exit == -1; ++k) {
+      const int i = static_cast<int>(((order >> 16) + k) % 3);
+      if (i != entry && tr.is_beyond(t, i, q))
+        exit = i;
+    }
+    if (exit == -1 || tr.neighbors[t][exit] == no_index)
+      return Walk_end{t, exit};
+    const Index next = tr.neighbors[t][exit];
+    entry = tr.index_of_neighbor(next, t);
+    t = next;
+  }
+}
+
+/// The triangle that contains `q`, or `no_index` if `q` lies outside of the convex hull.
+inline Index locate(const Flat_triangulation_2& tr, Index t, const Point& q)
+{
+  const Walk_end end = locate_or_exit(tr, t, q);
+  return end.is_blocked() ? no_index : end.triangle;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLAT_TRIANGULATION_2_H

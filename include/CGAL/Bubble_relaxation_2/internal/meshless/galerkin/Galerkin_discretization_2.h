@@ -1,0 +1,335 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_DISCRETIZATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_DISCRETIZATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Boundary_segment_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Integration_domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/integration_cells.h>
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Influence_domain_2.h>
+#include <CGAL/Moving_least_squares_2.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The shape functions of all nodes that the points of one cell see, and their gradients: a row a point, a
+/// column a node. Such blocks are multiplied to the cell's part of the matrix.
+template <class Moving_least_squares>
+struct Shape_block_2
+{
+  using Point_2 = typename Moving_least_squares::Point_2;
+  using Shape_functions = typename Moving_least_squares::Shape_functions;
+
+  std::vector<double> x, y;      ///< of the points
+  Eigen::VectorXd weights;       ///< of integration, of each point
+  std::vector<Index> nodes;      ///< of each column, ascending
+  Eigen::MatrixXd phi, dx, dy;
+  std::size_t number_of_enlarged_points = 0;
+  double largest_enlargement = 1;
+
+  void clear()
+  {
+    x.clear();
+    y.clear();
+    m_weights.clear();
+  }
+
+  void add_point(double px, double py, double weight)
+  {
+    x.push_back(px);
+    y.push_back(py);
+    m_weights.push_back(weight);
+  }
+
+  std::size_t size() const { return x.size(); }
+  Point_2 point(std::size_t q) const { return Point_2(x[q], y[q]); }
+
+  /// evaluates the shape functions at the points
+  void evaluate(const Moving_least_squares& mls)
+  {
+    weights = Eigen::Map<const Eigen::VectorXd>(m_weights.data(), static_cast<Eigen::Index>(size()));
+    if (!m_query)
+      m_query.emplace(mls.influence());
+    m_shapes.resize((std::max)(m_shapes.size(), size()));
+    nodes.clear();
+    number_of_enlarged_points = 0;
+    largest_enlargement = 1;
+    for (std::size_t q = 0; q < size(); ++q) {
+      Shape_functions& s = m_shapes[q];
+      mls(point(q), 1, *m_query, s);
+      nodes.insert(nodes.end(), s.nodes.begin(), s.nodes.end());
+      if (s.enlargement > 1)
+        ++number_of_enlarged_points;
+      largest_enlargement = (std::max)(largest_enlargement, s.enlargement);
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (Eigen::MatrixXd* m : {&phi, &dx, &dy})
+      m->setZero(static_cast<Eigen::Index>(size()), static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t q = 0; q < size(); ++q)
+      spread(m_shapes[q], static_cast<Eigen::Index>(q));
+  }
+
+private:
+  void spread(const Shape_functions& s, Eigen::Index row)
+  {
+    auto column = nodes.begin();
+    for (std::size_t k = 0; k < s.nodes.size(); ++k) {
+      column = std::lower_bound(column, nodes.end(), s.nodes[k]);
+      const Eigen::Index c = column - nodes.begin();
+      phi(row, c) = s.values[k];
+      dx(row, c) = s.dx[k];
+      dy(row, c) = s.dy[k];
+    }
+  }
+
+  std::vector<double> m_weights;
+  std::vector<Shape_functions> m_shapes;
+  std::optional<typename Moving_least_squares::Query> m_query;
+};
+
+/// calls `f(i)` for all i in [0, n), perhaps by several threads
+using Parallel_loop = std::function<void(std::size_t n, const std::function<void(std::size_t)>& f)>;
+
+/// Computes `n` parts, many at once, and hands them on in their order, so that sums do not depend on the number
+/// of threads: calls `compute(i, part)`, then `take(parts, number)` for so many consecutive parts. Of several
+/// exceptions that of the first part is the one that is thrown. Stops when `go_on(number of parts that are done)`
+/// returns false, and returns that.
+template <class Part, class Compute, class Take, class Go_on>
+bool compute_in_order(const Parallel_loop& parallel, std::size_t n, const Compute& compute, const Take& take,
+                      const Go_on& go_on)
+{
+  constexpr std::size_t at_once = 512;
+  std::vector<Part> parts((std::min)(n, at_once));
+  std::vector<std::exception_ptr> errors(parts.size());
+  for (std::size_t first = 0; first < n; first += at_once) {
+    const std::size_t number = (std::min)(at_once, n - first);
+    parallel(number, [&](std::size_t k) {
+      try {
+        compute(first + k, parts[k]);
+      } catch (...) {
+        errors[k] = std::current_exception();
+      }
+    });
+    for (const std::exception_ptr& error : errors)
+      if (error)
+        std::rethrow_exception(error);
+    take(parts, number);
+    if (!go_on(first + number))
+      return false;
+  }
+  return true;
+}
+
+/// The nodes of the element-free Galerkin method in arrays.
+struct Galerkin_nodes_2
+{
+  std::vector<double> x, y;
+  std::vector<double> size;   ///< the distance between neighbours
+  std::vector<double> radius; ///< of the support
+
+  std::size_t number() const { return x.size(); }
+
+  /// \throws std::invalid_argument
+  template <class Node_set>
+  Galerkin_nodes_2(const Node_set& nodes, const Galerkin_options& o) : size(nodes.sizes)
+  {
+    if (nodes.points.empty())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter nodes has no node");
+    if (size.size() != nodes.points.size())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter nodes has " + std::to_string(size.size()) +
+                                  " sizes for " + std::to_string(nodes.points.size()) + " points");
+    for (std::size_t i = 0; i < size.size(); ++i) {
+      x.push_back(CGAL::to_double(nodes.points[i].x()));
+      y.push_back(CGAL::to_double(nodes.points[i].y()));
+      if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
+        throw std::invalid_argument("Bubble_relaxation_2: parameter nodes: node " + std::to_string(i) + " at " +
+                                    in_words(x[i], y[i]) + " has a coordinate that is not finite");
+      if (!(size[i] > 0) || !std::isfinite(size[i]))
+        throw std::invalid_argument("Bubble_relaxation_2: parameter nodes: the size " + in_words(size[i]) +
+                                    " of node " + std::to_string(i) + " must be positive and finite");
+      radius.push_back(o.support_radius > 0 ? o.support_radius : o.support_factor * size[i]);
+    }
+    check_places();
+  }
+
+  std::string place(std::size_t i) const { return "node " + std::to_string(i) + " at " + in_words(x[i], y[i]); }
+
+private:
+  /// two nodes in one place with the same radius have the same shape function, and no single solution
+  void check_places() const
+  {
+    std::vector<std::size_t> order(number());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto key = [this](std::size_t i) { return std::tie(x[i], y[i], radius[i]); };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+      return key(i) != key(j) ? key(i) < key(j) : i < j;
+    });
+    const auto twin = std::adjacent_find(order.begin(), order.end(),
+                                         [&](std::size_t i, std::size_t j) { return key(i) == key(j); });
+    if (twin != order.end())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter nodes: node " + std::to_string(*twin) + " and " +
+                                  place(*(twin + 1)) + " are in one place and have the same support");
+  }
+};
+
+/// What the element-free Galerkin method needs of a domain and its nodes, whatever the equation: shape functions
+/// and where integrals are summed. It does not change; solutions share it.
+template <class Kernel_>
+class Galerkin_discretization_2
+{
+public:
+  using Kernel = Kernel_;
+  using Moving_least_squares = Moving_least_squares_2<Kernel>;
+  using Block = Shape_block_2<Moving_least_squares>;
+
+  const Galerkin_options options;
+  const Galerkin_nodes_2 nodes;
+  const Integration_domain_2 domain;
+  const Influence_domain_2<Kernel> influence;
+  const Moving_least_squares mls;
+  std::vector<Background_cell_2> cells;
+  std::vector<Boundary_segment_2> segments;
+  const Cell_quadrature_2 cell_rule;
+  const Gauss_rule segment_rule;
+  Parallel_loop parallel;
+
+  template <class Cdt, class Node_set, class NamedParameters>
+  Galerkin_discretization_2(const Cdt& cdt, const Node_set& node_set, const NamedParameters& np)
+    : options(read_galerkin_options(np)), nodes(node_set, options), domain(cdt, np),
+      influence(node_set, nodes.radius, np), mls(influence, np), cell_rule(options.gauss_points),
+      segment_rule(gauss_rule(options.gauss_points)), parallel(make_parallel_loop<NamedParameters>())
+  {
+    make_cells();
+  }
+
+  Galerkin_discretization_2(const Galerkin_discretization_2&) = delete;
+  Galerkin_discretization_2& operator=(const Galerkin_discretization_2&) = delete;
+  /// the size of the nearest node
+  double size_at(const Point& p) const
+  {
+    return nodes.size[influence.nearest_node(typename Kernel::Point_2(p.x(), p.y()))];
+  }
+
+  const Boundary_edge_2& edge(const Boundary_segment_2& s) const { return domain.boundary[s.edge]; }
+
+  /// the points of a cell with the shape functions
+  void evaluate_cell(std::size_t k, Block& block) const
+  {
+    block.clear();
+    cell_rule.for_each_point(cells[k], [&](double x, double y, double w) { block.add_point(x, y, w); });
+    block.evaluate(mls);
+  }
+
+  void evaluate_segment(std::size_t k, Block& block) const
+  {
+    block.clear();
+    for_each_point(edge(segments[k]), segments[k], segment_rule,
+                   [&](double, double x, double y, double w) { block.add_point(x, y, w); });
+    block.evaluate(mls);
+  }
+
+  /// When nodes were found not to suffice at one point of integration: looks at all others too.
+  /// \throws Deficient_support_error_2 about all of them
+  void report_deficient_points() const
+  {
+    std::vector<typename Kernel::Point_2> points;
+    const auto add = [&](double x, double y) { points.emplace_back(x, y); };
+    for (const Background_cell_2& cell : cells)
+      cell_rule.for_each_point(cell, [&](double x, double y, double) { add(x, y); });
+    for (const Boundary_segment_2& s : segments)
+      for_each_point(edge(s), s, segment_rule, [&](double, double x, double y, double) { add(x, y); });
+    mls.evaluate(points, std::vector<double>(nodes.number(), 0.));
+  }
+
+  /// At each point of a block the size of the nodes around, which follows the shape functions.
+  Eigen::VectorXd sizes(const Block& block) const
+  {
+    Eigen::VectorXd of_columns(block.phi.cols());
+    for (Eigen::Index k = 0; k < of_columns.size(); ++k)
+      of_columns[k] = nodes.size[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(k)])];
+    const Eigen::MatrixXd weights = block.phi.cwiseAbs();
+    return (weights * of_columns).cwiseQuotient(weights.rowwise().sum());
+  }
+
+private:
+  void make_cells()
+  {
+    const std::size_t most = most_cells(nodes.number());
+    if (options.cells == Integration_cells::GRID) {
+      const std::size_t nx = options.nx > 0 ? options.nx : grid_cells(domain.bbox.x_span());
+      const std::size_t ny = options.ny > 0 ? options.ny : grid_cells(domain.bbox.y_span());
+      if (nx > most / ny)
+        throw_too_many_cells_of_grid(nx, ny, most);
+      const Grid_cells_2 grid(domain, nx, ny);
+      cells = grid.cells();
+      segments = cut_boundary(domain, grid);
+    } else {
+      const auto size_at = [this](const Point& p) { return this->size_at(p); };
+      cells = triangle_cells(domain, size_at, most);
+      segments = halved_boundary(domain, size_at, most);
+    }
+  }
+
+  [[noreturn]] void throw_too_many_cells_of_grid(std::size_t nx, std::size_t ny, std::size_t most) const
+  {
+    if (options.nx == 0)
+      throw_too_many_cells(most);
+    throw std::length_error("Bubble_relaxation_2: parameter grid_cells = " + std::to_string(nx) + " x " +
+                            std::to_string(ny) + " are more than " + std::to_string(most) +
+                            " cells, which are enough for " + std::to_string(nodes.number()) + " nodes");
+  }
+
+  /// the tag is known here only; a solver's type does not tell it
+  template <class NamedParameters>
+  static Parallel_loop make_parallel_loop()
+  {
+    return [](std::size_t n, const std::function<void(std::size_t)>& f) {
+      parallel_for<Concurrency<NamedParameters>>(n, f, 1);
+    };
+  }
+
+  std::size_t grid_cells(double span) const
+  {
+    double inverse = 0; // the mean of 1 / d
+    for (double d : nodes.size)
+      inverse += 1 / d / static_cast<double>(nodes.number());
+    return static_cast<std::size_t>((std::min)((std::max)(std::ceil(span * inverse), 1.), 100000.));
+  }
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_DISCRETIZATION_2_H

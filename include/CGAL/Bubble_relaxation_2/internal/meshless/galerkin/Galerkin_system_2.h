@@ -1,0 +1,395 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_SYSTEM_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_SYSTEM_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Consistent_gradients_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Multiplier_space_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_rows.h>
+
+#include <CGAL/Element_free_Galerkin_report_2.h>
+#include <CGAL/Poisson_problem_2.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+// Sums over the points of a block, in few types: every type of an expression of matrices takes long to compile.
+
+/// the matrix of sums over rows q of a(q, i) weights(q) b(q, j)
+inline Eigen::MatrixXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights,
+                                     const Eigen::MatrixXd& b)
+{
+  const Eigen::MatrixXd weighted = b.array().colwise() * weights.array();
+  return a.transpose() * weighted;
+}
+
+/// the vector of sums over rows q of a(q, i) weights(q)
+inline Eigen::VectorXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights)
+{
+  return a.transpose() * weights;
+}
+
+/// Assembles the equations of a Poisson problem: first the integrals over the cells, then those over the
+/// segments of the boundary. The unknowns are the coefficients of the nodes, then the multipliers.
+template <class Kernel_>
+class Galerkin_system_2
+{
+  using Discretization = Galerkin_discretization_2<Kernel_>;
+  using Block = typename Discretization::Block;
+  using Problem = Poisson_problem_2<Kernel_>;
+  using Point_2 = typename Kernel_::Point_2;
+  using Vector_2 = typename Kernel_::Vector_2;
+
+public:
+  Galerkin_system_2(const Discretization& discretization, const Problem& problem, Progress& progress,
+                    Element_free_Galerkin_report_2& report)
+    : m(discretization), m_problem(problem), m_progress(progress), m_report(report),
+      m_gradients(m.nodes.number(), number_of_polynomials())
+  {
+    find_dirichlet_part();
+  }
+
+  /// returns false if the user wants to stop
+  bool assemble()
+  {
+    const std::size_t number = m.cells.size() + m.segments.size();
+    if (m_gradients.is_needed()) {
+      const bool all = compute_in_order<Consistent_part>(
+        m.parallel, number, [&](std::size_t k, Consistent_part& part) { compute(k, part); },
+        [&](const std::vector<Consistent_part>& parts, std::size_t n) {
+          for (std::size_t k = 0; k < n; ++k)
+            m_gradients.add(parts[k].sums);
+        },
+        [&](std::size_t done) { return report_progress(0, done, number); });
+      if (!all)
+        return false;
+      m_gradients.solve();
+    }
+    m_rows = std::make_unique<Sparse_rows>(number_of_unknowns());
+    const bool all = compute_in_order<Galerkin_cell>(
+      m.parallel, number, [&](std::size_t k, Galerkin_cell& cell) { compute(k, cell); },
+      [&](const std::vector<Galerkin_cell>& parts, std::size_t n) {
+        m_rows->add(m.parallel, parts, n);
+        for (std::size_t k = 0; k < n; ++k)
+          count(parts[k]);
+      },
+      [&](std::size_t done) { return report_progress(m_gradients.is_needed() ? 0.5 : 0, done, number); });
+    if (all) {
+      check_rows();
+      check_data();
+    }
+    return all;
+  }
+
+  Eigen::SparseMatrix<double> matrix() const { return m_rows->matrix(); }
+  const Eigen::VectorXd& load() const { return m_rows->load(); }
+
+  /// whether the matrix is symmetric and definite but for what consistent integration adds
+  bool is_nearly_definite() const { return number_of_unknowns() == m.nodes.number(); }
+
+private:
+  struct Consistent_part
+  {
+    Block block;
+    Consistent_gradients_2::Part sums;
+  };
+
+  struct Galerkin_cell : Galerkin_part
+  {
+    Block block;
+    Eigen::MatrixXd dx, dy; // of the test functions
+    double total = 0, total_size = 0; // of the integrals of the data of a Neumann problem
+  };
+
+  int number_of_polynomials() const
+  {
+    if (!m.options.consistent || m.options.basis == Moving_least_squares_basis::CONSTANT)
+      return 0;
+    return m.options.is_quadratic() ? 5 : 2;
+  }
+
+  bool is_multiplied() const { return m.options.dirichlet == Dirichlet_condition::LAGRANGE_MULTIPLIERS; }
+
+  std::size_t number_of_unknowns() const
+  {
+    return m.nodes.number() + (m_multipliers ? m_multipliers->size() : 0) + (m_is_neumann_problem ? 1 : 0);
+  }
+
+  void find_dirichlet_part()
+  {
+    for (const Boundary_edge_2& e : m.domain.boundary) {
+      const Point p = middle(e.a, e.b);
+      m_is_dirichlet.push_back(!m_problem.is_dirichlet || m_problem.is_dirichlet(Point_2(p.x(), p.y())));
+    }
+    m_is_neumann_problem = std::find(m_is_dirichlet.begin(), m_is_dirichlet.end(), 1) == m_is_dirichlet.end();
+    check_parts();
+    if (is_multiplied() && !m_is_neumann_problem) {
+      std::vector<double> lengths(m.domain.boundary.size(), 0); // in units of the size of the nodes
+      for (const Boundary_segment_2& s : m.segments)
+        lengths[s.edge] += (s.end - s.begin) * m.edge(s).length() /
+                           m.size_at(point_on(m.edge(s), (s.begin + s.end) / 2));
+      m_multipliers = std::make_unique<Multiplier_space_2>(m.domain.boundary, m_is_dirichlet, lengths);
+      m_report.number_of_multipliers = m_multipliers->size();
+    }
+  }
+
+  /// A part of the domain without given values has no single solution. What the parts' supports have in common would
+  /// only hide that.
+  void check_parts() const
+  {
+    std::vector<char> has_values(m.domain.parts.size(), m_is_neumann_problem && m.domain.parts.size() == 1);
+    for (std::size_t e = 0; e < m_is_dirichlet.size(); ++e)
+      if (m_is_dirichlet[e])
+        has_values[static_cast<std::size_t>(m.domain.boundary[e].part)] = 1;
+    const auto without = std::find(has_values.begin(), has_values.end(), 0);
+    if (without == has_values.end())
+      return;
+    const Point& p = m.domain.parts[static_cast<std::size_t>(without - has_values.begin())];
+    throw std::invalid_argument("Bubble_relaxation_2: the Poisson_problem_2 has no Dirichlet boundary in the part of "
+                                "the domain around " + in_words(p.x(), p.y()) + ", and the domain has " +
+                                std::to_string(has_values.size()) + " parts");
+  }
+
+  bool report_progress(double begin, std::size_t done, std::size_t number)
+  {
+    constexpr double share_of_assembly = 0.7; // the rest is the solution
+    const double fraction = begin + (1 - begin) * static_cast<double>(done) / static_cast<double>(number);
+    return m_progress.report(share_of_assembly * (m_gradients.is_needed() && begin == 0 ? fraction / 2 : fraction));
+  }
+
+  void compute(std::size_t k, Consistent_part& part) const
+  {
+    if (k < m.cells.size()) {
+      m.evaluate_cell(k, part.block);
+      m_gradients.compute_in_cell(part.block, m.nodes, part.sums);
+    } else {
+      const std::size_t s = k - m.cells.size();
+      m.evaluate_segment(s, part.block);
+      m_gradients.compute_on_boundary(part.block, m.nodes, m.edge(m.segments[s]).outer_normal(), part.sums);
+    }
+  }
+
+  void compute(std::size_t k, Galerkin_cell& part) const
+  {
+    part.total = part.total_size = 0;
+    if (k < m.cells.size()) {
+      m.evaluate_cell(k, part.block);
+      integrate_cell(part);
+      return;
+    }
+    const Boundary_segment_2& segment = m.segments[k - m.cells.size()];
+    m.evaluate_segment(k - m.cells.size(), part.block);
+    if (!m_is_dirichlet[segment.edge])
+      integrate_neumann(m.edge(segment), part);
+    else if (is_multiplied())
+      integrate_multipliers(segment, part);
+    else
+      integrate_dirichlet(m.edge(segment), part);
+  }
+
+  /// the values of a function of the data at the points of a block
+  template <class Function>
+  static Eigen::VectorXd values(const Block& block, const char* name, const Function& f)
+  {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(block.size()));
+    for (std::size_t q = 0; q < block.size(); ++q) {
+      const double value = f(block.point(q));
+      if (!std::isfinite(value))
+        throw std::invalid_argument(std::string("Bubble_relaxation_2: the function ") + name +
+                                    " of the Poisson_problem_2 is " + in_words(value) + " at " +
+                                    in_words(block.x[q], block.y[q]) + " and must be finite");
+      result[static_cast<Eigen::Index>(q)] = value;
+    }
+    return result;
+  }
+
+  /// the integrals of grad u . grad v and f v
+  void integrate_cell(Galerkin_cell& part) const
+  {
+    const Block& b = part.block;
+    m_gradients.correct(b, m.nodes, part.dx, part.dy);
+    part.unknowns = b.nodes;
+    part.matrix = weighted_sums(part.dx, b.weights, b.dx);
+    part.matrix += weighted_sums(part.dy, b.weights, b.dy);
+    add_load(part, "source", m_problem.source);
+    if (m_is_neumann_problem) // the mean of u is zero
+      border(part, weighted_sums(b.phi, b.weights) * (std::sqrt(double(m.nodes.number())) / m.domain.area));
+  }
+
+  template <class Function>
+  void add_load(Galerkin_cell& part, const char* name, const Function& f) const
+  {
+    const Block& b = part.block;
+    part.load = Eigen::VectorXd::Zero(b.phi.cols());
+    if (!f)
+      return;
+    const Eigen::VectorXd weighted = b.weights.cwiseProduct(values(b, name, f));
+    part.load = weighted_sums(b.phi, weighted);
+    part.total = weighted.sum();
+    part.total_size = weighted.cwiseAbs().sum();
+  }
+
+  /// Adds the last unknown with a row and a column. Over the area and times the root of their number, the integrals of
+  /// shape functions are a vector of about length 1 in any unit, as it becomes the other equations.
+  void border(Galerkin_cell& part, const Eigen::VectorXd& entries) const
+  {
+    const Eigen::Index n = entries.size();
+    part.unknowns.push_back(static_cast<Index>(number_of_unknowns() - 1));
+    part.matrix.conservativeResize(n + 1, n + 1);
+    part.matrix.row(n).setZero();
+    part.matrix.col(n).setZero();
+    part.matrix.row(n).head(n) = entries.transpose();
+    part.matrix.col(n).head(n) = entries;
+    part.load.conservativeResize(n + 1);
+    part.load[n] = 0;
+  }
+
+  void integrate_neumann(const Boundary_edge_2& edge, Galerkin_cell& part) const
+  {
+    const Direction n = edge.outer_normal();
+    const Vector_2 normal(n.x, n.y);
+    part.unknowns = part.block.nodes;
+    part.matrix.setZero(part.block.phi.cols(), part.block.phi.cols());
+    std::function<double(const Point_2&)> flow;
+    if (m_problem.neumann)
+      flow = [&](const Point_2& p) { return m_problem.neumann(p, normal); };
+    add_load(part, "neumann", flow);
+  }
+
+  Eigen::VectorXd given_values(const Block& b) const
+  {
+    if (!m_problem.dirichlet)
+      return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(b.size()));
+    return values(b, "dirichlet", m_problem.dirichlet);
+  }
+
+  /// Penalty: the integral of alpha (u - g) v. Nitsche's method adds - du/dn v, which makes it consistent, and
+  /// - (u - g) dv/dn, which makes it symmetric.
+  void integrate_dirichlet(const Boundary_edge_2& edge, Galerkin_cell& part) const
+  {
+    const Block& b = part.block;
+    const Eigen::VectorXd g = given_values(b), factor = penalty(b).cwiseProduct(b.weights);
+    part.unknowns = b.nodes;
+    part.matrix = weighted_sums(b.phi, factor, b.phi);
+    part.load = weighted_sums(b.phi, factor.cwiseProduct(g));
+    if (m.options.dirichlet == Dirichlet_condition::PENALTY)
+      return;
+    const Direction n = edge.outer_normal();
+    const Eigen::MatrixXd normal = n.x * b.dx + n.y * b.dy;
+    part.matrix -= weighted_sums(b.phi, b.weights, normal);
+    part.matrix -= weighted_sums(normal, b.weights, b.phi);
+    part.load -= weighted_sums(normal, b.weights.cwiseProduct(g));
+  }
+
+  /// the factor of the penalty at each point
+  Eigen::VectorXd penalty(const Block& b) const
+  {
+    const Eigen::VectorXd h = m.sizes(b);
+    if (m.options.dirichlet == Dirichlet_condition::NITSCHE)
+      return m.options.nitsche_factor * h.cwiseInverse();
+    if (m.options.penalty_factor > 0)
+      return Eigen::VectorXd::Constant(h.size(), m.options.penalty_factor);
+    // on the unit square with h = 1/11 this is about 10^4, in the middle of the range where errors are small
+    return 80 * std::sqrt(m.domain.area) * h.cwiseAbs2().cwiseInverse();
+  }
+
+  /// the integrals of lambda v and mu (u - g), for multipliers lambda and their test functions mu, over the mean
+  /// distance of nodes: so they are about as large as other entries in any unit
+  void integrate_multipliers(const Boundary_segment_2& segment, Galerkin_cell& part) const
+  {
+    const Block& b = part.block;
+    std::vector<std::size_t> hats; // ascending, as unknowns must be
+    const auto for_each_hat = [&](const auto& visit) {
+      Eigen::Index q = 0;
+      for_each_point(m.edge(segment), segment, m.segment_rule, [&](double s, double, double, double) {
+        for (const Multiplier_space_2::Hat& hat : m_multipliers->hats(segment.edge, s))
+          visit(q, hat);
+        ++q;
+      });
+    };
+    for_each_hat([&](Eigen::Index, const Multiplier_space_2::Hat& hat) { hats.push_back(hat.index); });
+    std::sort(hats.begin(), hats.end());
+    hats.erase(std::unique(hats.begin(), hats.end()), hats.end());
+    Eigen::MatrixXd mu =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(b.size()), static_cast<Eigen::Index>(hats.size()));
+    for_each_hat([&](Eigen::Index q, const Multiplier_space_2::Hat& hat) {
+      mu(q, std::lower_bound(hats.begin(), hats.end(), hat.index) - hats.begin()) += hat.value;
+    });
+    const Eigen::Index n = b.phi.cols(), all = n + mu.cols();
+    const Eigen::VectorXd weights = b.weights / std::sqrt(m.domain.area / double(m.nodes.number()));
+    const Eigen::MatrixXd coupling = weighted_sums(b.phi, weights, mu);
+    part.matrix.setZero(all, all);
+    part.matrix.topRightCorner(n, mu.cols()) = coupling;
+    part.matrix.bottomLeftCorner(mu.cols(), n) = coupling.transpose();
+    part.load = Eigen::VectorXd::Zero(all);
+    part.load.tail(mu.cols()) = weighted_sums(mu, weights.cwiseProduct(given_values(b)));
+    part.unknowns = b.nodes;
+    for (std::size_t hat : hats)
+      part.unknowns.push_back(static_cast<Index>(m.nodes.number() + hat));
+  }
+
+  void count(const Galerkin_cell& part)
+  {
+    m_report.number_of_enlarged_points += part.block.number_of_enlarged_points;
+    m_report.largest_enlargement = (std::max)(m_report.largest_enlargement, part.block.largest_enlargement);
+    m_total += part.total;
+    m_total_size += part.total_size;
+  }
+
+  void check_rows() const
+  {
+    for (std::size_t i = 0; i < m.nodes.number(); ++i)
+      if (m_rows->diagonal(i) == 0)
+        throw std::runtime_error("Bubble_relaxation_2: no Gauss point lies in the support of " + m.nodes.place(i) +
+                                 ", of radius " + in_words(m.nodes.radius[i]) +
+                                 ": more Gauss points are needed, or the node lies far outside of the domain");
+  }
+
+  /// without given values on the boundary, what flows in must have its source
+  void check_data() const
+  {
+    constexpr double largest_share = 1e-3; // what is less may be an error of integration
+    if (m_is_neumann_problem && !(std::abs(m_total) <= largest_share * m_total_size))
+      throw std::invalid_argument(
+        "Bubble_relaxation_2: the Poisson_problem_2 has no Dirichlet boundary, and the integrals of source and "
+        "neumann add up to " + in_words(m_total) + ", not to 0, so it has no solution");
+  }
+
+  const Discretization& m;
+  const Problem& m_problem;
+  Progress& m_progress;
+  Element_free_Galerkin_report_2& m_report;
+  std::vector<char> m_is_dirichlet; // of each edge of the boundary
+  bool m_is_neumann_problem = false;
+  std::unique_ptr<Multiplier_space_2> m_multipliers;
+  Consistent_gradients_2 m_gradients;
+  std::unique_ptr<Sparse_rows> m_rows;
+  double m_total = 0, m_total_size = 0;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_SYSTEM_2_H

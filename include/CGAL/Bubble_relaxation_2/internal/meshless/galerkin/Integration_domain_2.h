@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_INTEGRATION_DOMAIN_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_INTEGRATION_DOMAIN_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/centroid.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A straight piece of the boundary, with the domain on its left.
+struct Boundary_edge_2
+{
+  Index source, target; ///< indices of vertices
+  Point a, b;           ///< their places
+  Index part;           ///< of the domain
+
+  double length() const { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
+  Direction outer_normal() const { return {(b.y() - a.y()) / length(), -(b.x() - a.x()) / length()}; }
+};
+
+/// What integrals are over: the triangles of a triangulation that lie in the domain, and the edges that bound
+/// it, those of holes included. An edge with the domain on both sides bounds nothing. All in an order that does
+/// not depend on how the triangulation came about.
+struct Integration_domain_2
+{
+  std::vector<std::array<Point, 3>> triangles;
+  std::vector<Boundary_edge_2> boundary;
+  std::vector<Point> parts; ///< a point in each part of the domain that hangs together across sides
+  Bbox_2 bbox;
+  double area = 0;
+
+  template <class Cdt, class NamedParameters>
+  Integration_domain_2(const Cdt& cdt, const NamedParameters& np)
+  {
+    const Domain_marks_2<Cdt> is_inside(cdt, np);
+    for (auto v : cdt.finite_vertex_handles())
+      check_coordinates(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+    const auto flat = flatten_triangulation(cdt);
+    std::vector<char> inside(flat.faces.size());
+    for (std::size_t t = 0; t < inside.size(); ++t)
+      inside[t] = is_inside(flat.faces[t]);
+    read(flat.tr, inside);
+  }
+
+private:
+  void read(const Flat_triangulation_2& tr, const std::vector<char>& inside)
+  {
+    const std::vector<Index> part = find_parts(tr, inside);
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      if (!inside[t])
+        continue;
+      const Index f = static_cast<Index>(t);
+      add_triangle({tr.point(f, 0), tr.point(f, 1), tr.point(f, 2)});
+      for (int i = 0; i < 3; ++i) {
+        const Index n = tr.neighbors[t][i];
+        if (n != no_index && inside[n])
+          continue;
+        const Boundary_edge_2 edge{tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)], tr.point(f, ccw(i)),
+                                   tr.point(f, cw(i)), part[t]};
+        if (edge.length() > 0) // the ends of an exact one may be rounded to one place
+          boundary.push_back(edge);
+      }
+    }
+  }
+
+  /// the part of each triangle of the domain
+  std::vector<Index> find_parts(const Flat_triangulation_2& tr, const std::vector<char>& inside)
+  {
+    std::vector<Index> part(inside.size(), no_index), stack;
+    for (std::size_t t = 0; t < inside.size(); ++t) {
+      if (!inside[t] || part[t] != no_index)
+        continue;
+      const Index f = static_cast<Index>(t), number = static_cast<Index>(parts.size());
+      parts.push_back(CGAL::centroid(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2)));
+      part[t] = number;
+      for (stack.assign(1, f); !stack.empty();) {
+        const std::array<Index, 3> neighbors = tr.neighbors[stack.back()];
+        stack.pop_back();
+        for (Index n : neighbors)
+          if (n != no_index && inside[n] && part[n] == no_index) {
+            part[n] = number;
+            stack.push_back(n);
+          }
+      }
+    }
+    return part;
+  }
+
+  void add_triangle(const std::array<Point, 3>& t)
+  {
+    const double twice = (t[1].x() - t[0].x()) * (t[2].y() - t[0].y()) -
+                         (t[2].x() - t[0].x()) * (t[1].y() - t[0].y());
+    if (!(twice > 0)) // flat when its corners are rounded to double: nothing to integrate
+      return;
+    triangles.push_back(t);
+    area += twice / 2;
+    for (const Point& p : t)
+      bbox += p.bbox();
+  }
+
+  static void check_coordinates(double x, double y)
+  {
+    if (!std::isfinite(x) || !std::isfinite(y))
+      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
+                                  in_words(x, y) + ", which must be finite");
+  }
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_INTEGRATION_DOMAIN_2_H

@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_MOMENT_MATRIX_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_MOMENT_MATRIX_2_H
+
+#include <CGAL/Bubble_relaxation_enums.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// \file
+/// Weights of moving least squares as functions of q, the distance from the node in units of its support
+/// radius. All decrease from q = 0 to 0 at q = 1, as (1 - q)^3, so that two derivatives are continuous there.
+
+/// A weight W and what its derivatives in the plane are made of: for a vector u of length q,
+/// grad W = g u and the Hessian is g I + h u u^T.
+struct Radial_weight
+{
+  double w;
+  double g; ///< W'/q
+  double h; ///< g'/q; where it grows without bounds for q -> 0, h u u^T still vanishes, and h is 0 at q = 0
+};
+
+/// 1 - 6 q^2 + 8 q^3 - 3 q^4
+struct Quartic_spline_weight
+{
+  static Radial_weight at(double q)
+  {
+    const double r = 1 - q;
+    return {r * r * r * (1 + 3 * q), -12 * r * r, q > 0 ? 24 * r / q : 0};
+  }
+};
+
+/// 2/3 - 4 q^2 + 4 q^3 up to q = 1/2, and 4/3 (1 - q)^3 from there
+struct Cubic_spline_weight
+{
+  static Radial_weight at(double q)
+  {
+    if (q <= 0.5)
+      return {2. / 3 - 4 * q * q * (1 - q), 12 * q - 8, q > 0 ? 12 / q : 0};
+    const double r = 1 - q;
+    return {4. / 3 * r * r * r, -4 * r * r / q, 4 * r * (1 + q) / (q * q * q)};
+  }
+};
+
+/// exp(-(q/c)^2) with c = 0.4, less its Taylor polynomial of second order in q^2 about q = 1: with
+/// b = 1/c^2 and t = b (1 - q^2) that is exp(-b) (exp(t) - 1 - t - t^2/2), a positive number.
+struct Gaussian_weight
+{
+  static Radial_weight at(double q)
+  {
+    constexpr double b = 6.25;
+    static const double rim = std::exp(-b);
+    const double t = b * (1 - q) * (1 + q);
+    const double third = remainder(t);
+    const double second = third + t * t / 2; // the remainder after one term less, the derivative of the above
+    const double first = second + t;
+    return {rim * third, -2 * b * rim * second, 4 * b * b * rim * first};
+  }
+
+private:
+  /// exp(t) - 1 - t - t^2/2 for t >= 0 without the cancellation for small t
+  static double remainder(double t)
+  {
+    if (t > 1)
+      return std::exp(t) - 1 - t - t * t / 2;
+    double sum = 1;
+    for (int k = 17; k > 3; --k) // the first term left out is below 1e-16 of the sum
+      sum = 1 + sum * t / k;
+    return t * t * t / 6 * sum;
+  }
+};
+
+/// A node in whose support the point of evaluation lies. All is in units of one length, so that neither
+/// powers nor second derivatives leave the range of numbers, whatever the unit of the coordinates is.
+struct Weighted_node_2
+{
+  double x, y;          ///< from the point of evaluation to the node
+  double radius;        ///< of its support
+  double w;             ///< weight
+  double wx, wy;        ///< its derivatives by the point of evaluation
+  double wxx, wxy, wyy;
+  double s, sx, sy;     ///< the factor that makes the shape function of the weight, and its derivatives
+  double sxx, sxy, syy;
+};
+
+/// Fills in weights and the derivatives that are asked for.
+template <class Weight>
+void weigh(std::vector<Weighted_node_2>& nodes, int number_of_derivatives)
+{
+  for (Weighted_node_2& n : nodes) {
+    const double scale = 1 / n.radius;
+    const double ux = -n.x * scale;
+    const double uy = -n.y * scale;
+    const double q = std::sqrt(ux * ux + uy * uy);
+    const Radial_weight weight = q < 1 ? Weight::at(q) : Radial_weight{0, 0, 0};
+    n.w = weight.w;
+    if (number_of_derivatives < 1)
+      continue;
+    n.wx = weight.g * ux * scale;
+    n.wy = weight.g * uy * scale;
+    if (number_of_derivatives < 2)
+      continue;
+    n.wxx = (weight.g + weight.h * ux * ux) * scale * scale;
+    n.wxy = weight.h * ux * uy * scale * scale;
+    n.wyy = (weight.g + weight.h * uy * uy) * scale * scale;
+  }
+}
+
+inline void weigh(Moving_least_squares_weight weight, std::vector<Weighted_node_2>& nodes,
+                  int number_of_derivatives)
+{
+  switch (weight) {
+  case Moving_least_squares_weight::QUARTIC_SPLINE:
+    return weigh<Quartic_spline_weight>(nodes, number_of_derivatives);
+  case Moving_least_squares_weight::CUBIC_SPLINE:
+    return weigh<Cubic_spline_weight>(nodes, number_of_derivatives);
+  case Moving_least_squares_weight::GAUSSIAN:
+    return weigh<Gaussian_weight>(nodes, number_of_derivatives);
+  }
+}
+
+/// the number of monomials in x and y up to a degree
+constexpr int number_of_monomials(int degree)
+{
+  return (degree + 1) * (degree + 2) / 2;
+}
+
+/// the monomials of degree d in x and y after those of lower degree in m
+template <int d, class Vector>
+void add_monomials(double x, double y, Vector& m)
+{
+  constexpr int i = number_of_monomials(d - 1);
+  m[i] = m[i - d] * x;
+  for (int b = 0; b < d; ++b)
+    m[i + 1 + b] = m[i - d + b] * y;
+}
+
+/// 1, x, y, x^2, xy, y^2, x^3 ...: x^a y^b has the index number_of_monomials(a + b - 1) + b
+template <int degree>
+Eigen::Matrix<double, number_of_monomials(degree), 1> monomials(double x, double y)
+{
+  Eigen::Matrix<double, number_of_monomials(degree), 1> m;
+  m[0] = 1;
+  if constexpr (degree > 0)
+    add_monomials<1>(x, y, m);
+  if constexpr (degree > 1)
+    add_monomials<2>(x, y, m);
+  if constexpr (degree > 2)
+    add_monomials<3>(x, y, m);
+  if constexpr (degree > 3)
+    add_monomials<4>(x, y, m);
+  return m;
+}
+
+/// The moment matrix A = sum of w_i p_i p_i^T of moving least squares, where p_i are the monomials up to
+/// `degree` at the i-th node, centred at the point of evaluation and scaled.
+template <int degree>
+class Moment_matrix_2
+{
+public:
+  static constexpr int size = number_of_monomials(degree);
+  using Vector = Eigen::Matrix<double, size, 1>;
+
+  explicit Moment_matrix_2(const std::vector<Weighted_node_2>& nodes)
+  {
+    // products of two monomials are monomials: their sums are all that is needed
+    using Moments = Eigen::Matrix<double, number_of_monomials(2 * degree), 1>;
+    Moments moments = Moments::Zero();
+    for (const Weighted_node_2& n : nodes)
+      moments += n.w * monomials<2 * degree>(n.x, n.y);
+    for (int d = 0, i = 0; d <= degree; ++d)
+      for (int b = 0; b <= d; ++b, ++i)
+        for (int e = 0, j = 0; e <= degree; ++e)
+          for (int c = 0; c <= e; ++c, ++j)
+            m_matrix(i, j) = moments[number_of_monomials(d + e - 1) + b + c];
+    m_cholesky.compute(m_matrix);
+  }
+
+  /// The condition number if it exceeds `limit`, else a bound for it that does not either.
+  double condition_number(double limit) const
+  {
+    const double bound = condition_bound();
+    if (bound <= limit)
+      return bound;
+    const auto values = Decomposition(m_matrix).singularValues(); // eigenvalues, since they are not negative
+    return values[size - 1] > 0 ? values[0] / values[size - 1] : std::numeric_limits<double>::infinity();
+  }
+
+  Vector solve(const Vector& b) const { return m_cholesky.solve(b); }
+
+  /// The least of all solutions that come nearest: parts that hardly matter to the matrix are left out. What is
+  /// least depends on the unit of length; here it is `unit` times that of the nodes.
+  Vector pseudo_solve(const Vector& b, double unit) const
+  {
+    const Vector scale = monomials<degree>(1 / unit, 1 / unit);
+    const Any_matrix scaled = scale.asDiagonal() * m_matrix * scale.asDiagonal();
+    Decomposition decomposition(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    decomposition.setThreshold(1e-12);
+    const Any_vector any = scale.cwiseProduct(b);
+    return scale.cwiseProduct(Vector(decomposition.solve(any)));
+  }
+
+private:
+  using Matrix = Eigen::Matrix<double, size, size>;
+  // what is rarely needed has one type for all sizes, since it takes compilers long
+  static constexpr int largest_size = number_of_monomials(2);
+  using Any_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_size, largest_size>;
+  using Any_vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, largest_size, 1>;
+  using Decomposition = Eigen::JacobiSVD<Any_matrix, Eigen::NoQRPreconditioner>;
+
+  /// A bound from what is at hand. Divided by the roots of its diagonal the matrix has ones there, hence the
+  /// trace n, and a determinant D; if l is its least eigenvalue, the inequality of the means for the others
+  /// says D <= l ((n - l)/(n - 1))^(n - 1) <= l (n/(n - 1))^(n - 1). The least eigenvalue of the matrix itself is
+  /// at least l times the least element of the diagonal, and the largest at most the trace.
+  double condition_bound() const
+  {
+    if (m_cholesky.info() != Eigen::Success)
+      return std::numeric_limits<double>::infinity();
+    double d = 1;
+    for (int i = 0; i < size; ++i)
+      d *= m_cholesky.matrixLLT()(i, i) * m_cholesky.matrixLLT()(i, i) / m_matrix(i, i);
+    double least = d;
+    for (int i = 1; i < size; ++i)
+      least *= (size - 1.) / size;
+    return least > 0 ? m_matrix.trace() / (least * m_matrix.diagonal().minCoeff())
+                     : std::numeric_limits<double>::infinity();
+  }
+
+  Matrix m_matrix;
+  Eigen::LLT<Matrix> m_cholesky;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_MOMENT_MATRIX_2_H

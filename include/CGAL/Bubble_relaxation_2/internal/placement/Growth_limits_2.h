@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_LIMITS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_LIMITS_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// turned to the left by 60 degrees
+inline Direction turned(const Direction& u)
+{
+  constexpr double cosine = 0.5, sine = 0.86602540378443864676;
+  return {cosine * u.x - sine * u.y, sine * u.x + cosine * u.y};
+}
+
+/// Bubbles nearer than this, in units of their mean size, are neighbours.
+constexpr double largest_distance_of_neighbors = 1.3;
+
+/// A step of Newton's method for springs between a bubble and its neighbours.
+class Spring_step_2
+{
+public:
+  Spring_step_2(const Point& p, double d) : m_x(p.x()), m_y(p.y()), m_d(d) {}
+
+  /// another bubble, a neighbour or not
+  void add(double x, double y, double d)
+  {
+    const double dx = m_x - x, dy = m_y - y, squared = dx * dx + dy * dy;
+    const double wanted = 0.5 * (m_d + d), reach = largest_distance_of_neighbors * wanted;
+    if (!(squared > 0 && squared <= reach * reach))
+      return;
+    const double stretch = wanted / std::sqrt(squared) - 1;
+    m_number += 1;
+    m_sum_x += stretch * dx;
+    m_sum_y += stretch * dy;
+  }
+
+  Point target() const
+  {
+    // springs in all directions are half as stiff as in one
+    const double compliance = 1 / (std::max)(1., 0.5 * m_number);
+    return Point(m_x + compliance * m_sum_x, m_y + compliance * m_sum_y);
+  }
+
+private:
+  double m_x, m_y, m_d;
+  double m_sum_x = 0, m_sum_y = 0, m_number = 0;
+};
+
+/// The place of bubble `i` after such a step, among the bubbles `others`.
+template <class Indices>
+Point settled(const Bubbles_2& b, std::size_t i, const Indices& others)
+{
+  Spring_step_2 step(b.point(i), b.d[i]);
+  for (Index j : others)
+    step.add(b.x[j], b.y[j], b.d[j]);
+  return step.target();
+}
+
+/// The bubbles around a place where another may go, gathered once for all questions about it.
+class Surroundings_2
+{
+public:
+  /// no bubble is set nearer to another than this, in units of their mean size
+  static constexpr double least_distance = 0.8;
+
+  std::size_t size() const { return m_bubbles.size(); }
+  Index index(std::size_t k) const { return m_bubbles[k].id; }
+
+  bool has(Index i) const
+  {
+    return std::any_of(m_bubbles.begin(), m_bubbles.end(), [i](const Bubble& b) { return b.id == i; });
+  }
+
+  /// bubble `i` if it is nearer to one of size `d` at `p` than `reach` times the mean size
+  void add_if_near(Index i, const Bubbles_2& b, const Point& p, double d, double reach)
+  {
+    const double dx = p.x() - b.x[i], dy = p.y() - b.y[i], distance = 0.5 * reach * (d + b.d[i]);
+    if (dx * dx + dy * dy < distance * distance)
+      m_bubbles.push_back(Bubble{b.x[i], b.y[i], b.d[i], i});
+  }
+
+  /// one that is not there yet
+  void add(const Point& p, double d) { m_bubbles.push_back(Bubble{p.x(), p.y(), d, no_index}); }
+
+  /// whether a bubble of size `d` has room at `p`
+  bool is_free(const Point& p, double d) const
+  {
+    return std::none_of(m_bubbles.begin(), m_bubbles.end(), [&](const Bubble& b) {
+      const double reach = 0.5 * least_distance * (d + b.d), dx = p.x() - b.x, dy = p.y() - b.y;
+      return dx * dx + dy * dy < reach * reach;
+    });
+  }
+
+  /// whether `predicate(index, x, y, d)` holds for one of them; the index of one not there yet is
+  /// `no_index`
+  template <class Predicate>
+  bool any_of(const Predicate& predicate) const
+  {
+    return std::any_of(m_bubbles.begin(), m_bubbles.end(), [&](const Bubble& b) {
+      return predicate(b.id, b.x, b.y, b.d);
+    });
+  }
+
+  /// The place of a bubble among all its neighbours: a few steps of Newton's method for springs between
+  /// them.
+  Point settle(Point p, double d, int steps) const
+  {
+    for (int k = 0; k < steps; ++k) {
+      Spring_step_2 step(p, d);
+      for (const Bubble& b : m_bubbles)
+        step.add(b.x, b.y, b.d);
+      p = step.target();
+    }
+    return p;
+  }
+
+  /// how badly a bubble fits: the energy of the springs to its neighbours
+  double misfit(const Point& p, double d) const
+  {
+    double sum = 0;
+    for_each_neighbor(p.x(), p.y(), d, [&](double, double, double distance, double wanted) {
+      sum += (distance / wanted - 1) * (distance / wanted - 1);
+    });
+    return sum;
+  }
+
+  /// the direction of the lattice at `p`: that of its neighbours, the six-fold mean, next to `u`
+  Direction direction(const Point& p, double d, const Direction& u) const
+  {
+    double sum_x = 0, sum_y = 0; // of the sixth powers, as complex numbers
+    for_each_neighbor(p.x(), p.y(), d, [&](double dx, double dy, double distance, double) {
+      const double x = (dx * u.x + dy * u.y) / distance, y = (dy * u.x - dx * u.y) / distance;
+      const double cube_x = x * (x * x - 3 * y * y), cube_y = y * (3 * x * x - y * y);
+      sum_x += cube_x * cube_x - cube_y * cube_y;
+      sum_y += 2 * cube_x * cube_y;
+    });
+    const double angle = std::atan2(sum_y, sum_x) / 6, c = std::cos(angle), s = std::sin(angle);
+    return {c * u.x - s * u.y, s * u.x + c * u.y};
+  }
+
+private:
+  struct Bubble
+  {
+    double x, y, d;
+    Index id;
+  };
+
+  /// calls `visit(dx, dy, distance, wanted distance)` for the neighbours of a bubble at (x, y)
+  template <class Visitor>
+  void for_each_neighbor(double x, double y, double d, const Visitor& visit) const
+  {
+    for (const Bubble& b : m_bubbles) {
+      const double dx = x - b.x, dy = y - b.y, squared = dx * dx + dy * dy;
+      const double wanted = 0.5 * (d + b.d), reach = largest_distance_of_neighbors * wanted;
+      if (squared > 0 && squared <= reach * reach)
+        visit(dx, dy, std::sqrt(squared), wanted);
+    }
+  }
+
+  boost::container::small_vector<Bubble, 24> m_bubbles;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_LIMITS_2_H

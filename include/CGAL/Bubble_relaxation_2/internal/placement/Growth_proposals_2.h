@@ -1,0 +1,287 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_PROPOSALS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_PROPOSALS_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/Growth_limits_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// a bubble of the front, and with which direction it proposes
+struct Proposer
+{
+  double key; ///< how small it counts
+  Index index;
+  Direction direction;
+
+  /// a corner proposes along each of its edges
+  bool operator>(const Proposer& p) const
+  {
+    return std::tie(key, index, direction.x, direction.y) >
+           std::tie(p.key, p.index, p.direction.x, p.direction.y);
+  }
+};
+
+/// The front of a growing crystal: the bubbles that have not proposed yet, the smallest keys first.
+class Growth_front_2
+{
+public:
+  explicit Growth_front_2(const Domain_2& domain) : m_domain(domain)
+  {
+    m_edges_of_corner.resize(domain.corners().size());
+    for (std::size_t e = 0; e < domain.edges().size(); ++e) {
+      m_edges_of_corner[domain.edges()[e].source].push_back(static_cast<Index>(e));
+      m_edges_of_corner[domain.edges()[e].target].push_back(static_cast<Index>(e));
+    }
+  }
+
+  const std::vector<Index>& edges_of_corner(Index corner) const { return m_edges_of_corner[corner]; }
+
+  bool empty() const { return m_queue.empty(); }
+
+  /// Adds a bubble with the direction of its lattice: a corner has one for each of its edges, and a bubble on
+  /// an edge gets that of the edge.
+  void add(const Bubbles_2& bubbles, std::size_t i, double key, Direction& direction)
+  {
+    const Index index = static_cast<Index>(i), place = bubbles.place[i];
+    if (bubbles.is_on_edge(i))
+      m_queue.push(Proposer{key, index, direction = m_domain.direction(place)});
+    else if (bubbles.is_in_face(i) || place == no_index)
+      m_queue.push(Proposer{key, index, direction});
+    else
+      for (Index e : m_edges_of_corner[place])
+        m_queue.push(Proposer{key, index, m_domain.direction(e)});
+  }
+
+  /// infinity if the front is empty
+  double smallest_key() const
+  {
+    return m_queue.empty() ? std::numeric_limits<double>::infinity() : m_queue.top().key;
+  }
+
+  /// takes the next generation off the front: all that are about as small as the smallest of all
+  void take_generation(double smallest, std::vector<Proposer>& generation)
+  {
+    generation.clear();
+    for (; !m_queue.empty() && m_queue.top().key <= band * smallest; m_queue.pop())
+      generation.push_back(m_queue.top());
+  }
+
+private:
+  /// a generation is all bubbles of the front up to this times the smallest key
+  static constexpr double band = 1.05;
+
+  const Domain_2& m_domain;
+  std::vector<std::vector<Index>> m_edges_of_corner;
+  std::priority_queue<Proposer, std::vector<Proposer>, std::greater<Proposer>> m_queue;
+};
+
+enum class Lattice_direction
+{
+  BENDS, ///< with its neighbours: rows follow the boundary, and the lines along which d grows
+  KEEPS  ///< not at all
+};
+
+/// a place for a new bubble
+struct Growth_proposal_2
+{
+  double misfit;       ///< how badly the bubble would fit
+  double key;          ///< of the bubble that proposes
+  double x, y, d;
+  Direction direction; ///< of the lattice there
+  Index triangle;      ///< of the domain
+  Index from;          ///< the bubble that proposes, `no_index` for a bubble that is there already
+};
+
+/// What the bubbles of a generation propose: each of the six places around a bubble where there is room, moved
+/// to where a bubble would settle.
+template <class Concurrency_tag, class Sizing>
+class Growth_proposals_2
+{
+public:
+  Growth_proposals_2(const Domain_2& domain, const Sizing& sizing, const Crystal_2<Concurrency_tag>& crystal,
+                     const Growth_front_2& front, Lattice_direction lattice)
+    : m_domain(domain), m_sizing(sizing), m_crystal(crystal), m_bubbles(crystal.bubbles()), m_front(front),
+      m_lattice(lattice)
+  {}
+
+  /// adds the proposals of those of a generation for which `is_ours(index)` holds
+  template <class Is_ours>
+  void operator()(const std::vector<Proposer>& generation, const Is_ours& is_ours,
+                  std::vector<Growth_proposal_2>& result)
+  {
+    m_proposes.resize(m_crystal.size(), 0);
+    for (const Proposer& p : generation)
+      m_proposes[p.index] = !m_bubbles.is_corner(p.index);
+    m_lists.resize((std::max)(m_lists.size(), generation.size()));
+    parallel_for<Concurrency_tag>(
+      generation.size(),
+      [&](std::size_t k) {
+        m_lists[k].size = 0;
+        if (is_ours(generation[k].index))
+          propose_from(generation[k], m_lists[k]);
+      },
+      m_crystal.grain);
+    for (std::size_t k = 0; k < generation.size(); ++k) {
+      result.insert(result.end(), m_lists[k].list.begin(), m_lists[k].list.begin() + m_lists[k].size);
+      m_proposes[generation[k].index] = 0;
+    }
+  }
+
+private:
+  struct List
+  {
+    std::array<Growth_proposal_2, 6> list;
+    int size;
+  };
+
+  /// how far the neighbours of a proposal are looked for
+  static constexpr double surroundings_reach = 1.7;
+  static constexpr int proposal_steps = 3;
+
+  void propose_from(const Proposer& from, List& proposals) const
+  {
+    const unsigned taken = taken_places(from);
+    Direction u = from.direction;
+    for (int turn = 0; turn < 6; ++turn, u = turned(u))
+      if ((taken >> turn & 1) == 0)
+        propose(from, u, proposals);
+  }
+
+  /// a bit for each of the six places around a bubble: whether one that is linked to it takes it
+  unsigned taken_places(const Proposer& from) const
+  {
+    const Index i = from.index;
+    const double d = m_bubbles.d[i];
+    const Direction u = from.direction, v = turned(u), w = turned(v);
+    unsigned taken = 0;
+    for (Index j : m_crystal.links(i)) {
+      const double x = m_bubbles.x[j] - m_bubbles.x[i], y = m_bubbles.y[j] - m_bubbles.y[i];
+      const double reach = 0.5 * Surroundings_2::least_distance * (d + m_bubbles.d[j]);
+      // by the law of cosines; opposite places differ in a sign
+      const double least = (x * x + y * y + d * d - reach * reach) / (2 * d);
+      const double a = x * u.x + y * u.y, b = x * v.x + y * v.y, c = x * w.x + y * w.y;
+      taken |= unsigned(a > least) | unsigned(b > least) << 1 | unsigned(c > least) << 2 |
+               unsigned(-a > least) << 3 | unsigned(-b > least) << 4 | unsigned(-c > least) << 5;
+    }
+    return taken;
+  }
+
+  /// the bubbles around `p` that are linked to `i`, or to one of these, and other proposals of `i`
+  Surroundings_2 surroundings(Index i, const Point& p, const List& proposals) const
+  {
+    Surroundings_2 result;
+    const double d = m_bubbles.d[i];
+    result.add_if_near(i, m_bubbles, p, d, surroundings_reach);
+    for (Index j : m_crystal.links(i))
+      result.add_if_near(j, m_bubbles, p, d, surroundings_reach);
+    for (std::size_t k = 1, n = result.size(); k < n; ++k)
+      for (Index l : m_crystal.links(result.index(k)))
+        if (!result.has(l))
+          result.add_if_near(l, m_bubbles, p, d, surroundings_reach);
+    for (int k = 0; k < proposals.size; ++k)
+      result.add(Point(proposals.list[k].x, proposals.list[k].y), proposals.list[k].d);
+    return result;
+  }
+
+  /// tests by their cost: most places are taken
+  void propose(const Proposer& from, const Direction& u, List& proposals) const
+  {
+    const Index i = from.index;
+    const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
+    const Point start(x + d_i * u.x, y + d_i * u.y);
+    const Surroundings_2 around = surroundings(i, start, proposals);
+    if (!around.is_free(start, d_i) || is_left_to_other(i, start, around))
+      return;
+    const Index seen = visible_triangle(i, start);
+    if (seen == no_index)
+      return;
+    const double ahead = m_sizing(start), wanted = 0.5 * (d_i + ahead);
+    const auto d_at = [=](double distance) { // linear between the two
+      return d_i + (ahead - d_i) * (ahead < d_i ? (std::min)(distance / d_i, 1.) : distance / d_i);
+    };
+    const Point p = around.settle(Point(x + wanted * u.x, y + wanted * u.y), d_at(wanted),
+                                  proposal_steps);
+    const double d = d_at(std::sqrt((p.x() - x) * (p.x() - x) + (p.y() - y) * (p.y() - y)));
+    if (!around.is_free(p, d))
+      return;
+    const Walk_end end = m_domain.walk(seen, start, p);
+    if (end.is_blocked())
+      return;
+    const Direction v = m_lattice == Lattice_direction::KEEPS ? u : around.direction(p, d, u);
+    proposals.list[proposals.size++] =
+      Growth_proposal_2{around.misfit(p, d), from.key, p.x(), p.y(), d, v, end.triangle, i};
+  }
+
+  /// Whether another of the generation, one that came before, has about `p` among its six places: then it is
+  /// the one to propose it.
+  bool is_left_to_other(Index i, const Point& p, const Surroundings_2& around) const
+  {
+    constexpr double tolerance = 0.15, least_cosine = 0.62; // of the distance; of six times the angle
+    return around.any_of([&](Index j, double x, double y, double d_j) {
+      if (j == no_index || !m_proposes[j] || !m_crystal.came_before(j, i))
+        return false;
+      const double dx = p.x() - x, dy = p.y() - y, distance = std::sqrt(dx * dx + dy * dy);
+      if (std::abs(distance - d_j) > tolerance * d_j)
+        return false;
+      const Direction& u = m_crystal.direction(j);
+      const double c = (dx * u.x + dy * u.y) / distance, cosine_3 = c * (4 * c * c - 3);
+      return 2 * cosine_3 * cosine_3 - 1 > least_cosine;
+    });
+  }
+
+  /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, else `no_index`
+  Index visible_triangle(std::size_t i, const Point& p) const
+  {
+    const Index place = m_bubbles.place[i];
+    if (m_bubbles.is_on_edge(i))
+      return m_domain.walk_from_edge(place, m_bubbles.point(i), p);
+    if (m_bubbles.is_in_face(i) || place == no_index) {
+      const Index start = place != no_index ? place : m_domain.locate(m_bubbles.point(i), 0);
+      const Walk_end end = m_domain.walk(start, m_bubbles.point(i), p);
+      return end.is_blocked() ? no_index : end.triangle;
+    }
+    for (Index e : m_front.edges_of_corner(place)) {
+      const Index triangle = m_domain.walk_from_edge(e, m_bubbles.point(i), p);
+      if (triangle != no_index)
+        return triangle;
+    }
+    return no_index;
+  }
+
+  const Domain_2& m_domain;
+  const Sizing& m_sizing;
+  const Crystal_2<Concurrency_tag>& m_crystal;
+  const Bubbles_2& m_bubbles;
+  const Growth_front_2& m_front;
+  const Lattice_direction m_lattice;
+  std::vector<char> m_proposes; // whether a bubble is one of the generation
+  std::vector<List> m_lists;    // of each of them
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_PROPOSALS_2_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_RHOMBIC_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_RHOMBIC_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// how much of a disc belongs to a rank
+enum class Share_of_disc { NONE, SOME, ALL };
+
+/// No other ranks: what a team does when bubbles are placed in cells.
+struct Placement_alone
+{
+  Share_of_disc share_of(const Point&, double) const { return Share_of_disc::ALL; }
+  bool owns_place(const Point&) const { return true; }
+  /// see `Population_alone`
+  std::size_t share_holes(std::vector<Hole_2>& holes, double) { return holes.size(); }
+  template <class Choice>
+  void decide(Choice& choice)
+  {
+    choice.decide([](Index) { return true; });
+  }
+};
+
+/// The initial bubbles of the faces after section 2.1.2 of the paper: a rhombus with angles of 60 and
+/// 120 degrees around the domain is cut in four until a cell is as small as d asks, and gets a bubble
+/// in its centre. Where d is constant this is the hexagonal lattice. `Team`: the ranks that do this together, each
+/// in its own part, see `Placement_alone`.
+template <class Sizing, class Team = Placement_alone>
+class Rhombic_placement
+{
+public:
+  Rhombic_placement(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles, Team& team)
+    : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles), m_team(team)
+  {}
+
+  void operator()()
+  {
+    // the rhombus spanned by (1, 0) and (1/2, sqrt(3)/2) whose side is a power of two times d in some
+    // place of the domain, so that a constant d is met exactly
+    const Bbox_2& box = m_domain.bbox();
+    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    const double needed = (std::max)(width + height / std::sqrt(3.), height * 2 / std::sqrt(3.));
+    double side = *std::min_element(m_bubbles.d.begin(), m_bubbles.d.end());
+    while (side < needed)
+      side *= 2;
+    m_x0 = box.xmin() - height / std::sqrt(3.);
+    m_y0 = box.ymin();
+
+    std::vector<Index> boundary(m_bubbles.size());
+    for (std::size_t i = 0; i < boundary.size(); ++i)
+      boundary[i] = static_cast<Index>(i);
+    m_centers.clear();
+    subdivide(Cell{0, 0, side, 0, 1, 0, Share_of_disc::SOME}, boundary);
+    add_bubbles();
+  }
+
+private:
+  /// bubbles of the faces start no nearer to others than this, in units of the mean size
+  static constexpr double least_distance = 0.6;
+
+  Point point(double u, double v) const
+  {
+    return Point(m_x0 + u + 0.5 * v, m_y0 + 0.5 * std::sqrt(3.) * v);
+  }
+
+  /// a rhombus
+  struct Cell
+  {
+    double u, v, side;
+    double rank, share; ///< its centre comes after those of cells of a smaller rank; all in it are below their sum
+    Index hint;         ///< a triangle near by
+    Share_of_disc ours; ///< no more of it than this
+
+    Cell quarter(int k, Index triangle) const
+    {
+      return Cell{u + 0.5 * side * (k & 1), v + 0.5 * side * (k >> 1), 0.5 * side,
+                  rank + 0.25 * share * k, 0.25 * share, triangle == no_index ? hint : triangle, ours};
+    }
+  };
+
+  /// `boundary`: the bubbles of vertices and edges in the cell
+  void subdivide(Cell cell, const std::vector<Index>& boundary)
+  {
+    constexpr double half_diagonal = 0.8661; // of the side
+    const double side = cell.side;
+    const Point center = point(cell.u + 0.5 * side, cell.v + 0.5 * side);
+    if (cell.ours != Share_of_disc::ALL)
+      cell.ours = m_team.share_of(center, half_diagonal * side);
+    if (cell.ours == Share_of_disc::NONE)
+      return;
+    const Index triangle = m_domain.locate(center, cell.hint);
+    const bool is_inside = triangle != no_index && m_domain.is_inside(triangle);
+    // the domain misses a cell with neither boundary nor centre in it, up to bits smaller than a cell
+    if (!is_inside && boundary.empty())
+      return;
+    const double d = is_inside ? m_sizing(center) : 0;
+    double smallest = is_inside ? d : m_bubbles.d[boundary.front()];
+    if (side > 2 * smallest || !is_inside)
+      for (Index i : boundary)
+        smallest = (std::min)(smallest, m_bubbles.d[i]);
+    if (side > std::sqrt(2.) * smallest) {
+      std::vector<Index> part[4];
+      for (Index i : boundary) {
+        const double bv = (m_bubbles.y[i] - m_y0) / (0.5 * std::sqrt(3.));
+        const double bu = m_bubbles.x[i] - m_x0 - 0.5 * bv;
+        part[(bu >= cell.u + 0.5 * side) + 2 * (bv >= cell.v + 0.5 * side)].push_back(i);
+      }
+      for (int k = 0; k < 4; ++k)
+        subdivide(cell.quarter(k, triangle), part[k]);
+      return;
+    }
+    if (is_inside && m_team.owns_place(center))
+      m_centers.push_back(Hole_2{cell.rank, center.x(), center.y(), d, triangle});
+  }
+
+  /// bubbles in the centres where there is room beside the outline and those that came before
+  void add_bubbles()
+  {
+    const Point origin(m_domain.bbox().xmin(), m_domain.bbox().ymin());
+    Bubble_buckets_2 outline(least_distance, m_bubbles.d[0], origin.x(), origin.y(), m_bubbles.size());
+    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
+      outline.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
+    const std::size_t number_of_ours = m_team.share_holes(m_centers, least_distance);
+    std::vector<Greedy_candidate_2> candidates;
+    for (const Hole_2& h : m_centers)
+      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
+    Greedy_choice_2<Sequential_tag> choice;
+    choice.assign(candidates, least_distance, m_bubbles.d[0], origin, [&](Index k) {
+      return outline.is_free(candidates[k].x, candidates[k].y, candidates[k].d);
+    });
+    m_team.decide(choice);
+    choice.for_each_chosen([&](Index k) {
+      const Hole_2& h = m_centers[k];
+      if (static_cast<std::size_t>(k) < number_of_ours)
+        m_bubbles.add(Point(h.x, h.y), h.d, Bubbles_2::FACE, h.triangle);
+    });
+  }
+
+  const Domain_2& m_domain;
+  const Sizing& m_sizing;
+  Bubbles_2& m_bubbles;
+  Team& m_team;
+  std::vector<Hole_2> m_centers; // of cells
+  double m_x0 = 0, m_y0 = 0;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_RHOMBIC_H

@@ -1,0 +1,285 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_DELAUNAY_POPULATION_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_DELAUNAY_POPULATION_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The population control by the triangulation of the bubbles: a hole shows as a large empty circle
+/// and gets a bubble in its centre; a crowd shows as a short edge, or as a bubble with four neighbours
+/// or less, and loses one. It looks only where bubbles may have moved since it looked last.
+template <class Concurrency_tag, class Sizing, class Team = Population_alone>
+class Delaunay_population
+{
+public:
+  /// insert where the radius of an empty circle exceeds this times d (0.577 in the hexagonal lattice)
+  double largest_radius = 0.645;
+  /// delete where two bubbles are nearer than this times their mean size
+  double least_distance = 0.62;
+  /// delete bubbles of the faces with as many neighbours or less
+  int ill_connected = 4;
+
+  /// insert between two bubbles of an edge that are farther apart than this times d
+  double longest_gap = 1.4;
+  /// such a bubble takes the place of bubbles of the faces that are nearer than this times d: they were
+  /// pressed into the gap
+  double cleared_radius = 0.7;
+
+  Delaunay_population(const Domain_2& domain, const Sizing& sizing, Team& team)
+    : m_domain(domain), m_sizing(sizing), m_team(team)
+  {}
+
+  /// `touched`: the bubbles that may have moved
+  Population_change operator()(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
+                               const std::vector<Index>& touched)
+  {
+    const auto mesh = Local_triangulation_2::make<Concurrency_tag>(
+      bubbles, neighbors, m_team.share_touched(bubbles, touched));
+    m_change = Population_change();
+    m_is_deleted.assign(bubbles.size(), 0);
+    delete_crowded(bubbles, mesh);
+    insert_in_holes(bubbles, mesh);
+    insert_on_edges(bubbles, neighbors);
+    m_team.share(m_is_deleted);
+    for (std::size_t i = 0; i < m_is_deleted.size(); ++i)
+      if (m_is_deleted[i])
+        m_change.deleted.push_back(static_cast<Index>(i));
+    sort_in_space<Concurrency_tag>(m_domain, m_change.inserted);
+    m_team.number(m_change.inserted);
+    return std::move(m_change);
+  }
+
+private:
+  using Triangle = std::array<Index, 3>;
+
+  /// whether a triangle belongs to the domain; one with a corner in a face may reach over an edge, but
+  /// then bubbles are missing on this edge
+  bool is_inside(const Bubbles_2& b, const Triangle& t)
+  {
+    for (Index i : t)
+      if (b.is_in_face(i))
+        return true;
+    const Point centroid = CGAL::centroid(b.point(t[0]), b.point(t[1]), b.point(t[2]));
+    return m_domain.locate_inside(centroid, m_hint) != no_index;
+  }
+
+  /// bubbles that have to go unless a worse neighbour does
+  struct Crowded
+  {
+    std::vector<double> nearest; ///< of each bubble, infinity for those that stay
+    std::vector<Index> ours;     ///< the worst first
+  };
+
+  void delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
+  {
+    std::vector<Triangle> triangles;
+    std::copy_if(mesh.triangles().begin(), mesh.triangles().end(), std::back_inserter(triangles),
+                 [&](const Triangle& t) { return is_inside(b, t); });
+    m_team.share_triangles(b, triangles);
+    const Crowded crowded = find_crowded(b, mesh.touched(), triangles);
+    const std::vector<std::vector<Index>> worse = worse_neighbors(b, crowded, triangles);
+    do // the worst first; the neighbours of a deleted bubble get room and stay
+      for (std::size_t k = 0; k < crowded.ours.size(); ++k)
+        m_is_deleted[crowded.ours[k]] =
+          std::none_of(worse[k].begin(), worse[k].end(), [this](Index j) { return m_is_deleted[j] != 0; });
+    while (m_team.share(m_is_deleted));
+  }
+
+  Crowded find_crowded(const Bubbles_2& b, const std::vector<Index>& touched,
+                       const std::vector<Triangle>& triangles)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<int> degree(b.size(), 0);
+    std::vector<double> nearest(b.size(), infinity); // distance over mean size, least over neighbours
+    for (const Triangle& v : triangles)
+      for (int i = 0; i < 3; ++i) {
+        if (v[i] != no_index)
+          ++degree[v[i]];
+        const Index p = v[ccw(i)], q = v[cw(i)];
+        if (!is_near(b, p, q))
+          continue;
+        const double w = relative_distance(b, p, q);
+        nearest[p] = (std::min)(nearest[p], w);
+        nearest[q] = (std::min)(nearest[q], w);
+      }
+    Crowded result;
+    result.nearest.assign(b.size(), infinity);
+    for (Index i : touched)
+      if (b.is_ours(i) && ((b.is_in_face(i) && degree[i] <= ill_connected) ||
+                           (b.can_move(i) && nearest[i] < least_distance))) {
+        result.nearest[i] = (std::min)(nearest[i], std::numeric_limits<double>::max());
+        result.ours.push_back(i);
+      }
+    m_team.share(result.nearest);
+    std::sort(result.ours.begin(), result.ours.end(), [&](Index i, Index j) {
+      return is_worse(b, result, i, j);
+    });
+    return result;
+  }
+
+  static bool is_worse(const Bubbles_2& b, const Crowded& crowded, Index i, Index j)
+  {
+    const double w_i = crowded.nearest[i], w_j = crowded.nearest[j];
+    return w_i < w_j || (w_i == w_j && b.is_before(i, j));
+  }
+
+  /// of each of our crowded bubbles, the neighbours that are to go first, some twice
+  static std::vector<std::vector<Index>> worse_neighbors(const Bubbles_2& b, const Crowded& crowded,
+                                                         const std::vector<Triangle>& triangles)
+  {
+    std::vector<std::vector<Index>> result(crowded.ours.size());
+    if (result.empty())
+      return result;
+    std::vector<Index> position(b.size(), no_index);
+    for (std::size_t k = 0; k < crowded.ours.size(); ++k)
+      position[crowded.ours[k]] = static_cast<Index>(k);
+    for (const Triangle& v : triangles)
+      for (int i = 0; i < 3; ++i)
+        if (v[i] != no_index && position[v[i]] != no_index)
+          for (Index j : {v[ccw(i)], v[cw(i)]})
+            if (is_near(b, v[i], j) && crowded.nearest[j] < std::numeric_limits<double>::infinity() &&
+                is_worse(b, crowded, j, v[i]))
+              result[position[v[i]]].push_back(j);
+    return result;
+  }
+
+  void insert_in_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)
+  {
+    constexpr double least_distance = 0.9; // of new bubbles, in units of their mean size
+    std::vector<Hole_2> holes;
+    for (const Triangle& t : mesh.triangles())
+      add_hole(b, t, holes);
+    const std::size_t number_of_ours = m_team.share_holes(holes, least_distance);
+    std::vector<Greedy_candidate_2> candidates;
+    for (const Hole_2& h : holes)
+      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
+    Greedy_choice_2<Concurrency_tag> choice;
+    const Bbox_2& box = m_domain.bbox();
+    choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, Point(box.xmin(), box.ymin()),
+                  [](Index) { return true; });
+    m_team.decide(choice);
+    choice.for_each_chosen([&](Index k) {
+      if (static_cast<std::size_t>(k) < number_of_ours)
+        m_change.inserted.add(Point(holes[k].x, holes[k].y), holes[k].d, Bubbles_2::FACE, holes[k].triangle);
+    });
+  }
+
+  void add_hole(const Bubbles_2& b, const Triangle& v, std::vector<Hole_2>& holes)
+  {
+    if (m_is_deleted[v[0]] || m_is_deleted[v[1]] || m_is_deleted[v[2]])
+      return;
+    const Point p = b.point(v[0]), q = b.point(v[1]), r = b.point(v[2]);
+    if (is_flat(p, q, r))
+      return;
+    const Point center = CGAL::circumcenter(p, q, r);
+    const double radius = std::sqrt(CGAL::squared_distance(center, p));
+    // where d jumps, the bubbles around the hole count too; and d is not asked for all triangles
+    const double mean = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3;
+    if (!(radius > largest_radius * mean))
+      return;
+    const Point centroid = CGAL::centroid(p, q, r);
+    const Index start = m_domain.locate_inside(centroid, m_hint);
+    if (start == no_index)
+      return;
+    const Walk_end end = m_domain.walk(start, centroid, center);
+    if (end.is_blocked())
+      return;
+    const double d = m_sizing(center);
+    if (radius > largest_radius * d)
+      holes.push_back(Hole_2{-(radius / d), center.x(), center.y(), d, end.triangle});
+  }
+
+  /// whether the circumcentre would be made of roundings: three bubbles on a slanted edge
+  static bool is_flat(const Point& p, const Point& q, const Point& r)
+  {
+    constexpr double flat = 1e-6;
+    const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = r.x() - p.x(), vy = r.y() - p.y();
+    return !(ux * vy - uy * vx > flat * (ux * ux + uy * uy + vx * vx + vy * vy));
+  }
+
+  void insert_on_edges(const Bubbles_2& b, const Neighbor_sets_2& neighbors)
+  {
+    const Outline_bubbles_2 outline = m_team.outline(m_domain, b);
+    for (std::size_t e = 0; e < outline.on_edge.size(); ++e) {
+      const Domain_edge_2& edge = m_domain.edges()[e];
+      const Outline_bubble_2* u = &outline.on_corner[edge.source];
+      double s = 0;
+      for (const Outline_bubble_2& v : outline.on_edge[e]) {
+        close_gap(b, neighbors, static_cast<Index>(e), *u, v, 0.5 * (s + v.s));
+        u = &v;
+        s = v.s;
+      }
+      close_gap(b, neighbors, static_cast<Index>(e), *u, outline.on_corner[edge.target], 0.5 * (s + 1));
+    }
+  }
+
+  void close_gap(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index e, const Outline_bubble_2& u,
+                 const Outline_bubble_2& v, double s)
+  {
+    const double dx = u.x - v.x, dy = u.y - v.y;
+    if (2 * std::sqrt(dx * dx + dy * dy) / (u.d + v.d) <= longest_gap)
+      return;
+    const Point middle = m_domain.point_on_edge(e, s);
+    const double d = m_sizing(middle);
+    if (m_team.owns_place(middle))
+      m_change.inserted.add(middle, d, Bubbles_2::EDGE, e, s);
+    for (Index end : {u.index, v.index}) {
+      if (end == no_index)
+        continue; // and so are its neighbours with other ranks
+      for (const Index *j = neighbors.begin(end), *last = neighbors.end(end); j != last; ++j)
+        if (b.is_in_face(*j) && b.is_ours(*j) &&
+            CGAL::squared_distance(b.point(*j), middle) < cleared_radius * cleared_radius * d * d)
+          m_is_deleted[*j] = 1;
+    }
+  }
+
+  /// Whether this rank knows both and they are not on two sides of a hole: then one does not crowd the other.
+  static bool is_near(const Bubbles_2& b, Index i, Index j)
+  {
+    constexpr double far = 3; // ranks know bubbles up to a bit more
+    return i != no_index && j != no_index && relative_distance(b, i, j) < far;
+  }
+
+  static double relative_distance(const Bubbles_2& b, Index i, Index j)
+  {
+    const double dx = b.x[i] - b.x[j], dy = b.y[i] - b.y[j];
+    return 2 * std::sqrt(dx * dx + dy * dy) / (b.d[i] + b.d[j]);
+  }
+
+  const Domain_2& m_domain;
+  const Sizing& m_sizing;
+  Team& m_team;
+  Population_change m_change;
+  std::vector<char> m_is_deleted;
+  Index m_hint = 0; // a triangle of the domain near the last point
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_DELAUNAY_POPULATION_H

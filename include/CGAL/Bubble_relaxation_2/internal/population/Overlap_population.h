@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_OVERLAP_POPULATION_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_OVERLAP_POPULATION_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The population control of section 2.1.4 of the paper, by the overlapping ratio of Shimada and
+/// Gossard: with radii r = d/2,  alpha_i = 1/r_i sum_j (2 r_i + r_j - l_ij)  over the neighbours that
+/// add something. Six neighbours at the wanted distance make 6. Needs no triangulation.
+///
+/// The sources do not give their thresholds; these were chosen by experiment with the paper's figures.
+/// `Team`: what other ranks have to do with it, see `Population_alone`.
+template <class Sizing, class Team = Population_alone>
+class Overlap_population
+{
+public:
+  /// delete a bubble whose ratio is larger
+  double largest_ratio = 7;
+  /// insert a bubble beside one whose ratio is smaller
+  double smallest_ratio = 5.3;
+  /// an inserted bubble is no nearer to another than this, in units of the mean size
+  double least_distance = 0.75;
+
+  Overlap_population(const Domain_2& domain, const Sizing& sizing, Team& team)
+    : m_domain(domain), m_sizing(sizing), m_team(team)
+  {}
+
+  Population_change operator()(const Bubbles_2& b) const
+  {
+    Neighbor_sets_2 neighbors(1.7);
+    neighbors.build(b);
+    std::vector<double> ratio(b.size(), 0);
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_ours(i))
+        ratio[i] = overlapping_ratio(b, neighbors, static_cast<Index>(i));
+    m_team.share(ratio);
+    const std::vector<char> is_deleted = delete_overlapping(b, neighbors, ratio);
+    Population_change change;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (is_deleted[i])
+        change.deleted.push_back(static_cast<Index>(i));
+    insert_beside_lonely(b, neighbors, ratio, is_deleted, change.inserted);
+    sort_in_space<Sequential_tag>(m_domain, change.inserted);
+    m_team.number(change.inserted);
+    return change;
+  }
+
+private:
+  static double distance(const Bubbles_2& b, Index i, Index j)
+  {
+    return std::hypot(b.x[i] - b.x[j], b.y[i] - b.y[j]);
+  }
+
+  static double overlapping_ratio(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index i)
+  {
+    double sum = 0;
+    for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
+      sum += (std::max)(0., b.d[i] + 0.5 * b.d[*j] - distance(b, i, *j));
+    return 2 * sum / b.d[i];
+  }
+
+  /// whether bubbles are deleted: the most crowded first
+  std::vector<char> delete_overlapping(const Bubbles_2& b, const Neighbor_sets_2& neighbors,
+                                       const std::vector<double>& ratio) const
+  {
+    const auto is_crowded = [&](Index i) { return b.is_in_face(i) && ratio[i] > largest_ratio; };
+    const auto is_worse = [&](Index i, Index j) {
+      return ratio[i] > ratio[j] || (ratio[i] == ratio[j] && b.is_before(i, j));
+    };
+    std::vector<Index> crowded; // of ours
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_ours(i) && is_crowded(static_cast<Index>(i)))
+        crowded.push_back(static_cast<Index>(i));
+    std::sort(crowded.begin(), crowded.end(), is_worse);
+    std::vector<std::vector<Index>> worse(crowded.size()); // neighbours of each, in the same order
+    for (std::size_t k = 0; k < crowded.size(); ++k) {
+      const Index i = crowded[k];
+      std::copy_if(neighbors.begin(i), neighbors.end(i), std::back_inserter(worse[k]),
+                   [&](Index j) { return is_crowded(j) && is_worse(j, i); });
+      std::sort(worse[k].begin(), worse[k].end(), is_worse);
+    }
+    std::vector<char> is_deleted(b.size(), 0);
+    do // what a deletion takes away from its neighbours' ratios counts at once
+      for (std::size_t k = 0; k < crowded.size(); ++k)
+        is_deleted[crowded[k]] = ratio_left(b, ratio, crowded[k], worse[k], is_deleted) > largest_ratio;
+    while (m_team.share(is_deleted));
+    return is_deleted;
+  }
+
+  static double ratio_left(const Bubbles_2& b, const std::vector<double>& ratio, Index i,
+                           const std::vector<Index>& worse, const std::vector<char>& is_deleted)
+  {
+    double left = ratio[i];
+    for (Index j : worse)
+      if (is_deleted[j])
+        left -= (std::max)(0., 2 * b.d[i] + b.d[j] - 2 * distance(b, i, j)) / b.d[i];
+    return left;
+  }
+
+  void insert_beside_lonely(const Bubbles_2& b, const Neighbor_sets_2& neighbors, const std::vector<double>& ratio,
+                            const std::vector<char>& is_deleted, Bubbles_2& inserted) const
+  {
+    const Point origin(m_domain.bbox().xmin(), m_domain.bbox().ymin());
+    Bubble_buckets_2 buckets(least_distance, b.size() == 0 ? 1. : b.d[0], origin.x(), origin.y(), b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!is_deleted[i] && !b.is_gone(i))
+        buckets.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+    std::vector<Hole_2> holes;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_ours(i) && b.is_in_face(i) && !is_deleted[i] && ratio[i] < smallest_ratio)
+        add_place_beside(b, neighbors, static_cast<Index>(i), buckets, holes);
+    const std::size_t number_of_ours = m_team.share_holes(holes, least_distance);
+    std::vector<Greedy_candidate_2> candidates;
+    for (const Hole_2& h : holes)
+      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
+    Greedy_choice_2<Sequential_tag> choice;
+    choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, origin,
+                  [](Index) { return true; });
+    m_team.decide(choice);
+    choice.for_each_chosen([&](Index k) {
+      if (static_cast<std::size_t>(k) < number_of_ours)
+        inserted.add(Point(holes[k].x, holes[k].y), holes[k].d, Bubbles_2::FACE, holes[k].triangle);
+    });
+  }
+
+  /// a place for a bubble in the widest gap beside bubble `i` if there is room; the first of bubbles comes first
+  void add_place_beside(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index i,
+                        const Bubble_buckets_2& buckets, std::vector<Hole_2>& holes) const
+  {
+    constexpr double largest_ratio_of_sizes = 4; // where d jumps, others are looked for no farther than this allows
+    const double angle = middle_of_largest_gap(b, neighbors, i);
+    const Point p(b.x[i] + b.d[i] * std::cos(angle), b.y[i] + b.d[i] * std::sin(angle));
+    const Walk_end end = m_domain.walk(b.place[i], b.point(i), p);
+    if (end.is_blocked())
+      return;
+    const double d = m_sizing(p);
+    if (!buckets.is_free(p.x(), p.y(), (std::min)(d, largest_ratio_of_sizes * b.d[i])))
+      return;
+    const double number = static_cast<double>(b.number.empty() ? i : b.number[i]);
+    holes.push_back(Hole_2{number, p.x(), p.y(), d, end.triangle});
+  }
+
+  static double middle_of_largest_gap(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index i)
+  {
+    constexpr double full_turn = 6.283185307179586;
+    std::vector<double> angles;
+    for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
+      angles.push_back(std::atan2(b.y[*j] - b.y[i], b.x[*j] - b.x[i]));
+    if (angles.empty())
+      return 0;
+    std::sort(angles.begin(), angles.end());
+    double widest = angles.front() + full_turn - angles.back();
+    double middle = angles.back() + 0.5 * widest;
+    for (std::size_t k = 1; k < angles.size(); ++k)
+      if (angles[k] - angles[k - 1] > widest) {
+        widest = angles[k] - angles[k - 1];
+        middle = angles[k - 1] + 0.5 * widest;
+      }
+    return middle;
+  }
+
+  const Domain_2& m_domain;
+  const Sizing& m_sizing;
+  Team& m_team;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_OVERLAP_POPULATION_H

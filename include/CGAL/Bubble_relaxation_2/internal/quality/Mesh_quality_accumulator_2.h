@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/quality/order_independent.h>
+
+#include <CGAL/Kernel/global_functions_2.h>
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/radius_ratio_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// the number type of statistics: the kernel's, or `double` if that is exact and would only be slow
+template <class Kernel>
+struct Quality_number
+{
+  using type = std::conditional_t<std::is_floating_point<typename Kernel::FT>::value,
+                                  typename Kernel::FT, double>;
+};
+
+constexpr std::size_t number_of_quality_bars = 20;
+constexpr std::array<int, 7> quality_percents{1, 5, 10, 25, 50, 75, 90};
+
+/// the values behind `Mesh_quality_2`
+struct Mesh_statistics_2
+{
+  static constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+  std::size_t vertices = 0, triangles = 0, interior = 0, irregular = 0;
+  double minimum_quality = undefined, mean_quality = undefined;
+  double worst_x = undefined, worst_y = undefined;
+  double minimum_angle = undefined, maximum_angle = undefined;
+  std::array<double, quality_percents.size()> quality_percentiles{};
+  std::array<std::size_t, number_of_quality_bars> histogram{};
+  bool has_lengths = false;
+  double mean_length = undefined, deviation = undefined;
+  double length_percentile_1 = undefined, length_percentile_99 = undefined;
+};
+
+/// Collects triangles, vertices and edges one by one. The statistics do not depend on their order, to the
+/// last bit.
+class Mesh_quality_accumulator_2
+{
+public:
+  template <class Point_2>
+  void add_triangle(const Point_2& p, const Point_2& q, const Point_2& r)
+  {
+    // a vertex to begin with that only the points decide: what rounds depends on it
+    if (CGAL::lexicographically_xy_smaller(q, p) && CGAL::lexicographically_xy_smaller(q, r))
+      add_triangle_in_order(q, r, p);
+    else if (CGAL::lexicographically_xy_smaller(r, p))
+      add_triangle_in_order(r, p, q);
+    else
+      add_triangle_in_order(p, q, r);
+  }
+
+  void add_vertex(bool is_interior, std::size_t degree)
+  {
+    ++m.vertices;
+    m.interior += is_interior;
+    m.irregular += is_interior && degree != 6;
+  }
+
+  /// `ratio`: the length of an edge over the wanted length
+  void add_length(double ratio) { m_lengths.push_back(ratio); }
+
+  /// adds all that another one has
+  void add(const Mesh_quality_accumulator_2& other)
+  {
+    if (!other.m_qualities.empty() &&
+        (m_qualities.empty() || other.m.minimum_quality <= m.minimum_quality))
+      add_worst(other.m.minimum_quality, other.m.worst_x, other.m.worst_y);
+    m.vertices += other.m.vertices;
+    m.interior += other.m.interior;
+    m.irregular += other.m.irregular;
+    if (!other.m_qualities.empty()) {
+      if (may_be_smallest(other.m_largest_cotangent))
+        add_smallest(other.m_largest_cotangent, other.m.minimum_angle);
+      if (may_be_largest(other.m_smallest_cotangent))
+        add_largest(other.m_smallest_cotangent, other.m.maximum_angle);
+    }
+    m_qualities.insert(m_qualities.end(), other.m_qualities.begin(), other.m_qualities.end());
+    m_lengths.insert(m_lengths.end(), other.m_lengths.begin(), other.m_lengths.end());
+  }
+
+  /// `all` may know of what others have, see `All_values_here`; to be called once
+  template <class All = All_values_here>
+  Mesh_statistics_2 statistics(const All& all = All())
+  {
+    const auto counts = all.sums(std::array<std::size_t, 5>{m.vertices, m.interior, m.irregular,
+                                                            m_qualities.size(), m_lengths.size()});
+    m.vertices = counts[0];
+    m.interior = counts[1];
+    m.irregular = counts[2];
+    m.triangles = counts[3];
+    if (m.triangles > 0) {
+      finish_extremes(all);
+      finish_qualities(all);
+    }
+    m.has_lengths = counts[4] > 0;
+    if (m.has_lengths)
+      finish_lengths(counts[4], all);
+    return m;
+  }
+
+private:
+  template <class Point_2>
+  void add_triangle_in_order(const Point_2& p, const Point_2& q, const Point_2& r)
+  {
+    const double quality = radius_ratio(p, q, r);
+    if (m_qualities.empty() || quality <= m.minimum_quality)
+      add_worst(quality, CGAL::to_double(p.x() + q.x() + r.x()) / 3,
+                CGAL::to_double(p.y() + q.y() + r.y()) / 3);
+    m_qualities.push_back(quality);
+    add_angle(p, q, r);
+    add_angle(q, r, p);
+    add_angle(r, p, q);
+  }
+
+  void add_worst(double quality, double x, double y)
+  {
+    const bool is_equal = !m_qualities.empty() && quality == m.minimum_quality;
+    if (is_equal && std::make_pair(m.worst_x, m.worst_y) <= std::make_pair(x, y))
+      return;
+    m.minimum_quality = quality;
+    m.worst_x = x;
+    m.worst_y = y;
+  }
+
+  template <class Point_2>
+  void add_angle(const Point_2& p, const Point_2& q, const Point_2& r)
+  {
+    constexpr double degrees = 57.29577951308232;
+    const double ux = CGAL::to_double(q.x() - p.x()), uy = CGAL::to_double(q.y() - p.y());
+    const double vx = CGAL::to_double(r.x() - p.x()), vy = CGAL::to_double(r.y() - p.y());
+    const double scale = (std::max)(std::abs(ux) + std::abs(uy), std::abs(vx) + std::abs(vy));
+    const double cross = std::abs(ux / scale * (vy / scale) - uy / scale * (vx / scale));
+    const double dot = ux / scale * (vx / scale) + uy / scale * (vy / scale);
+    // the cotangent falls as the angle grows, and costs less
+    const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
+    const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();
+    if (may_be_smallest(cotangent))
+      add_smallest(cotangent, is_angle ? degrees * std::atan2(cross, dot) : 0.);
+    if (may_be_largest(cotangent))
+      add_largest(cotangent, is_angle ? degrees * std::atan2(cross, dot) : 0.);
+  }
+
+  bool may_be_smallest(double cotangent) const { return !(cotangent < m_largest_cotangent); }
+  bool may_be_largest(double cotangent) const { return !(cotangent > m_smallest_cotangent); }
+
+  /// of angles with the same cotangent the smallest, whichever comes first
+  void add_smallest(double cotangent, double angle)
+  {
+    m.minimum_angle = cotangent == m_largest_cotangent ? (std::min)(angle, m.minimum_angle) : angle;
+    m_largest_cotangent = cotangent;
+  }
+
+  void add_largest(double cotangent, double angle)
+  {
+    m.maximum_angle = cotangent == m_smallest_cotangent ? (std::max)(angle, m.maximum_angle) : angle;
+    m_smallest_cotangent = cotangent;
+  }
+
+  /// where there is no triangle all extremes are at infinity
+  template <class All>
+  void finish_extremes(const All& all)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const bool is_empty = m_qualities.empty();
+    const auto smallest_if = [&](bool is_one, double value) { return all.smallest(is_one ? value : infinity); };
+
+    const double quality = smallest_if(!is_empty, m.minimum_quality);
+    bool is_worst = !is_empty && !(m.minimum_quality > quality);
+    const double x = smallest_if(is_worst, m.worst_x);
+    is_worst = is_worst && !(m.worst_x > x);
+    m.worst_y = smallest_if(is_worst, m.worst_y);
+    m.worst_x = x;
+    m.minimum_quality = quality;
+
+    const double largest = all.largest(is_empty ? -infinity : m_largest_cotangent);
+    m.minimum_angle = smallest_if(!is_empty && m_largest_cotangent == largest, m.minimum_angle);
+    const double smallest = smallest_if(!is_empty, m_smallest_cotangent);
+    const bool is_widest = !is_empty && m_smallest_cotangent == smallest;
+    m.maximum_angle = all.largest(is_widest ? m.maximum_angle : -infinity);
+  }
+
+  template <class All>
+  void finish_qualities(const All& all)
+  {
+    for (double q : m_qualities) {
+      const double bar = q * double(number_of_quality_bars);
+      ++m.histogram[(std::min)(static_cast<std::size_t>(bar), number_of_quality_bars - 1)];
+    }
+    m.histogram = all.sums(m.histogram);
+    m.mean_quality = sum_in_any_order(m_qualities, [](double q) { return q; }, all) / double(m.triangles);
+    m.quality_percentiles = percentiles(m_qualities, m.triangles, quality_percents, all);
+  }
+
+  /// `lengths`: how many there are
+  template <class All>
+  void finish_lengths(std::size_t lengths, const All& all)
+  {
+    const double n = double(lengths);
+    m.mean_length = sum_in_any_order(m_lengths, [](double l) { return l; }, all) / n;
+    const auto square = [this](double l) { return (l - m.mean_length) * (l - m.mean_length); };
+    m.deviation = std::sqrt(sum_in_any_order(m_lengths, square, all) / n);
+    const auto ends = percentiles(m_lengths, lengths, std::array<int, 2>{1, 99}, all);
+    m.length_percentile_1 = ends[0];
+    m.length_percentile_99 = ends[1];
+  }
+
+  /// the smallest of the values that at least each of `percents` of all values do not exceed
+  template <std::size_t n, class All>
+  static std::array<double, n> percentiles(std::vector<double>& values, std::size_t number,
+                                           const std::array<int, n>& percents, const All& all)
+  {
+    std::array<std::size_t, n> positions;
+    std::transform(percents.begin(), percents.end(), positions.begin(), [number](int percent) {
+      const std::size_t rank = (number * static_cast<std::size_t>(percent) + 99) / 100;
+      return (std::max)(rank, std::size_t(1)) - 1;
+    });
+    return all.sorted_at(values, positions);
+  }
+
+  Mesh_statistics_2 m;
+  // of all angles; not numbers before the first
+  double m_largest_cotangent = std::numeric_limits<double>::quiet_NaN();
+  double m_smallest_cotangent = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> m_qualities, m_lengths;
+};
+
+/// adds all triangles and vertices of a domain
+template <class Cdt, class Is_inside>
+void add_domain(const Cdt& cdt, const Is_inside& is_inside, Mesh_quality_accumulator_2& accumulator)
+{
+  Unique_hash_map<typename Cdt::Vertex_handle, bool> is_seen(false);
+  for (auto f : cdt.finite_face_handles()) {
+    if (!is_inside(f))
+      continue;
+    accumulator.add_triangle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    for (int i = 0; i < 3; ++i) {
+      const auto v = f->vertex(i);
+      if (is_seen[v])
+        continue;
+      is_seen[v] = true;
+      bool is_interior = true;
+      std::size_t degree = 0;
+      auto g = cdt.incident_faces(v), start = g;
+      do {
+        is_interior = is_interior && is_inside(g) && !g->is_constrained(cdt.ccw(g->index(v)));
+        ++degree;
+      } while (++g != start);
+      accumulator.add_vertex(is_interior, degree);
+    }
+  }
+}
+
+/// adds the lengths of all edges of a domain
+template <class Cdt, class Is_inside, class Sizing>
+void add_lengths(const Cdt& cdt, const Is_inside& is_inside, const Sizing& sizing,
+                 Mesh_quality_accumulator_2& accumulator)
+{
+  using Point_2 = typename Cdt::Geom_traits::Point_2;
+  const auto add = [&](const Point_2& p, const Point_2& q) {
+    const double dx = CGAL::to_double(q.x() - p.x()), dy = CGAL::to_double(q.y() - p.y());
+    const Point_2 middle(p.x() + (q.x() - p.x()) / 2, p.y() + (q.y() - p.y()) / 2);
+    accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(middle));
+  };
+  // from faces, since the direction that CGAL's iterator gives an edge depends on addresses
+  for (auto f : cdt.finite_face_handles())
+    for (int i = 0; i < 3 && is_inside(f); ++i) {
+      const auto &p = f->vertex(cdt.ccw(i))->point(), &q = f->vertex(cdt.cw(i))->point();
+      if (CGAL::lexicographically_xy_smaller(p, q))
+        add(p, q);
+      else if (!is_inside(f->neighbor(i))) // else it is added from the other side
+        add(q, p);
+    }
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H

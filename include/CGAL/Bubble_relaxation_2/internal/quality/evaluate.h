@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/order_independent.h>
+
+#include <CGAL/Mesh_quality_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// d at the vertices of a mesh that belong to its domain; others are not the business of d
+template <class Concurrency_tag, class Sizing>
+std::vector<double> sizes_at_vertices(const Marked_triangulation_2& mesh, const Sizing& sizing)
+{
+  std::vector<char> is_in_domain(mesh.tr.points.size(), 0);
+  for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
+    for (Index v : mesh.tr.vertices[t])
+      if (mesh.inside[t])
+        is_in_domain[v] = 1;
+  std::vector<double> sizes(mesh.tr.points.size(), 0);
+  parallel_for<Concurrency_tag>(sizes.size(), [&](std::size_t v) {
+    if (is_in_domain[v])
+      sizes[v] = sizing(mesh.tr.points[v]);
+  });
+  return sizes;
+}
+
+/// How much d changes along edges, in whatever order they come.
+class Size_gradient_2
+{
+public:
+  /// `steep`: edges with a larger gradient are counted
+  explicit Size_gradient_2(double steep) : m_steep(steep) {}
+
+  /// adds an edge with d at its ends
+  void add(const Point& p, double d_p, const Point& q, double d_q)
+  {
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(); // of the user's formula
+    const double dx = q.x() - p.x(), dy = q.y() - p.y();
+    const double change = std::abs(d_q - d_p), length = std::sqrt(dx * dx + dy * dy), gradient = change / length;
+    ++m_number;
+    if (change > m_steep * length + rounding * (d_p + d_q))
+      ++m_number_of_steep;
+    if (!(gradient > 0) || gradient < m_largest)
+      return;
+    // from the end that comes first: what rounds must not depend on the triangle from which the edge is seen
+    const Point& first = CGAL::lexicographically_xy_smaller(q, p) ? q : p;
+    const double sign = &first == &q ? -1 : 1;
+    const Point middle(first.x() + sign * dx / 2, first.y() + sign * dy / 2);
+    if (gradient > m_largest || CGAL::lexicographically_xy_smaller(middle, m_steepest))
+      m_steepest = middle;
+    m_largest = gradient;
+  }
+
+  /// Puts it into the report. Of edges with the same gradient it tells that with the lexicographically smallest
+  /// midpoint. `all` may know of what others have, see `All_values_here`.
+  template <class Report, class All = All_values_here>
+  void tell(Report& report, const All& all = All()) const
+  {
+    using FT = typename Report::FT;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double largest = all.largest(m_largest);
+    const bool is_here = m_largest == largest;
+    const double x = all.smallest(is_here ? m_steepest.x() : infinity);
+    const double y = all.smallest(is_here && m_steepest.x() == x ? m_steepest.y() : infinity);
+    const auto counts = all.sums(std::array<std::size_t, 2>{m_number_of_steep, m_number});
+    report.largest_size_gradient = FT(largest);
+    report.steepest_x = FT(x);
+    report.steepest_y = FT(y);
+    report.steep_share = FT(counts[1] == 0 ? 0. : static_cast<double>(counts[0]) / static_cast<double>(counts[1]));
+  }
+
+private:
+  double m_steep, m_largest = 0;
+  Point m_steepest = Point(0, 0);
+  std::size_t m_number_of_steep = 0, m_number = 0;
+};
+
+/// Tells how much d changes from one vertex of a mesh to the next, which is what the mesh can see of its
+/// gradient, kinks and jumps included.
+template <class Concurrency_tag, class Sizing, class Report>
+void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& report)
+{
+  const std::vector<double> sizes = sizes_at_vertices<Concurrency_tag>(mesh, sizing);
+  const Flat_triangulation_2& tr = mesh.tr;
+  Size_gradient_2 gradient(Report::steep_size_gradient);
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (int i = 0; i < 3 && mesh.inside[t]; ++i) {
+      const Index n = tr.neighbors[t][i], a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
+      if (n != no_index && mesh.inside[n] && static_cast<std::size_t>(n) < t)
+        continue; // seen from the other side
+      gradient.add(tr.points[a], sizes[a], tr.points[b], sizes[b]);
+    }
+  gradient.tell(report);
+}
+
+/// Adds the length of an edge over d in the midpoint. It begins at the end that comes first: what rounds must not
+/// depend on the triangle from which the edge is seen.
+template <class Sizing>
+void add_length(const Point& p, const Point& q, const Sizing& sizing, Mesh_quality_accumulator_2& accumulator)
+{
+  const bool is_reversed = CGAL::lexicographically_xy_smaller(q, p);
+  const Point &a = is_reversed ? q : p, &b = is_reversed ? p : q;
+  const double dx = b.x() - a.x(), dy = b.y() - a.y();
+  accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(a.x() + dx / 2, a.y() + dy / 2));
+}
+
+/// Adds the triangles of a domain from `first` to `last`, without, and the lengths of their edges over d in
+/// the midpoints.
+template <class Sizing>
+void add_triangles(const Marked_triangulation_2& mesh, std::size_t first, std::size_t last,
+                   const Sizing& sizing, Mesh_quality_accumulator_2& accumulator)
+{
+  const Flat_triangulation_2& tr = mesh.tr;
+  for (std::size_t t = first; t < last; ++t) {
+    if (!mesh.inside[t])
+      continue;
+    const Index f = static_cast<Index>(t);
+    accumulator.add_triangle(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2));
+    for (int i = 0; i < 3; ++i) {
+      const Index n = tr.neighbors[t][i];
+      if (n != no_index && mesh.inside[n] && n < f)
+        continue; // seen from the other side
+      add_length(tr.point(f, ccw(i)), tr.point(f, cw(i)), sizing, accumulator);
+    }
+  }
+}
+
+/// adds the vertices of a domain
+inline void add_vertices(const Marked_triangulation_2& mesh, Mesh_quality_accumulator_2& accumulator)
+{
+  const Flat_triangulation_2& tr = mesh.tr;
+  std::vector<char> is_in_domain(tr.points.size(), 0), is_interior(tr.points.size(), 1);
+  std::vector<std::size_t> degrees(tr.points.size(), 0);
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+    const auto& v = tr.vertices[t];
+    for (int i = 0; i < 3; ++i) {
+      ++degrees[v[i]];
+      if (mesh.inside[t])
+        is_in_domain[v[i]] = 1;
+      if (mesh.edges[t][i] != no_index) // all ways out of the domain lead across edges
+        is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;
+    }
+  }
+  for (std::size_t v = 0; v < tr.points.size(); ++v)
+    if (is_in_domain[v])
+      accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
+}
+
+/// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
+/// then the user's triangulation must not have been changed yet.
+template <class Concurrency_tag, class Sizing, class Report>
+void evaluate(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& report)
+{
+  const Phase_timer timer(report.seconds.evaluation);
+  constexpr std::size_t block_size = 4096;
+  const std::size_t n = mesh.tr.number_of_triangles();
+  std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);
+  parallel_for<Concurrency_tag>(
+    blocks.size(),
+    [&](std::size_t k) {
+      add_triangles(mesh, k * block_size, (std::min)((k + 1) * block_size, n), sizing, blocks[k]);
+    },
+    1);
+  evaluate_size_gradient<Concurrency_tag>(mesh, sizing, report);
+  Mesh_quality_accumulator_2 all;
+  add_vertices(mesh, all);
+  for (const Mesh_quality_accumulator_2& block : blocks)
+    all.add(block);
+  report.quality = decltype(report.quality)(all.statistics());
+  report.number_of_vertices = report.quality.number_of_vertices();
+  report.number_of_triangles = report.quality.number_of_triangles();
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H

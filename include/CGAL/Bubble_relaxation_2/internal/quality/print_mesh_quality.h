@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_H
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+template <class Quality>
+void print_table(std::ostream& out, const Quality& q)
+{
+  const auto row = [&](const char* name) -> std::ostream& {
+    return out << "  " << std::left << std::setw(36) << name << std::right;
+  };
+  out << std::fixed;
+  row("vertices") << q.number_of_vertices() << '\n';
+  row("triangles") << q.number_of_triangles() << '\n';
+  out << std::setprecision(4);
+  row("radius ratio: mean, smallest") << q.mean_quality() << "  " << q.minimum_quality() << '\n';
+  row("  1 %, 10 %, median") << q.quality_percentile(1) << "  " << q.quality_percentile(10) << "  "
+                             << q.quality_percentile(50) << '\n';
+  out << std::setprecision(2);
+  row("angle: smallest, largest") << q.minimum_angle() << "  " << q.maximum_angle() << '\n';
+  row("interior vertices, not of degree 6") << q.number_of_interior_vertices() << "  "
+                                            << 100 * q.irregular_share() << " %\n";
+  if (!q.has_length_ratios())
+    return;
+  out << std::setprecision(4);
+  row("length over d: mean, deviation") << q.mean_length_ratio() << "  "
+                                        << q.length_ratio_deviation() << '\n';
+  row("  1 %, 99 %") << q.length_ratio_percentile(1) << "  " << q.length_ratio_percentile(99) << '\n';
+}
+
+/// one line a bar, from the first that is not empty
+template <class Quality>
+void print_histogram(std::ostream& out, const Quality& q)
+{
+  constexpr std::size_t width = 40;
+  const auto& bars = q.histogram();
+  const std::size_t highest = *std::max_element(bars.begin(), bars.end());
+  bool has_begun = false;
+  out << std::setprecision(2) << "  histogram of the radius ratio\n";
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    has_begun = has_begun || bars[k] > 0;
+    if (!has_begun)
+      continue;
+    // a bar that holds anything shows
+    const std::size_t length = bars[k] == 0 ? 0 : (std::max)(std::size_t(1), bars[k] * width / highest);
+    out << "  " << double(k) / double(bars.size()) << " - " << double(k + 1) / double(bars.size())
+        << ' ' << std::setw(10) << bars[k] << ' ' << std::string(length, '#') << '\n';
+  }
+}
+
+template <class Quality>
+void print(std::ostream& out, const Quality& quality)
+{
+  std::ostringstream text; // the user's stream keeps its format
+  print_table(text, quality);
+  if (quality.number_of_triangles() > 0)
+    print_histogram(text, quality);
+  out << text.str();
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_H

@@ -1,0 +1,417 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_SIMULATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_SIMULATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Active_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_alone.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/integrators.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Keeps the sizes of the bubbles up to date. d is asked again only where a bubble has moved more than
+/// `tolerance` times its size since it was asked last: most bubbles soon hardly move.
+template <class Sizing>
+class Size_update
+{
+public:
+  static constexpr double tolerance = 0.01;
+
+  Size_update(const Bubbles_2& b, const Sizing& sizing) : m_sizing(sizing), m_x(b.x), m_y(b.y) {}
+
+  void operator()(Bubbles_2& b, std::size_t i)
+  {
+    const double dx = b.x[i] - m_x[i], dy = b.y[i] - m_y[i], far = tolerance * b.d[i];
+    if (dx * dx + dy * dy <= far * far)
+      return;
+    b.d[i] = m_sizing(b.x[i], b.y[i]);
+    m_x[i] = b.x[i];
+    m_y[i] = b.y[i];
+  }
+
+  void make_room_for(std::size_t n)
+  {
+    internal::make_room_for(n, m_x);
+    internal::make_room_for(n, m_y);
+  }
+
+  /// a bubble added after the last; its size is known
+  void add(const Bubbles_2& b, std::size_t i) { add(b.x[i], b.y[i]); }
+
+  /// the same, of which it is known where d was asked
+  void add(double x, double y)
+  {
+    m_x.push_back(x);
+    m_y.push_back(y);
+  }
+
+  double x(std::size_t i) const { return m_x[i]; }
+  double y(std::size_t i) const { return m_y[i]; }
+
+  void clear()
+  {
+    m_x.clear();
+    m_y.clear();
+  }
+
+private:
+  const Sizing& m_sizing;
+  std::vector<double> m_x, m_y; // where d was asked
+};
+
+/// What one round of simulation did.
+struct Round_result
+{
+  std::size_t steps = 0;
+  std::size_t moves = 0;     ///< bubbles that took part, summed over the steps
+  std::size_t renewals = 0;
+  std::size_t returns = 0;   ///< bubbles put back into the domain
+  bool is_at_rest = false;   ///< no bubble moved more than the tolerance in the last step
+  bool is_cancelled = false;
+};
+
+/// What a step did to each active bubble, by its position among them.
+struct Step_flags
+{
+  std::vector<char> rests;     ///< moved less than the tolerance
+  std::vector<char> is_moving; ///< wanted to move more than it could sleep through
+  std::vector<char> returned;  ///< left its face and was put back
+  std::vector<char> is_outrun; ///< has used up its skin
+
+  void start_step(std::size_t n)
+  {
+    rests.resize(n);
+    is_moving.resize(n);
+    returned.resize(n);
+    is_outrun.resize(n);
+  }
+};
+
+/// What a simulation remembers of a bubble, beside the bubble itself.
+struct Bubble_memory_2
+{
+  double reference_x, reference_y, reference_d; ///< where its neighbours were last looked for
+  double asked_x, asked_y;                      ///< where d was last asked
+  char is_active, is_touched;
+};
+
+/// The bubbles in motion, with all that outlasts a round: neighbour sets, sizes, and who sleeps.
+template <class Concurrency_tag, class Integrator, class Sizing, class Team = Simulation_alone>
+class Simulation_2
+{
+public:
+  Simulation_2(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
+               Bubbles_2& bubbles, Team& team)
+    : m_options(options), m_tolerance(options.displacement_tolerance), m_boundary(domain),
+      m_integrator(options), m_bubbles(bubbles), m_team(team), m_neighbors(options.neighbor_radius),
+      m_update_size(bubbles, sizing)
+  {
+    m_active.wake_all(bubbles);
+  }
+
+  /// While bubbles are still inserted and deleted, rest need not be what it shall be in the end.
+  void rest_coarsely()
+  {
+    if (Integrator::lets_bubbles_sleep && m_options.population != Bubble_population::NONE)
+      m_tolerance = coarse_tolerance * m_options.displacement_tolerance;
+  }
+
+  bool rests_coarsely() const { return m_tolerance != m_options.displacement_tolerance; }
+
+  /// Wakes all bubbles for the rest that is asked for; returns false if it was that already.
+  bool rest_finely()
+  {
+    if (!rests_coarsely())
+      return false;
+    m_tolerance = m_options.displacement_tolerance;
+    m_active.rouse_all(m_bubbles);
+    return true;
+  }
+
+  const Neighbor_sets_2& neighbors() const { return m_neighbors; }
+  Neighbor_sets_2& neighbors() { return m_neighbors; }
+
+  /// whether neighbours were looked for, so that there is something to remember
+  bool has_begun() const { return m_has_begun; }
+
+  /// whether bubbles are renewed before they go far from where their neighbours were last looked for
+  bool keeps_references() const { return m_options.renewal_interval == 0; }
+
+  /// whether all are awake only to look whether they rest
+  bool is_roused() const { return m_active.is_roused(); }
+
+  Bubble_memory_2 memory(Index i) const
+  {
+    return Bubble_memory_2{m_neighbors.reference_x(i), m_neighbors.reference_y(i), m_neighbors.reference_d(i),
+                           m_update_size.x(i),         m_update_size.y(i),         m_active.is_active(i),
+                           m_active.is_touched(i)};
+  }
+
+  /// adds a bubble that is not new, but was not known here; it is in `bubbles` already
+  void add_known(const Bubble_memory_2& m)
+  {
+    const Index i = static_cast<Index>(m_bubbles.size()) - 1;
+    m_neighbors.add(i, m.reference_x, m.reference_y, m.reference_d);
+    m_update_size.add(m.asked_x, m.asked_y);
+    m_active.make_room(m_bubbles);
+    if (m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i))
+      m_outrun.push_back(i);
+  }
+
+  /// goes on with other bubbles, of each of which a simulation remembers something
+  void restart(const std::vector<Bubble_memory_2>& memories, bool is_roused)
+  {
+    m_has_begun = true;
+    std::vector<double> x, y, d;
+    std::vector<char> is_active, is_touched;
+    m_update_size.clear();
+    for (std::size_t i = 0; i < memories.size(); ++i) {
+      const Bubble_memory_2& m = memories[i];
+      x.push_back(m.reference_x);
+      y.push_back(m.reference_y);
+      d.push_back(m.reference_d);
+      m_update_size.add(m.asked_x, m.asked_y);
+      is_active.push_back(m_bubbles.is_ours(i) ? m.is_active : char(0));
+      is_touched.push_back(m.is_touched);
+    }
+    m_neighbors.template build<Concurrency_tag>(m_bubbles, Bubble_references_2{x, y, d});
+    m_active.restart(is_active, is_touched, is_roused);
+    m_outrun.clear();
+    for (std::size_t i = 0; i < memories.size(); ++i)
+      if (m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i))
+        m_outrun.push_back(static_cast<Index>(i));
+  }
+
+  /// the bubbles that may have moved in the last round
+  std::vector<Index> touched() const { return m_active.touched(); }
+
+  /// One round of Fig. 2 of the paper: steps until the bubbles rest, `number_of_iterations` at most.
+  template <class Seconds>
+  Round_result run_round(Progress& progress, Seconds& seconds)
+  {
+    Round_result result;
+    m_active.forget_touched();
+    {
+      const Phase_timer timer(seconds.renewal);
+      result.renewals += build_neighbors_if_first();
+    }
+    m_number_of_outrun = m_team.sum(Step_sums{0, count_outrun()}).outrun;
+    while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
+      if (!m_team.goes_on(progress.report_step(result.steps, m_options.number_of_iterations))) {
+        result.is_cancelled = true;
+        break;
+      }
+      {
+        const Phase_timer timer(seconds.renewal);
+        if (m_team.is_outgrown())
+          m_team.surround_anew(*this, m_bubbles);
+        result.renewals += renew_neighbors(result.steps);
+      }
+      const Phase_timer timer(seconds.motion);
+      step(result);
+    }
+    m_team.end_steps(*this, m_bubbles);
+    if (!keeps_references()) { // as in the paper before each round, and for the control of the population
+      const Phase_timer timer(seconds.renewal);
+      build_neighbors();
+      ++result.renewals;
+    }
+    if (m_options.population == Bubble_population::DELAUNAY)
+      m_team.look_across_holes(*this, m_bubbles);
+    return result;
+  }
+
+  /// Carries out a change of the population. Indices stay: new bubbles come after the last.
+  void apply(const Population_change& change)
+  {
+    for (Index i : change.deleted) {
+      const std::vector<Index> bereft(m_neighbors.begin(i), m_neighbors.end(i));
+      m_neighbors.remove(i);
+      m_bubbles.remove(i);
+      for (Index j : bereft)
+        m_active.wake(m_bubbles, j);
+    }
+    m_active.forget_gone(m_bubbles);
+    m_outrun.erase(std::remove_if(m_outrun.begin(), m_outrun.end(),
+                                  [this](Index i) { return m_bubbles.is_gone(i); }),
+                   m_outrun.end());
+    const Bubbles_2& in = change.inserted;
+    m_bubbles.make_room_for(in.size());
+    m_neighbors.make_room_for(in.size());
+    m_update_size.make_room_for(in.size());
+    const Index first = static_cast<Index>(m_bubbles.size());
+    for (std::size_t k = 0; k < in.size(); ++k) {
+      const Index i = static_cast<Index>(m_bubbles.size());
+      m_bubbles.add(in.point(k), in.d[k], static_cast<Bubbles_2::Dimension>(in.dimension[k]),
+                    in.place[k], in.s[k]);
+      if (!in.number.empty()) {
+        m_bubbles.number.push_back(in.number[k]);
+        m_bubbles.is_foreign.push_back(0);
+      }
+      m_neighbors.add(m_bubbles, i);
+      m_update_size.add(m_bubbles, i);
+      wake_around(i);
+    }
+    m_team.share_new(*this, m_bubbles, first);
+  }
+
+  /// a bubble is new, and takes part in the next step with its neighbours
+  void wake_around(Index i)
+  {
+    m_active.wake(m_bubbles, i);
+    for (const Index *j = m_neighbors.begin(i), *end = m_neighbors.end(i); j != end; ++j)
+      m_active.wake(m_bubbles, *j);
+  }
+
+private:
+  static constexpr double coarse_tolerance = 4; // times that of the end
+
+  /// makes the neighbour sets before the first round
+  bool build_neighbors_if_first()
+  {
+    if (m_has_begun)
+      return false;
+    m_has_begun = true;
+    build_neighbors();
+    m_team.surround(*this, m_bubbles);
+    return true;
+  }
+
+  void build_neighbors()
+  {
+    m_neighbors.template build<Concurrency_tag>(m_bubbles);
+    m_outrun.clear();
+  }
+
+  /// Renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
+  /// neighbours of neighbours; by default for the bubbles that have used up their skin, with buckets.
+  bool renew_neighbors(std::size_t step)
+  {
+    const std::size_t interval = m_options.renewal_interval;
+    if (interval == 0 && m_number_of_outrun != 0) {
+      if (3 * m_number_of_outrun > m_team.number_of_all(m_bubbles))
+        m_neighbors.template build<Concurrency_tag>(m_bubbles);
+      else
+        m_neighbors.template renew<Concurrency_tag>(m_bubbles, m_outrun);
+    } else if (interval != 0 && step != 0 && step % interval == 0) {
+      m_team.share_sets(m_bubbles, m_neighbors);
+      m_neighbors.renew_from_neighbors(m_bubbles);
+    } else
+      return false;
+    m_outrun.clear();
+    return true;
+  }
+
+  /// tells other ranks where bubbles are within a step
+  struct Stage_sharing
+  {
+    Team& team;
+    const Neighbor_sets_2& neighbors;
+
+    void send(const std::vector<double>& x, const std::vector<double>& y) const { team.send_positions(neighbors, x, y); }
+    void receive(std::vector<double>& x, std::vector<double>& y) const { team.receive_positions(x, y); }
+  };
+
+  void step(Round_result& result)
+  {
+    const std::vector<Index>& active = m_active.indices();
+    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements, Stage_sharing{m_team, m_neighbors});
+    m_flags.start_step(active.size());
+    move_all_of(active, true);
+    m_team.send_moves(m_bubbles, active, m_flags.is_moving);
+    move_all_of(active, false);
+    ++result.steps;
+    result.moves += active.size();
+    Step_sums sums{0, 0};
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      result.returns += m_flags.returned[k] != 0;
+      sums.restless += m_flags.rests[k] == 0;
+      if (m_flags.is_outrun[k])
+        m_outrun.push_back(active[k]);
+    }
+    sums.outrun = m_outrun.size();
+    const std::vector<Index>& others = m_team.receive_moves(m_bubbles, active, m_flags.is_moving);
+    for (Index i : others)
+      if (m_neighbors.is_outrun_by(m_bubbles, i))
+        m_outrun.push_back(i);
+    if (Integrator::lets_bubbles_sleep) {
+      m_active.add_others(others);
+      m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
+    } else if (!Team::is_alone)
+      m_active.forget_others(m_bubbles); // those that wait in others' parts
+    sums = m_team.sum(sums);
+    result.is_at_rest = sums.restless == 0;
+    m_number_of_outrun = sums.outrun;
+  }
+
+  /// moves the active bubbles at the border to other ranks, or all others
+  void move_all_of(const std::vector<Index>& active, bool is_at_border)
+  {
+    if (Team::is_alone && is_at_border)
+      return;
+    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
+      if (Team::is_alone || m_team.is_at_border(active[k]) == is_at_border)
+        move(k, active[k]);
+    });
+  }
+
+  std::size_t count_outrun() const
+  {
+    return static_cast<std::size_t>(
+      std::count_if(m_outrun.begin(), m_outrun.end(), [this](Index i) { return m_bubbles.is_ours(i); }));
+  }
+
+  void move(std::size_t k, Index i)
+  {
+    Bubbles_2& b = m_bubbles;
+    const double x = b.x[i], y = b.y[i];
+    m_flags.returned[k] = m_boundary.move(b, i, m_displacements.x[k], m_displacements.y[k]);
+    m_update_size(b, i);
+    const double dx = b.x[i] - x, dy = b.y[i] - y;
+    const double little = m_tolerance * b.share_of_tolerance(i) * b.d[i];
+    m_flags.is_moving[k] = m_displacements.x[k] * m_displacements.x[k] +
+                             m_displacements.y[k] * m_displacements.y[k] > little * little;
+    m_flags.rests[k] = dx * dx + dy * dy <= little * little;
+    m_flags.is_outrun[k] = m_neighbors.is_outrun_by(b, i);
+  }
+
+  const Relaxation_options& m_options;
+  bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
+  double m_tolerance; // a displacement of less, in units of the size, is rest
+  const Boundary_2 m_boundary;
+  Integrator m_integrator;
+  Bubbles_2& m_bubbles;
+  Team& m_team;
+  Neighbor_sets_2 m_neighbors;
+  Active_bubbles_2 m_active;
+  Size_update<Sizing> m_update_size;
+  Displacements m_displacements;
+  Step_flags m_flags;
+  std::vector<Index> m_outrun; // waiting for their renewal
+  std::size_t m_number_of_outrun = 0; // of all ranks
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_SIMULATION_2_H

@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Outline_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Sizing_field_ref_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// The smaller of the sizes that the user wants, if there is a wish, and of those from sources.
+class Smaller_of_2
+{
+public:
+  Smaller_of_2(const Sizing_field_ref_2* wanted, const Outline_field_2* limit)
+    : m_wanted(wanted), m_limit(limit)
+  {}
+
+  double operator()(double x, double y) const
+  {
+    if (m_wanted == nullptr || m_limit == nullptr)
+      return m_wanted != nullptr ? (*m_wanted)(x, y) : (*m_limit)(x, y);
+    return (std::min)((*m_wanted)(x, y), (*m_limit)(x, y));
+  }
+
+  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
+
+private:
+  const Sizing_field_ref_2* m_wanted;
+  const Outline_field_2* m_limit;
+};
+
+/// Finds the sizes that the outline of a domain asks for. Without a wish of the user: at each vertex of a
+/// constraint the length of the shorter constraint beside it, and less where the domain is narrower than
+/// that. With a wish: what is smaller than the wish by so much that the triangles between would be bad, the
+/// distances of pinned vertices among it.
+template <class Cdt>
+class Outline_sizes_2
+{
+  using Reading = Domain_reading_2<Cdt>;
+
+public:
+  explicit Outline_sizes_2(const Reading& reading, const Sizing_field_ref_2* wanted = nullptr)
+    : m_reading(reading), m_domain(reading.domain), m_wanted(wanted),
+      m_corner_sizes(m_domain.corners().size(), extent())
+  {}
+
+  std::vector<Size_source_2> operator()()
+  {
+    for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
+      add_edge(static_cast<Index>(e));
+    for (std::size_t c = 0; c < m_corner_sizes.size(); ++c)
+      add(m_domain.corners()[c], m_corner_sizes[c]);
+    // along a constraint that is long in comparison to the width of the domain each turn measures the
+    // width in more places
+    constexpr int turns = 4;
+    for (int turn = 0; turn < turns; ++turn) {
+      const std::size_t last = m_sources.size();
+      add_widths();
+      if (m_sources.size() == last)
+        break;
+    }
+    return std::move(m_sources);
+  }
+
+private:
+  /// Without these limits a slit, or two vertices that almost coincide, would ask for bubbles without number:
+  /// the least share of the domain's extent, and of a constraint's length or of the wish.
+  static constexpr double least_size = 1e-6, least_share = 0.125, least_share_of_wish = 1. / 256;
+
+  /// A wish is granted up to this times what the outline asks for: one row of triangles in a channel is no
+  /// worse when it is lower by a fifth than it should be.
+  static constexpr double tolerated = 1.25;
+
+  double extent() const
+  {
+    const Bbox_2& box = m_domain.bbox();
+    return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  }
+
+  double asked(double d) const { return m_wanted != nullptr ? tolerated * d : d; }
+
+  void add(const Point& p, double d)
+  {
+    double least = least_size * extent();
+    if (m_wanted != nullptr) {
+      const double wanted = (*m_wanted)(p);
+      if (asked(d) >= wanted)
+        return;
+      least = (std::max)(least, least_share_of_wish * wanted);
+    }
+    m_sources.push_back(Size_source_2{p, (std::max)(asked(d), least)});
+  }
+
+  /// The pieces of an edge between the vertices of the constraint. Those that only split it may slide and go
+  /// if the user has a wish.
+  void add_edge(Index e)
+  {
+    const auto& chain = m_reading.graph->chains()[e];
+    std::vector<Point> path(1, m_domain.source(e));
+    if (m_wanted == nullptr)
+      for (const auto v : chain.splits)
+        path.push_back(Reading::Graph::to_point(v));
+    path.push_back(m_domain.target(e));
+    double last = extent();
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      const double length = std::sqrt(CGAL::squared_distance(path[k - 1], path[k]));
+      if (k > 1)
+        add(path[k - 1], (std::min)(last, length));
+      else
+        limit(chain.source, length);
+      last = length;
+    }
+    limit(chain.target, last);
+  }
+
+  void limit(Index corner, double d)
+  {
+    m_corner_sizes[corner] = (std::min)(m_corner_sizes[corner], d);
+  }
+
+  /// divides the constraints by the sizes found so far, and measures across the triangles between them
+  void add_widths()
+  {
+    std::optional<Outline_field_2> found; // there are sources if there is no wish
+    if (!m_sources.empty())
+      found.emplace(m_sources, m_domain.bbox());
+    const Smaller_of_2 field(m_wanted, found ? &*found : nullptr);
+    const Bubbles_2 nodes = nodes_on_constraints(field);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      points.push_back(nodes.point(i));
+    Marked_triangulation_2 mesh;
+    if (mark_triangulation(points, cut_edges(m_domain, nodes), mesh) != Marking_error::NONE)
+      return; // rounded across each other: there is nothing to measure
+    for (std::size_t t = 0; t < mesh.inside.size(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        if (!mesh.inside[t])
+          continue;
+        const auto& v = mesh.tr.vertices[t];
+        if (mesh.edges[t][i] == no_index)
+          add_distance(nodes, v[ccw(i)], v[cw(i)], field);
+        else if (!is_in_corner(mesh, static_cast<Index>(t), i, nodes))
+          add_width(mesh, static_cast<Index>(t), i, least_width(nodes, v[i]), field);
+      }
+  }
+
+  static bool is_pin(const Bubbles_2& nodes, Index i) { return nodes.place[i] == no_index; }
+
+  /// the distance of a pinned vertex from another one or from a corner
+  void add_distance(const Bubbles_2& nodes, Index i, Index j, const Smaller_of_2& field)
+  {
+    if (!nodes.is_corner(i) || !nodes.is_corner(j) || !(is_pin(nodes, i) || is_pin(nodes, j)))
+      return;
+    const Point p = nodes.point(i), q = nodes.point(j);
+    const double distance = std::sqrt(CGAL::squared_distance(p, q));
+    for (const Point& end : {p, q})
+      if (asked(distance) < field(end))
+        add(end, distance);
+  }
+
+  Bubbles_2 nodes_on_constraints(const Smaller_of_2& field) const
+  {
+    Bubbles_2 nodes;
+    for (std::size_t c = 0; c < m_corner_sizes.size(); ++c)
+      nodes.add(m_domain.corners()[c], m_corner_sizes[c], Bubbles_2::CORNER, static_cast<Index>(c));
+    if (m_wanted != nullptr)
+      for (const auto v : m_reading.pinned)
+        nodes.add(Reading::Graph::to_point(v), extent(), Bubbles_2::CORNER, no_index);
+    for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
+      place_on_edge(m_domain, static_cast<Index>(e), field, nodes);
+    remove_coincident(m_domain, nodes);
+    return nodes;
+  }
+
+  double least_width(const Bubbles_2& nodes, Index i) const
+  {
+    if (m_wanted != nullptr)
+      return 0;
+    if (nodes.is_corner(i))
+      return least_share * m_corner_sizes[nodes.place[i]];
+    const Domain_edge_2& e = m_domain.edges()[nodes.place[i]];
+    return least_share * (std::min)(m_corner_sizes[e.source], m_corner_sizes[e.target]);
+  }
+
+  /// Whether a width is one between two edges that meet in a corner: however sharp the corner is, smaller
+  /// triangles are no better there.
+  bool is_in_corner(const Marked_triangulation_2& mesh, Index t, int i, const Bubbles_2& nodes) const
+  {
+    if (m_wanted == nullptr)
+      return false;
+    const auto& v = mesh.tr.vertices[t];
+    const std::array<Index, 2> opposite = ends_of_edge(nodes, v[ccw(i)], v[cw(i)]);
+    for (Index end : ends(nodes, v[i]))
+      if (end == opposite[0] || end == opposite[1])
+        return true;
+    return false;
+  }
+
+  /// the corners at the ends of the edge that a node lies on; none of a pinned vertex
+  std::array<Index, 2> ends(const Bubbles_2& nodes, Index i) const
+  {
+    if (nodes.is_corner(i))
+      return {nodes.place[i], nodes.place[i]};
+    const Domain_edge_2& e = m_domain.edges()[nodes.place[i]];
+    return {e.source, e.target};
+  }
+
+  std::array<Index, 2> ends_of_edge(const Bubbles_2& nodes, Index p, Index q) const
+  {
+    if (!nodes.is_corner(p))
+      return ends(nodes, p);
+    return nodes.is_corner(q) ? std::array<Index, 2>{nodes.place[p], nodes.place[q]} : ends(nodes, q);
+  }
+
+  /// the distance of the vertex `i` of a triangle from the constraint opposite to it
+  void add_width(const Marked_triangulation_2& mesh, Index t, int i, double least,
+                 const Smaller_of_2& field)
+  {
+    const Point &p = mesh.tr.point(t, i), &a = mesh.tr.point(t, ccw(i)), &b = mesh.tr.point(t, cw(i));
+    const Kernel::Vector_2 u = b - a;
+    const double s = ((p - a) * u) / (u * u);
+    // along a constraint there is no width
+    if ((s <= 0 && mesh.edges[t][cw(i)] != no_index) || (s >= 1 && mesh.edges[t][ccw(i)] != no_index))
+      return;
+    const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
+    const double width = (std::max)(std::sqrt(CGAL::squared_distance(p, foot)), least);
+    for (const Point& end : {p, foot})
+      if (asked(width) < field(end))
+        add(end, width);
+  }
+
+  const Reading& m_reading;
+  const Domain_2& m_domain;
+  const Sizing_field_ref_2* m_wanted;
+  std::vector<double> m_corner_sizes; // the shortest constraint at each
+  std::vector<Size_source_2> m_sources;
+};
+
+/// The size for a domain that has no mesh yet.
+template <class Cdt>
+Outline_field_2 outline_field(const Domain_reading_2<Cdt>& reading)
+{
+  return Outline_field_2(Outline_sizes_2<Cdt>(reading)(), reading.domain.bbox());
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H

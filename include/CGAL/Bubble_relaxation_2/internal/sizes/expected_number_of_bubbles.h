@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_EXPECTED_NUMBER_OF_BUBBLES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_EXPECTED_NUMBER_OF_BUBBLES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Sizing_field_ref_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// How many bubbles the domain and the sizing field ask for: on the corners, on the edges by the integral
+/// of 1/d, in the faces by the integral of 2 / (sqrt(3) d^2), the density of the hexagonal lattice.
+template <class Sizing>
+class Expected_number_of_bubbles
+{
+public:
+  /// `limit`: sums are not followed beyond it
+  Expected_number_of_bubbles(const Domain_2& domain, const Sizing& sizing, double limit)
+    : m_domain(domain), m_sizing(sizing), m_limit(limit),
+      m_coarsest((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
+                            domain.bbox().ymax() - domain.bbox().ymin()) / 16)
+  {}
+
+  double operator()()
+  {
+    const double in_area = integral_over_faces();
+    double on_edges = 0, cells_of_edges = 0;
+    for (std::size_t e = 0; e < m_domain.edges().size() && on_edges <= m_limit; ++e) {
+      const double between_ends = (std::max)(0., integral_over_edge(static_cast<Index>(e)) - 1);
+      const Domain_edge_2& edge = m_domain.edges()[e];
+      on_edges += between_ends;
+      cells_of_edges += 0.5 * between_ends * (edge.inside_left + edge.inside_right);
+    }
+    // the area around a bubble on an edge, on the sides that belong to the domain, is taken
+    return static_cast<double>(m_domain.corners().size()) + on_edges +
+           (std::max)(0., in_area - cells_of_edges);
+  }
+
+  /// the integral of the density over the domain
+  double integral_over_faces()
+  {
+    m_sum = 0;
+    const Flat_triangulation_2& tr = m_domain.triangulation();
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      if (m_domain.is_inside(static_cast<Index>(t)))
+        add(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), 0);
+    return m_sum;
+  }
+
+  /// the integral of 1/d along an edge
+  double integral_over_edge(Index e)
+  {
+    m_sum = 0;
+    add(m_domain.source(e), m_domain.target(e), 0);
+    return m_sum;
+  }
+
+private:
+  static constexpr int deepest = 48;
+
+  void add(const Point& p, const Point& q, const Point& r, int depth)
+  {
+    if (m_sum > m_limit)
+      return;
+    const Point c = CGAL::centroid(p, q, r);
+    const double d = m_sizing(c);
+    const double pq = CGAL::squared_distance(p, q), qr = CGAL::squared_distance(q, r),
+                 rp = CGAL::squared_distance(r, p), longest = std::sqrt((std::max)({pq, qr, rp}));
+    const double area =
+      0.5 * std::abs((q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
+    if (longest <= 4 * d || depth == deepest) {
+      m_sum += 2 / std::sqrt(3.) * area / (d * d);
+      return;
+    }
+    if (longest <= m_coarsest && is_smooth(p, q, r, d)) {
+      m_sum += 2 / std::sqrt(3.) * area * m_mean_density;
+      return;
+    }
+    // cut the longest edge: needles do not stay needles
+    if (pq >= qr && pq >= rp)
+      cut(p, q, r, depth);
+    else if (qr >= rp)
+      cut(q, r, p, depth);
+    else
+      cut(r, p, q, depth);
+  }
+
+  void cut(const Point& p, const Point& q, const Point& r, int depth)
+  {
+    const Point m = CGAL::midpoint(p, q);
+    add(p, m, r, depth + 1);
+    add(m, q, r, depth + 1);
+  }
+
+  void add(const Point& p, const Point& q, int depth)
+  {
+    if (m_sum > m_limit)
+      return;
+    const Point m = CGAL::midpoint(p, q);
+    const double d = m_sizing(m), length = std::sqrt(CGAL::squared_distance(p, q));
+    if (length <= 2 * d || depth == deepest ||
+        (length <= m_coarsest && is_near(p, d) && is_near(q, d))) {
+      m_sum += length / d;
+      return;
+    }
+    add(p, m, depth + 1);
+    add(m, q, depth + 1);
+  }
+
+  /// whether d changes little from the centre of a triangle to the middles of its sides; then their mean
+  /// of 1/d^2 is that of the triangle, to third order
+  bool is_smooth(const Point& p, const Point& q, const Point& r, double d)
+  {
+    constexpr double little = 0.15;
+    double sum = 0;
+    for (const Point& m : {CGAL::midpoint(p, q), CGAL::midpoint(q, r), CGAL::midpoint(r, p)}) {
+      const double d_m = m_sizing(m);
+      if (!(std::abs(d_m - d) <= little * d))
+        return false;
+      sum += 1 / (d_m * d_m);
+    }
+    m_mean_density = sum / 3;
+    return true;
+  }
+
+  bool is_near(const Point& p, double d) const { return std::abs(m_sizing(p) - d) <= 0.05 * d; }
+
+  const Domain_2& m_domain;
+  const Sizing& m_sizing;
+  double m_limit, m_coarsest;
+  double m_sum = 0;
+  double m_mean_density = 0; // of the last smooth triangle
+};
+
+/// \returns how many bubbles are expected
+/// \throws std::length_error if they are more than the user wants to have
+template <class Sizing>
+double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum,
+                             const char* asking)
+{
+  const double expected =
+    Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
+  if (expected > static_cast<double>(maximum)) {
+    std::ostringstream message;
+    message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
+            << ": " << asking << " ask for more, at least " << expected;
+    throw std::length_error(message.str());
+  }
+  return expected;
+}
+
+/// A sizing field, and how many bubbles it asks for in the domain: that costs calls of d, so it is found
+/// once.
+struct Counted_sizing_field_2 : Sizing_field_ref_2
+{
+  double expected_number;
+
+  Counted_sizing_field_2(const Sizing_field_ref_2& field, double number)
+    : Sizing_field_ref_2(field), expected_number(number)
+  {}
+};
+
+/// `asking`: what asks for these sizes, in words for the user
+/// \throws std::length_error if more bubbles are expected than the user wants to have
+inline Counted_sizing_field_2 counted(const Domain_2& domain, const Sizing_field_ref_2& sizing,
+                                      std::size_t maximum, const char* asking)
+{
+  return Counted_sizing_field_2(sizing, check_expected_number(domain, sizing, maximum, asking));
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_EXPECTED_NUMBER_OF_BUBBLES_H

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_DEFECT_SURGERY_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_DEFECT_SURGERY_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Patch_operation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// A triangle to be operated on. The worst comes first; among equals its vertices decide.
+struct Bad_triangle_2
+{
+  double quality;
+  std::array<std::int64_t, 3> vertices; ///< their numbers among all, in order
+  Index triangle;
+
+  bool operator<(const Bad_triangle_2& t) const
+  {
+    return std::tie(quality, vertices) < std::tie(t.quality, t.vertices);
+  }
+};
+
+/// q of the isosceles triangle with an angle of twice `half` at its tip: 8 sin(a) sin^2(45 - a/2)
+inline double quality_of_isosceles(double half)
+{
+  const double s = std::sin(half);
+  return 4 * s * (1 - s);
+}
+
+/// what q can be at most where the input fixes angles between two edges, which one triangle has or two share
+inline double best_quality(const Marked_triangulation_2& m, Index t)
+{
+  double best = 1;
+  for (int i = 0; i < 3; ++i) {
+    if (m.edges[t][ccw(i)] == no_index || m.edges[t][cw(i)] == no_index)
+      continue;
+    const Kernel::Vector_2 u = m.tr.point(t, ccw(i)) - m.tr.point(t, i),
+                           v = m.tr.point(t, cw(i)) - m.tr.point(t, i);
+    const double half = 0.5 * std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v);
+    best = (std::min)(best, (std::max)(quality_of_isosceles(half), quality_of_isosceles(half / 2)));
+  }
+  return best;
+}
+
+/// The triangles with q less than `bad_quality`, unless the input does not allow for more; the worst first.
+inline std::vector<Bad_triangle_2> bad_triangles(const Bubbles_2& b, const Marked_triangulation_2& m,
+                                                 double bad_quality)
+{
+  std::vector<Bad_triangle_2> result;
+  for (std::size_t k = 0; k < m.inside.size(); ++k) {
+    const Index t = static_cast<Index>(k);
+    const double q = m.inside[k] ? quality(m.tr, t) : 1.;
+    if (!(q < bad_quality && q < 0.9 * best_quality(m, t)))
+      continue;
+    Bad_triangle_2 bad{q, {}, t};
+    for (int i = 0; i < 3; ++i) {
+      const Index v = m.tr.vertices[k][i];
+      bad.vertices[i] = b.number.empty() ? v : b.number[v];
+    }
+    std::sort(bad.vertices.begin(), bad.vertices.end());
+    result.push_back(bad);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// What is still bad when vertices were moved needs one vertex less or more. Operates on the worst triangles,
+/// the worst first, on patches that do not overlap, and puts what comes out in their place.
+class Defect_surgery_2
+{
+public:
+  /// `bad_quality`: triangles with less are operated on. \pre the edges of `mesh` are labelled.
+  Defect_surgery_2(const Domain_2& domain, const Bubble_mesh_2& mesh, double bad_quality)
+    : m_domain(domain), m_mesh(mesh), m_bad_quality(bad_quality)
+  {}
+
+  /// what the last call did
+  std::size_t number_of_insertions = 0, number_of_deletions = 0;
+  bool has_changed_outline = false; ///< then the triangles outside of the domain are still to be made
+
+  /// operates on `most` triangles at most; returns the mesh if it changed, else an empty one
+  Bubble_mesh_2 operator()(std::size_t most)
+  {
+    const std::vector<Operation> operations = operate(most);
+    if (operations.empty())
+      return {};
+    Bubble_mesh_2 result = m_mesh;
+    Mesh_stitching_2 stitching(result.triangulation);
+    for (const Operation& operation : operations) {
+      const std::vector<Index> number = replace_bubbles(operation, result);
+      stitching.replace(operation.patch.triangles(), operation.outcome.triangles(operation.patch, number));
+    }
+    stitching.finish(result.bubbles.indices_left());
+    result.bubbles.forget_gone();
+    return result;
+  }
+
+private:
+  struct Operation
+  {
+    Mesh_patch_2 patch;
+    Patch_outcome_2 outcome;
+  };
+
+  std::vector<Operation> operate(std::size_t most) const
+  {
+    std::vector<char> is_taken(m_mesh.triangulation.tr.number_of_triangles(), 0);
+    std::vector<Operation> result;
+    std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh.bubbles, m_mesh.triangulation, m_bad_quality);
+    worst.resize((std::min)(most, worst.size()));
+    for (const Bad_triangle_2& bad : worst) {
+      Mesh_patch_2 patch(m_mesh.bubbles, m_mesh.triangulation, bad.triangle);
+      if (std::any_of(patch.triangles().begin(), patch.triangles().end(),
+                      [&](Index n) { return is_taken[n] != 0; }))
+        continue;
+      Patch_operation_2 operate(m_domain, m_mesh.bubbles, m_mesh.triangulation, patch);
+      if (!operate(bad.triangle))
+        continue;
+      for (Index n : patch.triangles())
+        is_taken[n] = 1;
+      result.push_back(Operation{std::move(patch), operate.best()});
+    }
+    return result;
+  }
+
+  /// puts the bubbles of an outcome in the place of those of a patch; returns their numbers in the mesh
+  std::vector<Index> replace_bubbles(const Operation& operation, Bubble_mesh_2& mesh)
+  {
+    const std::vector<Index>& indices = operation.patch.indices();
+    const Bubbles_2& b = operation.outcome.bubbles;
+    std::vector<char> is_left(indices.size(), 0);
+    std::vector<Index> number;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      const std::size_t original = static_cast<std::size_t>(operation.outcome.original[k]);
+      if (original >= indices.size()) {
+        number.push_back(insert(b, k, mesh));
+        continue;
+      }
+      is_left[original] = 1;
+      number.push_back(indices[original]);
+      move(b, k, indices[original], mesh);
+    }
+    for (std::size_t l = 0; l < indices.size(); ++l)
+      if (!is_left[l])
+        remove(indices[l], mesh);
+    return number;
+  }
+
+  Index insert(const Bubbles_2& b, std::size_t k, Bubble_mesh_2& mesh)
+  {
+    ++number_of_insertions;
+    has_changed_outline = has_changed_outline || b.is_on_edge(k);
+    mesh.bubbles.add(b.point(k), b.d[k], static_cast<Bubbles_2::Dimension>(b.dimension[k]), b.place[k], b.s[k]);
+    mesh.triangulation.tr.points.push_back(b.point(k));
+    return static_cast<Index>(mesh.bubbles.size() - 1);
+  }
+
+  void move(const Bubbles_2& b, std::size_t k, Index i, Bubble_mesh_2& mesh)
+  {
+    Bubbles_2& all = mesh.bubbles;
+    has_changed_outline = has_changed_outline || (b.is_on_edge(k) && b.point(k) != all.point(i));
+    all.x[i] = b.x[k];
+    all.y[i] = b.y[k];
+    all.s[i] = b.s[k];
+    if (b.is_in_face(k))
+      all.place[i] = b.place[k];
+    mesh.triangulation.tr.points[i] = b.point(k);
+  }
+
+  void remove(Index i, Bubble_mesh_2& mesh)
+  {
+    ++number_of_deletions;
+    has_changed_outline = has_changed_outline || mesh.bubbles.is_on_edge(i);
+    mesh.bubbles.remove(i);
+  }
+
+  const Domain_2& m_domain;
+  const Bubble_mesh_2& m_mesh;
+  const double m_bad_quality;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_DEFECT_SURGERY_2_H

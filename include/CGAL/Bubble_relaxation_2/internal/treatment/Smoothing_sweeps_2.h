@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Treatment_alone.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_smoothing_2.h>
+
+#include <CGAL/radius_ratio_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+inline double quality(const Flat_triangulation_2& tr, Index t)
+{
+  return radius_ratio(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2));
+}
+
+/// q of each triangle of the domain, 1 outside
+template <class Concurrency_tag>
+std::vector<double> qualities(const Marked_triangulation_2& mesh)
+{
+  std::vector<double> result(mesh.tr.number_of_triangles());
+  parallel_for<Concurrency_tag>(result.size(), [&](std::size_t t) {
+    const Index i = static_cast<Index>(t);
+    result[t] = mesh.inside[t] != 0 ? quality(mesh.tr, i) : 1.;
+  });
+  return result;
+}
+
+/// the smallest q of the triangles of the domain
+template <class Concurrency_tag = Sequential_tag>
+double smallest_quality(const Marked_triangulation_2& mesh)
+{
+  const std::vector<double> q = qualities<Concurrency_tag>(mesh);
+  return q.empty() ? 1. : *std::min_element(q.begin(), q.end());
+}
+
+/// The last defects. Where vertices have five and seven neighbours the forces press triangles more than
+/// they must be pressed. So the vertices of bad triangles are moved for the quality of their triangles
+/// alone: in sweeps, of which each takes the vertices around those that moved in the last one, with the
+/// constrained Delaunay property restored in between. Vertices of other ranks are left to them.
+template <class Concurrency_tag, class Team = const Treatment_alone>
+class Defect_treatment_2
+{
+public:
+  /// triangles with less are treated
+  static constexpr double treated_quality = 0.95;
+  static constexpr int number_of_sweeps = 4;
+
+  Defect_treatment_2(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles, Team& team)
+    : m_domain(domain), m_mesh(mesh), m_bubbles(bubbles), m_team(team), m_coloring(bubbles.size())
+  {}
+
+  /// returns the vertices that were moved
+  std::vector<Index> operator()()
+  {
+    Editable_triangulation_2 mesh(m_mesh, &m_log);
+    std::vector<char> was_moved(m_bubbles.size(), 0);
+    std::vector<Index> candidates = vertices_of_bad_triangles();
+    for (int sweep = 0; sweep < number_of_sweeps && m_team.goes_on(!candidates.empty()); ++sweep) {
+      const std::vector<Index> moved = move(mesh, candidates);
+      mesh.restore_delaunay(moved);
+      m_team.restore_border(mesh);
+      for (Index v : moved)
+        was_moved[v] = 1;
+      candidates = neighbors_of(mesh, moved);
+    }
+    return marked(was_moved);
+  }
+
+  /// takes back all moves and flips \pre nobody else has changed the mesh since
+  void undo() { m_log.undo(m_mesh, m_bubbles); }
+
+private:
+  bool may_be_moved(Index v) const { return m_bubbles.can_move(v) && m_bubbles.is_ours(v); }
+
+  std::vector<Index> vertices_of_bad_triangles() const
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const std::vector<double> q = qualities<Concurrency_tag>(m_mesh);
+    std::vector<char> marks(m_bubbles.size(), 0);
+    for (std::size_t t = 0; t < q.size(); ++t)
+      if (q[t] < treated_quality)
+        for (Index v : tr.vertices[t])
+          marks[v] = may_be_moved(v);
+    return marked(marks);
+  }
+
+  static std::vector<Index> marked(const std::vector<char>& marks)
+  {
+    std::vector<Index> result;
+    for (std::size_t v = 0; v < marks.size(); ++v)
+      if (marks[v])
+        result.push_back(static_cast<Index>(v));
+    return result;
+  }
+
+  /// tries to move the candidates: neighbours one after the other, others at the same time
+  std::vector<Index> move(Editable_triangulation_2& mesh, const std::vector<Index>& candidates)
+  {
+    const Vertex_smoothing_2 smooth(m_domain, treated_quality);
+    std::vector<std::vector<Index>> independent = independent_sets(mesh, candidates);
+    independent.resize(m_team.largest(independent.size()));
+    std::vector<Index> result;
+    for (const std::vector<Index>& set : independent) {
+      std::vector<char> was_moved(set.size(), 0);
+      std::vector<Treatment_log_2::Vertex> before(set.size());
+      parallel_for<Concurrency_tag>(
+        set.size(),
+        [&](std::size_t k) {
+          before[k] = Treatment_log_2::vertex(m_bubbles, set[k]);
+          was_moved[k] = smooth(mesh, m_bubbles, set[k]);
+        },
+        64);
+      std::vector<Index> moved;
+      for (std::size_t k = 0; k < set.size(); ++k)
+        if (was_moved[k]) {
+          moved.push_back(set[k]);
+          m_log.note(before[k]);
+        }
+      m_team.share_moves(m_mesh, m_bubbles, moved, m_log);
+      result.insert(result.end(), moved.begin(), moved.end());
+    }
+    return result;
+  }
+
+  std::vector<std::vector<Index>> independent_sets(const Editable_triangulation_2& mesh,
+                                                   const std::vector<Index>& candidates)
+  {
+    m_coloring.color(mesh, candidates);
+    m_team.share_colors(mesh, candidates, m_coloring);
+    std::vector<std::vector<Index>> sets = m_coloring.sets(candidates);
+    m_coloring.forget(candidates);
+    return sets;
+  }
+
+  std::vector<Index> neighbors_of(const Editable_triangulation_2& mesh,
+                                  const std::vector<Index>& moved) const
+  {
+    std::vector<Index> result;
+    for (Index v : moved)
+      for (const Corner_2& c : mesh.star(v))
+        for (Index w : m_mesh.tr.vertices[c.triangle])
+          if (may_be_moved(w) && mesh.is_inside(c.triangle))
+            result.push_back(w);
+    m_team.add_neighbors_of_others(mesh, m_bubbles, result);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  const Domain_2& m_domain;
+  Marked_triangulation_2& m_mesh;
+  Bubbles_2& m_bubbles;
+  Team& m_team;
+  Greedy_coloring_2 m_coloring;
+  Treatment_log_2 m_log;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H

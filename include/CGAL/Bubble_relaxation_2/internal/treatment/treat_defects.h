@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_TREAT_DEFECTS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_TREAT_DEFECTS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Outside_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// What the treatment of defects did to a mesh: vertices that were moved, inserted and deleted.
+struct Treatment_counts
+{
+  std::size_t treated = 0, inserted = 0, deleted = 0;
+
+  Treatment_counts& operator+=(const Treatment_counts& c)
+  {
+    treated += c.treated;
+    inserted += c.inserted;
+    deleted += c.deleted;
+    return *this;
+  }
+
+  template <class Report>
+  void add_to(Report& report) const
+  {
+    report.number_of_treated_vertices += treated;
+    report.number_of_insertions += inserted;
+    report.number_of_deletions += deleted;
+  }
+};
+
+/// Triangles with less than the first are operated on at first, and so on: angles of 38 degrees and less are in
+/// triangles with less than the first.
+constexpr double bad_qualities[] = {0.88, 0.8, 0.8, 0.8};
+
+/// Operations are dear: so many are made at a time, at most.
+inline std::size_t most_operations(std::size_t number_of_bubbles) { return 32 + number_of_bubbles / 1000; }
+
+/// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
+/// \returns the number of vertices that were moved
+template <class Concurrency_tag>
+std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& smallest)
+{
+  const Treatment_alone alone;
+  Defect_treatment_2<Concurrency_tag> treat(domain, mesh.triangulation, mesh.bubbles, alone);
+  const std::vector<Index> moved = treat();
+  const double smallest_now = smallest_quality<Concurrency_tag>(mesh.triangulation);
+  const bool moves_outline = std::any_of(moved.begin(), moved.end(),
+                                         [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
+  // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
+  if (smallest_now < smallest ||
+      (moves_outline && !Outside_2(domain, mesh.bubbles, mesh.triangulation).rebuild())) {
+    treat.undo();
+    return 0;
+  }
+  smallest = smallest_now;
+  return moved.size();
+}
+
+/// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller. All that
+/// could be better by it is tried once, since operations are dear, and what is bad some times more.
+template <class Concurrency_tag>
+void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, Treatment_counts& counts)
+{
+  const std::size_t most = most_operations(mesh.bubbles.size());
+  for (double bad_quality : bad_qualities) {
+    if (smallest >= bad_quality)
+      break;
+    label_edges(mesh.triangulation);
+    Defect_surgery_2 surgery(domain, mesh, bad_quality);
+    Bubble_mesh_2 changed = surgery(most);
+    if (changed.bubbles.size() == 0)
+      break;
+    // rounding can make a mess of a change; then what was there is good
+    if (surgery.has_changed_outline && !Outside_2(domain, changed.bubbles, changed.triangulation).rebuild())
+      break;
+    double smallest_now = smallest_quality<Concurrency_tag>(changed.triangulation);
+    const std::size_t moved = smooth_defects<Concurrency_tag>(domain, changed, smallest_now);
+    if (smallest_now < smallest)
+      break;
+    smallest = smallest_now;
+    mesh = std::move(changed);
+    counts += Treatment_counts{moved, surgery.number_of_insertions, surgery.number_of_deletions};
+  }
+}
+
+/// Treats the last defects of a mesh. The smallest q never gets smaller. Sizes of bubbles that move are not
+/// renewed.
+template <class Concurrency_tag>
+Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_options& options, Bubble_mesh_2& mesh)
+{
+  Treatment_counts counts;
+  double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
+  counts.treated = smooth_defects<Concurrency_tag>(domain, mesh, smallest);
+  if (options.population != Bubble_population::NONE)
+    operate_on_defects<Concurrency_tag>(domain, mesh, smallest, counts);
+  return counts;
+}
+
+/// whether a mesh with `after` vertices may be compared with one that has `before`
+inline bool is_about_as_many(std::size_t before, std::size_t after)
+{
+  constexpr double same_number = 0.05;
+  return std::abs(double(after) - double(before)) <= same_number * double(before);
+}
+
+/// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is
+/// larger, treated too, unless d asked for more or fewer bubbles.
+template <class Concurrency_tag, class Cdt, class Sizing>
+void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                     const Relaxation_options& options, Bubble_mesh_2& mesh, Treatment_counts& counts)
+{
+  Bubble_mesh_2 given;
+  given.bubbles = given_bubbles<Concurrency_tag>(reading, sizing);
+  if (!is_about_as_many(given.bubbles.size(), mesh.bubbles.size()))
+    return;
+  given.triangulation = triangulate(reading.domain, given.bubbles);
+  if (smallest_quality<Concurrency_tag>(given.triangulation) <=
+      smallest_quality<Concurrency_tag>(mesh.triangulation))
+    return;
+  counts = treat_defects<Concurrency_tag>(reading.domain, options, given);
+  mesh = std::move(given);
+}
+
+/// whether there is a result of a simulation to be treated
+template <class Report>
+bool is_treatment_due(const Relaxation_options& options, const Report& report)
+{
+  return options.defect_treatment && report.number_of_steps != 0 &&
+         report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK;
+}
+
+/// The triangulation of the simulated bubbles, and what is done to it before it is written.
+template <class Concurrency_tag, class Cdt, class Sizing, class Report>
+Bubble_mesh_2 make_mesh(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
+                        const Relaxation_options& options, Bubbles_2 bubbles, Report& report)
+{
+  const Phase_timer timer(report.seconds.treatment);
+  Bubble_mesh_2 mesh{std::move(bubbles), {}};
+  mesh.triangulation = triangulate(reading.domain, mesh.bubbles);
+  if (!is_treatment_due(options, report))
+    return mesh;
+  Treatment_counts counts = treat_defects<Concurrency_tag>(reading.domain, options, mesh);
+  if (keeps_given_bubbles(options))
+    keep_the_better<Concurrency_tag>(reading, sizing, options, mesh, counts);
+  counts.add_to(report);
+  return mesh;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_TREAT_DEFECTS_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Whether a kernel has coordinates in double and exact predicates.
+template <class Traits, class = void>
+struct Is_exact_on_doubles : std::false_type {};
+
+template <class Traits>
+struct Is_exact_on_doubles<Traits, std::enable_if_t<Traits::Has_filtered_predicates_tag::value>>
+  : std::is_same<typename Traits::FT, double> {};
+
+/// Whether a triangulation is CGAL's constrained Delaunay triangulation itself, on such a kernel: what is
+/// derived from it, like `Constrained_triangulation_plus_2`, may know more of its vertices and faces.
+template <class Cdt>
+struct Is_plain : std::false_type {};
+
+template <class Traits, class Tds, class Itag>
+struct Is_plain<Constrained_Delaunay_triangulation_2<Traits, Tds, Itag>> : Is_exact_on_doubles<Traits> {};
+
+/// Writes the mesh in arrays into the triangulation that its domain was read from, triangle by triangle: a mesh
+/// that is known need not be found again by insertion. Vertices of corners and pinned vertices stay. Nothing
+/// else does, so it is for triangulations that hold nothing but the domain.
+template <class Cdt>
+class Direct_write_2
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Face_handle = typename Cdt::Face_handle;
+  using Reading = Domain_reading_2<Cdt>;
+
+public:
+  Direct_write_2(Cdt& cdt, const Reading& reading, const Bubble_mesh_2& mesh)
+    : m_cdt(cdt), m_reading(reading), m_bubbles(mesh.bubbles), m_mesh(mesh.triangulation)
+  {}
+
+  /// whether the triangulation holds nothing but the domain
+  static bool is_possible(const Cdt& cdt, const Reading& reading)
+  {
+    std::size_t known = reading.free.size() + reading.pinned.size() + reading.graph->corners().size();
+    for (const auto& chain : reading.graph->chains())
+      known += chain.splits.size();
+    return known == cdt.number_of_vertices() && !reading.graph->touches_other_constraints();
+  }
+
+  void operator()()
+  {
+    m_cdt.tds().faces().clear();
+    make_vertices();
+    make_triangles();
+    surround_hull();
+  }
+
+private:
+  void make_vertices()
+  {
+    for (Vertex_handle v : m_reading.free)
+      m_cdt.tds().delete_vertex(v);
+    for (const auto& chain : m_reading.graph->chains())
+      for (Vertex_handle v : chain.splits)
+        m_cdt.tds().delete_vertex(v);
+    m_vertices.reserve(m_bubbles.size());
+    for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
+      if (m_bubbles.is_corner(i))
+        m_vertices.push_back(m_bubbles.place[i] != no_index ? m_reading.graph->corners()[m_bubbles.place[i]]
+                                                            : m_reading.pinned[m_bubbles.tag[i]]);
+      else {
+        m_vertices.push_back(m_cdt.tds().create_vertex());
+        m_vertices.back()->set_point(typename Cdt::Point(m_bubbles.x[i], m_bubbles.y[i]));
+      }
+    }
+  }
+
+  void make_triangles()
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    m_faces.reserve(tr.number_of_triangles());
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      const auto& v = tr.vertices[t];
+      const Face_handle f = m_cdt.tds().create_face(m_vertices[v[0]], m_vertices[v[1]], m_vertices[v[2]]);
+      m_faces.push_back(f);
+      for (int i = 0; i < 3; ++i) {
+        m_vertices[v[i]]->set_face(f);
+        f->set_constraint(i, m_mesh.edges[t][i] != no_index);
+        const Index n = tr.neighbors[t][i];
+        if (n != no_index && static_cast<std::size_t>(n) < t)
+          m_cdt.tds().set_adjacency(f, i, m_faces[n], tr.index_of_neighbor(n, static_cast<Index>(t)));
+      }
+      mark(f, m_mesh.inside[t] != 0);
+    }
+  }
+
+  /// the infinite faces, one beyond each side of the hull
+  void surround_hull()
+  {
+    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Vertex_handle infinite = m_cdt.infinite_vertex();
+    std::vector<Face_handle> hull, ending_at(tr.points.size()); // hull sides run clockwise, seen from outside
+    std::vector<Index> sources;
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        if (tr.neighbors[t][i] != no_index)
+          continue;
+        const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
+        const Face_handle f = m_cdt.tds().create_face(m_vertices[b], m_vertices[a], infinite);
+        f->set_constraints(false, false, m_mesh.edges[t][i] != no_index);
+        m_cdt.tds().set_adjacency(m_faces[t], i, f, 2);
+        mark(f, false);
+        hull.push_back(f);
+        sources.push_back(a);
+        ending_at[b] = f;
+      }
+    for (std::size_t k = 0; k < hull.size(); ++k)
+      m_cdt.tds().set_adjacency(hull[k], 0, ending_at[sources[k]], 1);
+    infinite->set_face(hull.front());
+  }
+
+  static void mark([[maybe_unused]] Face_handle f, [[maybe_unused]] bool inside)
+  {
+    if constexpr (Domain_marks_2<Cdt>::has_marks)
+      f->set_in_domain(inside);
+  }
+
+  Cdt& m_cdt;
+  const Reading& m_reading;
+  const Bubbles_2& m_bubbles;
+  const Marked_triangulation_2& m_mesh;
+  std::vector<Vertex_handle> m_vertices; // of the bubbles
+  std::vector<Face_handle> m_faces;      // of the triangles
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H

@@ -1,0 +1,333 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_MESH_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_MESH_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Writes bubbles into the triangulation that their domain was read from: old free vertices go, the
+/// constraints are split at their bubbles, the bubbles of the faces are inserted, the domain is marked.
+/// Vertices of corners, pinned vertices and all outside of the domain are not touched.
+template <class Cdt>
+class Write_back_2
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Face_handle = typename Cdt::Face_handle;
+  using Edge = typename Cdt::Edge;
+  using Cdt_point = typename Cdt::Point;
+  using Reading = Domain_reading_2<Cdt>;
+  using Chain = typename Reading::Graph::Chain;
+
+public:
+  Write_back_2(Cdt& cdt, const Reading& reading, const Bubbles_2& bubbles)
+    : m_cdt(cdt), m_reading(reading), m_bubbles(bubbles)
+  {}
+
+  void operator()()
+  {
+    for (Vertex_handle v : m_reading.free)
+      m_cdt.remove(v);
+    for (const Chain& c : m_reading.graph->chains())
+      straighten(c);
+    split_constraints();
+    make_hull_convex();
+    insert_in_faces();
+    mark_domain();
+  }
+
+private:
+  Vertex_handle corner(Index i) const { return m_reading.graph->corners()[i]; }
+
+  /// removes the vertices that only split the chain
+  void straighten(const Chain& chain)
+  {
+    if (chain.splits.empty())
+      return;
+    if constexpr (Has_constraint_hierarchy<Cdt>::value) {
+      auto context = *m_cdt.contexts_begin(corner(chain.source), chain.splits.front());
+      auto it = context.current(); // the end of the piece that comes first in the polyline
+      const bool is_forward = *it == corner(chain.source);
+      if (is_forward)
+        ++it;
+      for (std::size_t k = 0; k < chain.splits.size(); ++k)
+        simplify(context.id(), is_forward ? it++ : it--);
+    } else {
+      for (Vertex_handle v : chain.splits) {
+        m_cdt.remove_incident_constraints(v);
+        m_cdt.remove(v);
+      }
+      m_cdt.insert_constraint(corner(chain.source), corner(chain.target));
+    }
+  }
+
+  /// also forgets the point, which a polyline keeps of a vertex that is gone: with each relaxation there
+  /// would be more
+  template <class Constraint_id, class Vertex_iterator>
+  void simplify(Constraint_id id, Vertex_iterator v)
+  {
+    const typename Cdt::Points_in_constraint_iterator point = v;
+    m_cdt.simplify(v);
+    id.vl_ptr()->erase(point.base());
+  }
+
+  void split_constraints()
+  {
+    const std::vector<std::vector<Index>> on_edge =
+      bubbles_on_edges(m_reading.domain, m_bubbles);
+    m_paths.resize(on_edge.size());
+    for (std::size_t e = 0; e < on_edge.size(); ++e) {
+      const Chain& chain = m_reading.graph->chains()[e];
+      std::vector<Vertex_handle>& path = m_paths[e];
+      path.assign(1, corner(chain.source));
+      for (Index i : on_edge[e])
+        split(path, corner(chain.target), point_on_edge(static_cast<Index>(e), i));
+      while (path.back() != corner(chain.target))
+        path.push_back(next_towards(path.back(), corner(chain.target)).second);
+    }
+  }
+
+  /// with exact constructions a bubble lies on its edge exactly, with others up to rounding
+  Cdt_point point_on_edge(Index e, Index i) const
+  {
+    using Ft = typename Cdt::Geom_traits::FT;
+    if constexpr (std::is_floating_point<Ft>::value) {
+      return Cdt_point(m_bubbles.x[i], m_bubbles.y[i]);
+    } else {
+      const Chain& chain = m_reading.graph->chains()[e];
+      const Cdt_point &a = corner(chain.source)->point(), &b = corner(chain.target)->point();
+      const Ft s(m_bubbles.s[i]);
+      return Cdt_point(a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y()));
+    }
+  }
+
+  /// the first edge on the way from `u` straight to `target`, and its other end
+  std::pair<Edge, Vertex_handle> next_towards(Vertex_handle u, Vertex_handle target) const
+  {
+    Face_handle f;
+    int i = 0;
+    if (m_cdt.is_edge(u, target, f, i))
+      return {Edge(f, i), target};
+    Vertex_handle next; // a vertex outside of the domain may lie on the constraint
+    if (!m_cdt.includes_edge(u, target, next, f, i))
+      throw std::runtime_error("Bubble_relaxation_2: a constraint got lost; please report this");
+    return {Edge(f, i), next};
+  }
+
+  /// splits the last part of the path to `target` at `p`
+  void split(std::vector<Vertex_handle>& path, Vertex_handle target, const Cdt_point& p)
+  {
+    std::pair<Edge, Vertex_handle> next = next_towards(path.back(), target);
+    while (next.second != target &&
+           CGAL::compare_distance_to_point(path.back()->point(), next.second->point(), p) ==
+             SMALLER) {
+      path.push_back(next.second);
+      next = next_towards(path.back(), target);
+    }
+    const Face_handle f = next.first.first;
+    const int i = next.first.second;
+    const bool on_hull = m_cdt.is_infinite(f) || m_cdt.is_infinite(f->neighbor(i));
+    path.push_back(m_cdt.insert(nearest_valid(p, f, i), Cdt::EDGE, f, i));
+    if (on_hull)
+      m_on_hull.push_back(path.back());
+  }
+
+  /// `p`, or a point some roundings away, so that splitting the edge at it leaves all triangles
+  /// counterclockwise
+  Cdt_point nearest_valid(const Cdt_point& p, Face_handle f, int i) const
+  {
+    if (splits_validly(p, f, i))
+      return p;
+    if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      for (int reach = 1; reach <= 4; ++reach)
+        for (int k = 0; k < 8; ++k) {
+          constexpr int sx[] = {1, -1, 0, 0, 1, 1, -1, -1}, sy[] = {0, 0, 1, -1, 1, -1, 1, -1};
+          double x = p.x(), y = p.y();
+          for (int r = 0; r < reach; ++r) {
+            x = sx[k] == 0 ? x : std::nextafter(x, sx[k] * infinity);
+            y = sy[k] == 0 ? y : std::nextafter(y, sy[k] * infinity);
+          }
+          if (splits_validly(Cdt_point(x, y), f, i))
+            return Cdt_point(x, y);
+        }
+    }
+    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to "
+                             "split it there");
+  }
+
+  bool splits_validly(const Cdt_point& p, Face_handle f, int i) const
+  {
+    return sees_edge(p, f, i) && sees_edge(p, f->neighbor(i), m_cdt.mirror_index(f, i));
+  }
+
+  // whether both parts of the triangle, cut from its vertex i to p, are counterclockwise
+  bool sees_edge(const Cdt_point& p, Face_handle f, int i) const
+  {
+    if (m_cdt.is_infinite(f))
+      return true;
+    const Cdt_point& c = f->vertex(i)->point();
+    return CGAL::orientation(c, f->vertex(m_cdt.ccw(i))->point(), p) == LEFT_TURN &&
+           CGAL::orientation(c, p, f->vertex(m_cdt.cw(i))->point()) == LEFT_TURN;
+  }
+
+  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding. The triangles
+  /// between such bubbles and the hull are real, though outside of the domain.
+  void make_hull_convex()
+  {
+    std::vector<Vertex_handle> doubtful = m_on_hull;
+    while (!doubtful.empty()) {
+      const Vertex_handle v = doubtful.back();
+      doubtful.pop_back();
+      auto f = m_cdt.incident_faces(v, v->face()), start = f;
+      while (!(m_cdt.is_infinite(f) &&
+               m_cdt.is_infinite(f->vertex(m_cdt.cw(f->index(v)))))) // v is followed by its successor
+        if (++f == start)
+          break;
+      Face_handle after = f;
+      const int i = after->index(v);
+      if (!m_cdt.is_infinite(after->vertex(m_cdt.cw(i))))
+        continue; // v has left the hull already
+      // counterclockwise in `after`: v, previous hull vertex or next, infinite
+      const Vertex_handle w = after->vertex(m_cdt.ccw(i));
+      const int iw = m_cdt.ccw(i);
+      const Face_handle before = after->neighbor(iw);
+      const Vertex_handle u = before->vertex(m_cdt.mirror_index(after, iw));
+      // seen from the infinite side the hull runs u, v, w clockwise; a left turn is a dent
+      if (CGAL::orientation(u->point(), v->point(), w->point()) != LEFT_TURN)
+        continue;
+      Face_handle g = after;
+      m_cdt.flip(g, iw);
+      restore_delaunay(v, u, w);
+      for (Vertex_handle neighbor : {u, w})
+        doubtful.push_back(neighbor);
+    }
+  }
+
+  void restore_delaunay(Vertex_handle v, Vertex_handle u, Vertex_handle w)
+  {
+    typename Cdt::List_edges edges;
+    for (Vertex_handle other : {u, w}) {
+      Face_handle f;
+      int i;
+      if (m_cdt.is_edge(v, other, f, i) && m_cdt.is_flipable(f, i, false))
+        edges.push_back(Edge(f, i));
+    }
+    if (!edges.empty())
+      m_cdt.propagating_flip(edges);
+  }
+
+  void insert_in_faces()
+  {
+    Face_handle near; // bubbles are numbered along a curve: the next one is found from the last
+    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
+      if (m_bubbles.is_in_face(i))
+        near = m_cdt.insert(Cdt_point(m_bubbles.x[i], m_bubbles.y[i]), near)->face();
+  }
+
+  void mark_domain()
+  {
+    if constexpr (Domain_marks_2<Cdt>::has_marks) {
+      for (Face_handle f : m_cdt.all_face_handles())
+        f->set_in_domain(false);
+      std::vector<Face_handle> stack;
+      const auto mark = [&](Face_handle f, bool inside) {
+        if (!inside || f->is_in_domain())
+          return;
+        f->set_in_domain(true);
+        stack.push_back(f);
+      };
+      for (std::size_t e = 0; e < m_paths.size(); ++e) {
+        const Chain& chain = m_reading.graph->chains()[e];
+        for (std::size_t k = 1; k < m_paths[e].size(); ++k) {
+          const Edge edge = next_towards(m_paths[e][k - 1], m_paths[e][k]).first;
+          const Face_handle f = edge.first;
+          const int i = edge.second;
+          const bool f_is_left = f->vertex(m_cdt.ccw(i)) == m_paths[e][k - 1];
+          mark(f, f_is_left ? chain.inside_left : chain.inside_right);
+          mark(f->neighbor(i), f_is_left ? chain.inside_right : chain.inside_left);
+        }
+      }
+      while (!stack.empty()) {
+        const Face_handle f = stack.back();
+        stack.pop_back();
+        for (int i = 0; i < 3; ++i)
+          if (!f->is_constrained(i))
+            mark(f->neighbor(i), true);
+      }
+    }
+  }
+
+  Cdt& m_cdt;
+  const Reading& m_reading;
+  const Bubbles_2& m_bubbles;
+  std::vector<std::vector<Vertex_handle>> m_paths; // the vertices of each chain in order
+  std::vector<Vertex_handle> m_on_hull;            // bubbles on edges of the hull
+};
+
+/// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
+/// nothing else in it, else by insertion.
+template <class Cdt, class Report>
+void write_back(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh, Report& report)
+{
+  const Phase_timer timer(report.seconds.writing);
+  if constexpr (Is_plain<Cdt>::value)
+    if (Direct_write_2<Cdt>::is_possible(cdt, reading)) {
+      Direct_write_2<Cdt>(cdt, reading, mesh)();
+      return;
+    }
+  Write_back_2<Cdt>(cdt, reading, mesh.bubbles)();
+}
+
+/// Gives a triangulation its former content back unless it is told that all went well. The content is
+/// that of a copy, so handles and identifiers of constraints do not outlive it.
+template <class Cdt>
+class Restore_on_throw
+{
+public:
+  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt.geom_traits())
+  {
+    copy_to_swap(m_cdt, m_backup);
+  }
+
+  ~Restore_on_throw()
+  {
+    if (!m_all_went_well)
+      swap_with_copy(m_cdt, m_backup);
+  }
+
+  void all_went_well() { m_all_went_well = true; }
+
+private:
+  Cdt& m_cdt;
+  Cdt m_backup;
+  bool m_all_went_well = false;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_MESH_H

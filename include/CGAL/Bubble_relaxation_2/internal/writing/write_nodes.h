@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_NODES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_NODES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Fills a set of nodes with bubbles and their neighbour sets.
+template <class Concurrency_tag, class Node_set>
+void copy_nodes(const Bubbles_2& bubbles, double neighbor_radius, Node_set& nodes)
+{
+  Neighbor_sets_2 neighbors(neighbor_radius);
+  neighbors.build<Concurrency_tag>(bubbles);
+  nodes.neighbor_radius = neighbor_radius;
+  nodes.neighbor_offsets.push_back(0);
+  for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    nodes.points.push_back(typename Node_set::Point_2(bubbles.x[i], bubbles.y[i]));
+    nodes.sizes.push_back(bubbles.d[i]);
+    nodes.dimensions.push_back(bubbles.dimension[i]);
+    nodes.neighbors.insert(nodes.neighbors.end(), neighbors.begin(i), neighbors.end(i));
+    nodes.neighbor_offsets.push_back(nodes.neighbors.size());
+  }
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_NODES_H
