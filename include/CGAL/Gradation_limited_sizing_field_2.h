@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/fields/Background_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -106,15 +106,11 @@ public:
                                    std::size_t(200000)), 1,
       static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
     const Domain_marks_2<CDT> is_inside(cdt, np);
-    const auto reading = read_domain(cdt, np, is_inside);
-    with_sizing_field(cdt, np, is_inside, *reading, [&](const auto& sizing) {
-      // every vertex of the user's is a place to look at d: none is taken as a mere split of a constraint
-      const Domain_reading_2<CDT> all(cdt, is_inside, [](typename CDT::Vertex_handle) { return true; });
-      std::vector<Point> inner;
-      for (auto v : all.pinned)
-        inner.push_back(Domain_reading_2<CDT>::Graph::to_point(v));
-      build(all.domain, inner, sizing, maximum);
-    });
+    const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np));
+    const Sizes_2 sizes = wanted_sizes(cdt, np, is_inside, reading);
+    // every vertex of the user's is a place to look at d: none is taken as a mere split of a constraint
+    const Domain_reading_2<CDT> all(cdt, is_inside, [](typename CDT::Vertex_handle) { return true; });
+    build(all.domain, all.given.pinned, sizes, maximum);
   }
 
   /// returns h at `p`. Outside of the domain it is the one in the nearest point of the domain's boundary, and
@@ -135,11 +131,11 @@ public:
   bool is_resolved() const { return m_is_resolved; }
 
 private:
-  template <class Domain, class Points, class Sizing>
-  void build(const Domain& domain, const Points& inner, const Sizing& sizing, std::size_t maximum)
+  template <class Domain, class Points, class Sizes>
+  void build(const Domain& domain, const Points& inner, const Sizes& sizes, std::size_t maximum)
   {
     using namespace Bubble_relaxation_2::internal;
-    Background_mesh_2<Sizing> background(domain, inner, sizing, m_gradation / margin, maximum);
+    Background_mesh_2 background(domain, inner, sizes, m_gradation / margin, maximum);
     m_is_resolved = background.build();
     Marked_triangulation_2& mesh = background.mesh();
     Gradient_limiter_2(mesh.tr, mesh.inside, m_gradation).clip(background.sizes());

@@ -11,10 +11,9 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_nodes.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -81,26 +80,23 @@ auto node_set_2(const CDT& mesh, const NamedParameters& np = parameters::default
 {
   using namespace Bubble_relaxation_2::internal;
   const double neighbor_radius = read_options(np).neighbor_radius;
+  const Threads threads = threads_of<Concurrency<NamedParameters>>();
   const Domain_marks_2<CDT> is_inside(mesh, np);
-  const auto reading = read_domain(mesh, np, is_inside);
+  const Domain_reading_2<CDT> reading(mesh, is_inside, is_pinned<CDT>(np));
   const Interpolated_field_2 sizes = mean_edge_length_field(mesh, is_inside);
   Bubbles_2 bubbles;
-  const auto add = [&](typename CDT::Vertex_handle v, Bubbles_2::Dimension dimension) {
-    const Point p = Domain_reading_2<CDT>::Graph::to_point(v);
-    bubbles.add(p, sizes(p), dimension, no_index);
+  const auto add = [&](const std::vector<Point>& points, Bubbles_2::Dimension dimension) {
+    for (const Point& p : points)
+      bubbles.add(p, sizes(p), dimension, no_index);
   };
-  for (auto v : reading->graph->corners())
-    add(v, Bubbles_2::CORNER);
-  for (const auto& chain : reading->graph->chains())
-    for (auto v : chain.splits)
-      add(v, Bubbles_2::EDGE);
-  for (auto v : reading->pinned)
-    add(v, Bubbles_2::CORNER);
-  for (auto v : reading->free)
-    add(v, Bubbles_2::FACE);
-  sort_in_space<Concurrency<NamedParameters>>(reading->domain, bubbles);
+  add(reading.domain.corners(), Bubbles_2::CORNER);
+  for (const std::vector<Point>& points : reading.given.on_edge)
+    add(points, Bubbles_2::EDGE);
+  add(reading.given.pinned, Bubbles_2::CORNER);
+  add(reading.given.free, Bubbles_2::FACE);
+  sort_in_space(reading.domain, bubbles, threads);
   Node_set_2<typename CDT::Geom_traits::Point_2> nodes;
-  copy_nodes<Concurrency<NamedParameters>>(bubbles, neighbor_radius, nodes);
+  write_nodes(bubbles, neighbor_radius, threads, nodes);
   nodes.report.number_of_vertices = nodes.size();
   return nodes;
 }

@@ -11,6 +11,9 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_nodes.h>
@@ -44,28 +47,20 @@ template <class CDT, class NamedParameters = parameters::Default_named_parameter
 auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  using Point_2 = typename CDT::Geom_traits::Point_2;
 
-  Node_set_2<Point_2> nodes;
-  const Relaxation_options options = read_options(np);
-  Progress progress(options.callback, options.number_of_rounds);
+  Node_set_2<typename CDT::Geom_traits::Point_2> nodes;
   Phase_timer reading_time(nodes.report.seconds.reading);
-  const Domain_marks_2<CDT> is_inside(cdt, np);
-  const auto reading = read_domain(cdt, np, is_inside);
-  with_limited_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing,
-                                                                       const auto&) {
-    reading_time.stop();
-    using Tag = Concurrency<NamedParameters>;
-    Bubbles_2 bubbles =
-      simulate_bubbles<Tag>(cdt, *reading, sizing, options, progress, nodes.report);
-    if (is_treatment_due(options, nodes.report))
-      bubbles =
-        make_mesh<Tag>(*reading, sizing, options, std::move(bubbles), nodes.report).bubbles;
-    // the simulation does not ask d again for every little displacement
-    parallel_for<Tag>(bubbles.size(),
-                      [&](std::size_t i) { bubbles.d[i] = sizing(bubbles.x[i], bubbles.y[i]); });
-    copy_nodes<Tag>(bubbles, options.neighbor_radius, nodes);
-  });
+  const Input_2<CDT> input(cdt, np);
+  const Problem_2 problem = input.problem();
+  reading_time.stop();
+  Progress progress(input.options.callback, input.options.number_of_rounds);
+  Bubbles_2 bubbles = relax_bubbles(problem, progress, nodes.report);
+  if (is_treatment_due(input.options, nodes.report))
+    bubbles = make_mesh(problem, std::move(bubbles), nodes.report).bubbles;
+  // the simulation does not ask d again for every little displacement
+  parallel_for(input.options.threads, bubbles.size(),
+               [&](std::size_t i) { bubbles.d[i] = input.sizes(bubbles.x[i], bubbles.y[i]); });
+  write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
   nodes.report.number_of_vertices = nodes.size();
   progress.report(1);
   return nodes;

@@ -11,7 +11,9 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_mesh.h>
@@ -208,28 +210,20 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   using namespace Bubble_relaxation_2::internal;
   using FT = typename Quality_number<typename CDT::Geom_traits>::type;
 
-  Bubble_relaxation_report_2<FT> report;
-  const Relaxation_options options = read_options(np);
-  Progress progress(options.callback, options.number_of_rounds);
-
+  Report report;
   Phase_timer reading_time(report.seconds.reading);
-  const Domain_marks_2<CDT> is_inside(cdt, np);
-  const auto reading = read_domain(cdt, np, is_inside);
-  with_limited_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing,
-                                                                       const auto& wanted) {
-    reading_time.stop();
-    using Tag = Concurrency<NamedParameters>;
-    const Bubble_mesh_2 mesh =
-      make_mesh<Tag>(*reading, sizing, options,
-                     simulate_bubbles<Tag>(cdt, *reading, sizing, options, progress, report), report);
-    evaluate<Tag>(mesh.triangulation, wanted, report);
-    progress.report(1);
-    // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
-    Restore_on_throw<CDT> guard(cdt);
-    write_back(cdt, *reading, mesh, report);
-    guard.all_went_well();
-  });
-  return report;
+  const Input_2<CDT> input(cdt, np);
+  const Problem_2 problem = input.problem();
+  reading_time.stop();
+  Progress progress(input.options.callback, input.options.number_of_rounds);
+  const Bubble_mesh_2 mesh = make_mesh(problem, relax_bubbles(problem, progress, report), report);
+  evaluate(mesh.triangulation, problem.wanted, input.options.threads, report);
+  progress.report(1);
+  // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
+  Restore_on_throw<CDT> guard(cdt);
+  write_mesh(cdt, input.reading, mesh, report);
+  guard.all_went_well();
+  return Bubble_relaxation_report_2<FT>(report);
 }
 
 } // namespace CGAL

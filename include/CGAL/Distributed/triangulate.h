@@ -11,12 +11,13 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Point_distribution_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Distributed/Mesh_2.h>
 
@@ -113,29 +114,25 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   Sparse_exchange exchange(ranks);
 
   std::unique_ptr<Domain_reading_2<CDT>> reading;
-  agreement.reach_after([&] { reading = read_domain(domain, np, Domain_marks_2<CDT>(domain, np)); });
+  agreement.reach_after([&] {
+    const Domain_marks_2<CDT> is_inside(domain, np);
+    reading = std::make_unique<Domain_reading_2<CDT>>(domain, is_inside, is_pinned<CDT>(np));
+  });
   check_same_domain(ranks, reading->domain);
 
-  const auto mesh_with = [&](const auto& size_at, const auto* sizing) {
-    Numbered_bubbles_2 own;
-    agreement.reach_after([&] { own = read_bubbles(points, reading->domain, size_at); });
-    Point_distribution_2 distribute(reading->domain, ranks, agreement, exchange);
-    own = distribute(own, points.template has_property_map<std::int64_t>("global_id"));
-    const Distributed_mesh_2 mesh = distributed_triangulate(reading->domain, own, distribute.partition(), ranks,
-                                                            agreement, exchange);
-    const auto quality = distributed_quality(mesh, sizing, ranks, agreement);
-    return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm);
-  };
-  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
-    const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
-    const auto sizing = checked_sizing_field<typename CDT::Geom_traits::Point_2>(f);
-    return mesh_with(sizing, &sizing);
-  } else {
-    const auto unknown = [](const Bubble_relaxation_2::internal::Point&) {
-      return std::numeric_limits<double>::quiet_NaN();
-    };
-    return mesh_with(unknown, static_cast<const Sizing_field_ref_2*>(nullptr));
-  }
+  constexpr bool has_sizes = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
+  Sizes_2 sizes([](double, double) { return std::numeric_limits<double>::quiet_NaN(); });
+  if constexpr (has_sizes)
+    sizes = Sizes_2(checked_sizing_field<typename CDT::Geom_traits::Point_2>(
+      parameters::get_parameter_reference(np, internal_np::sizing_function)));
+  Numbered_bubbles_2 own;
+  agreement.reach_after([&] { own = read_bubbles(points, reading->domain, sizes); });
+  Point_distribution_2 distribute(reading->domain, ranks, agreement, exchange);
+  own = distribute(own, points.template has_property_map<std::int64_t>("global_id"));
+  const Distributed_mesh_2 mesh =
+    distributed_triangulate(reading->domain, own, distribute.partition(), ranks, agreement, exchange);
+  const auto quality = distributed_quality(mesh, has_sizes ? &sizes : nullptr, ranks, agreement);
+  return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm);
 }
 
 } // namespace Distributed

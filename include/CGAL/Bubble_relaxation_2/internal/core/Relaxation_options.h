@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_RELAXATION_OPTIONS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 
 #include <CGAL/Bubble_relaxation_enums.h>
 
@@ -49,6 +50,7 @@ struct Relaxation_options
   double displacement_tolerance = default_displacement_tolerance;
   std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
   std::function<bool(double)> callback;
+  Threads threads;
   std::size_t exchange_interval = 0;
   std::string checkpoint_path;           ///< empty: none is written
   std::size_t rounds_per_checkpoint = 0;

@@ -20,47 +20,95 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 #endif
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// Who runs the loops of the stages: one thread, or several. A value that the entry points make of the user's
+/// `concurrency_tag`, so that the stages are compiled once, whether or not a program is linked with TBB.
+class Threads
+{
+public:
+  using Part = std::function<void(std::size_t, std::size_t)>;
+
+  /// calls `part(first, last)` for parts of [0, n), of about `grain` each
+  using Run = void (*)(std::size_t n, std::size_t grain, const Part& part);
+
+  Threads() : m_run([](std::size_t n, std::size_t, const Part& part) { part(0, n); }), m_are_several(false) {}
+  explicit Threads(Run run) : m_run(run), m_are_several(true) {}
+
+  bool are_several() const { return m_are_several; }
+  void run(std::size_t n, std::size_t grain, const Part& part) const { m_run(n, grain, part); }
+
+private:
+  Run m_run;
+  bool m_are_several;
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+inline void run_with_tbb(std::size_t n, std::size_t grain, const Threads::Part& part)
+{
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                    [&part](const tbb::blocked_range<std::size_t>& r) { part(r.begin(), r.end()); });
+}
+#endif
+
+/// the threads that a tag of CGAL asks for
+template <class Concurrency_tag>
+Threads threads_of()
+{
+  if constexpr (std::is_convertible<Concurrency_tag, Parallel_tag>::value) {
+#ifdef CGAL_LINKED_WITH_TBB
+    return Threads(&run_with_tbb);
+#else
+    static_assert(!std::is_convertible<Concurrency_tag, Parallel_tag>::value,
+                  "Parallel_tag needs a program linked with TBB (CGAL::TBB_support)");
+#endif
+  }
+  return Threads();
+}
+
 /// Calls `f(i)` for all i in [0, n). `f` may write only what belongs to `i`, so that the result does
 /// not depend on the number of threads. `grain`: how many calls are worth a task.
-template <class Concurrency_tag, class Function>
-void parallel_for(std::size_t n, const Function& f, [[maybe_unused]] std::size_t grain = 1024)
+template <class Function>
+void parallel_for(const Threads& threads, std::size_t n, const Function& f, std::size_t grain = 1024)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (std::is_convertible<Concurrency_tag, Parallel_tag>::value) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                      [&](const tbb::blocked_range<std::size_t>& r) {
-                        for (std::size_t i = r.begin(); i != r.end(); ++i)
-                          f(i);
-                      });
-    return;
-  }
-#else
-  static_assert(!std::is_convertible<Concurrency_tag, Parallel_tag>::value,
-                "Parallel_tag needs a program linked with TBB (CGAL::TBB_support)");
-#endif
-  for (std::size_t i = 0; i < n; ++i)
-    f(i);
+  threads.run(n, grain, [&f](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i != last; ++i)
+      f(i);
+  });
+}
+
+/// the same with the threads of a tag
+template <class Concurrency_tag, class Function>
+void parallel_for(std::size_t n, const Function& f, std::size_t grain = 1024)
+{
+  parallel_for(threads_of<Concurrency_tag>(), n, f, grain);
 }
 
 /// Sorts values of which none are equal, or else cannot be told apart: so the result does not depend on the
-/// number of threads.
-template <class Concurrency_tag, class T, class Less = std::less<T>>
-void parallel_sort(std::vector<T>& values, const Less& less = Less())
+/// number of threads. Blocks are sorted, then merged two by two.
+template <class T, class Less>
+void parallel_sort(const Threads& threads, std::vector<T>& values, const Less& less)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (std::is_convertible<Concurrency_tag, Parallel_tag>::value) {
-    tbb::parallel_sort(values.begin(), values.end(), less);
-    return;
-  }
-#endif
-  std::sort(values.begin(), values.end(), less);
+  std::size_t block = values.size();
+  if (threads.are_several())
+    block = (std::max)(values.size() / 16, std::size_t(4096));
+  const auto at = [&values](std::size_t i) {
+    return values.begin() + static_cast<std::ptrdiff_t>((std::min)(i, values.size()));
+  };
+  const auto number_of = [&values](std::size_t size) { return size == 0 ? 0 : (values.size() + size - 1) / size; };
+  parallel_for(
+    threads, number_of(block), [&](std::size_t k) { std::sort(at(k * block), at((k + 1) * block), less); }, 1);
+  for (; block < values.size(); block *= 2)
+    parallel_for(
+      threads, number_of(2 * block),
+      [&](std::size_t k) {
+        std::inplace_merge(at(2 * k * block), at((2 * k + 1) * block), at((2 * k + 2) * block), less);
+      },
+      1);
 }
 
 } // namespace internal

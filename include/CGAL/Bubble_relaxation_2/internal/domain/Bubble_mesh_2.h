@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_BUBBLE_MESH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
@@ -51,6 +52,23 @@ inline std::vector<Index> bubbles_on_corners(const Domain_2& domain, const Bubbl
     if (b.is_corner(i) && b.place[i] != no_index)
       on_corner[b.place[i]] = static_cast<Index>(i);
   return on_corner;
+}
+
+/// The bubbles on the outline, as far as they are known here.
+inline Outline_bubbles_2 outline_bubbles(const Domain_2& domain, const Bubbles_2& b)
+{
+  const auto outline_bubble = [&b](Index i) {
+    return i == no_index ? Outline_bubble_2{0, 0, 1, 0, i} : Outline_bubble_2{b.x[i], b.y[i], b.d[i], b.s[i], i};
+  };
+  Outline_bubbles_2 result;
+  for (const std::vector<Index>& bubbles : bubbles_on_edges(domain, b)) {
+    result.on_edge.emplace_back();
+    for (Index i : bubbles)
+      result.on_edge.back().push_back(outline_bubble(i));
+  }
+  for (Index i : bubbles_on_corners(domain, b))
+    result.on_corner.push_back(outline_bubble(i));
+  return result;
 }
 
 /// The edges of the domain cut at their bubbles, between indices of bubbles.
@@ -98,14 +116,13 @@ inline Marked_triangulation_2 triangulate(const Domain_2& domain, const Bubbles_
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
-template <class Concurrency_tag>
-void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles)
+inline void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles, const Threads& threads = Threads())
 {
   std::vector<Point> points;
   points.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     points.push_back(bubbles.point(i));
-  bubbles.select(hilbert_order<Concurrency_tag>(hilbert_curve(domain), points));
+  bubbles.select(hilbert_order(hilbert_curve(domain), points, threads));
 }
 
 } // namespace internal

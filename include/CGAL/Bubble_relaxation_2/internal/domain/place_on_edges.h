@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_PLACE_ON_EDGES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
 #include <algorithm>
@@ -45,8 +46,7 @@ inline double integrate_piece(double length, double d, double next_d)
 }
 
 /// Integrates ds/d with steps that follow d, as if d were linear in each.
-template <class Sizing>
-Edge_integral integrate_edge(const Domain_2& domain, Index e, const Sizing& sizing)
+inline Edge_integral integrate_edge(const Domain_2& domain, Index e, const Sizes_2& sizing)
 {
   constexpr double step_in_sizes = 0.25;
   constexpr int least_steps = 4;
@@ -72,8 +72,7 @@ Edge_integral integrate_edge(const Domain_2& domain, Index e, const Sizing& sizi
 }
 
 /// Places bubbles on an edge so that they cut it in equal parts of the integral of ds/d.
-template <class Sizing>
-void place_on_edge(const Domain_2& domain, Index e, const Sizing& sizing, Bubbles_2& bubbles)
+inline void place_on_edge(const Domain_2& domain, Index e, const Sizes_2& sizing, Bubbles_2& bubbles)
 {
   const Edge_integral integral = integrate_edge(domain, e, sizing);
   const double parts = (std::max)(1., std::round(integral.total()));

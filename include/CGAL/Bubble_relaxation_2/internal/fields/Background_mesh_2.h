@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
 
@@ -31,12 +32,11 @@ namespace internal {
 /// A triangulation of a domain that is refined until sizes whose growth is limited are nearly linear in its
 /// triangles. In each turn all edges are cut for which this does not hold, and the triangulation is made
 /// anew: constrained Delaunay, so that its triangles stay as round as the domain allows.
-template <class Sizing>
 class Background_mesh_2
 {
 public:
   /// \param points places inside the domain that become vertices, besides its corners
-  Background_mesh_2(const Domain_2& domain, const std::vector<Point>& points, const Sizing& sizing, double g,
+  Background_mesh_2(const Domain_2& domain, const std::vector<Point>& points, const Sizes_2& sizing, double g,
                     std::size_t maximum_number_of_vertices)
     : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices),
       m_extent((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
@@ -262,7 +262,7 @@ private:
     }
   };
 
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
   double m_g;
   std::size_t m_maximum;
   double m_extent;

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -25,10 +26,11 @@ namespace internal {
 
 /// The user's d(x, y) as the simulation calls it: in doubles, and with a clear exception where the
 /// value is no length. Instead of a function the user may give a number, of any type that becomes one of
-/// the kernel's.
-template <class User_point, class Sizing_function>
+/// the kernel's. `Held`: a function object that is kept, or a reference to one that stays where it is
+template <class User_point, class Held>
 class Checked_sizing_field_2
 {
+  using Sizing_function = std::remove_reference_t<Held>;
   using Kernel_number = typename Kernel_traits<User_point>::Kernel::FT;
   static constexpr bool is_function =
     std::is_invocable<const Sizing_function&, const User_point&>::value;
@@ -36,10 +38,10 @@ class Checked_sizing_field_2
                 "sizing_function must be callable, as a constant, with a point, or be a number");
 
 public:
-  explicit Checked_sizing_field_2(const Sizing_function& f) : m_f(f)
+  explicit Checked_sizing_field_2(Held&& f) : m_f(std::forward<Held>(f))
   {
     if constexpr (!is_function) // once: lazy numbers are not for several threads
-      m_number = CGAL::to_double(static_cast<Kernel_number>(f));
+      m_number = CGAL::to_double(static_cast<Kernel_number>(std::as_const(m_f)));
   }
 
   double operator()(double x, double y) const
@@ -61,7 +63,7 @@ private:
   double value([[maybe_unused]] double x, [[maybe_unused]] double y) const
   {
     if constexpr (is_function)
-      return CGAL::to_double(m_f(User_point(x, y)));
+      return CGAL::to_double(std::as_const(m_f)(User_point(x, y)));
     else
       return m_number;
   }
@@ -72,15 +74,15 @@ private:
                                 in_words(d) + " must be positive and finite");
   }
 
-  const Sizing_function& m_f;
+  Held m_f;
   double m_number = 0; // if the user gave one
 };
 
-/// `f`, which stays where it is: a function object, a function, or a number
+/// `f`: a function object, a function, or a number; it is kept if it is a temporary, else it stays where it is
 template <class User_point, class Sizing_function>
-Checked_sizing_field_2<User_point, Sizing_function> checked_sizing_field(const Sizing_function& f)
+Checked_sizing_field_2<User_point, Sizing_function> checked_sizing_field(Sizing_function&& f)
 {
-  return Checked_sizing_field_2<User_point, Sizing_function>(f);
+  return Checked_sizing_field_2<User_point, Sizing_function>(std::forward<Sizing_function>(f));
 }
 
 } // namespace internal

@@ -25,7 +25,7 @@ namespace internal {
 
 /// What bubbles and triangles of a mesh were before they were changed, so that all changes can be undone. In a mesh that
 /// is good almost everywhere few are changed, and this takes far less than a copy.
-class Treatment_log_2
+class Undo_log_2
 {
 public:
   /// where a bubble was, for `note()`
@@ -94,7 +94,7 @@ class Editable_triangulation_2
 {
 public:
   /// `log`: told of all triangles that are changed; not of vertices that are moved
-  explicit Editable_triangulation_2(Marked_triangulation_2& mesh, Treatment_log_2* log = nullptr)
+  explicit Editable_triangulation_2(Marked_triangulation_2& mesh, Undo_log_2* log = nullptr)
     : m_mesh(mesh), m_log(log), m_triangle_of(mesh.tr.points.size(), no_index)
   {
     for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
@@ -266,7 +266,7 @@ private:
   }
 
   Marked_triangulation_2& m_mesh;
-  Treatment_log_2* m_log;
+  Undo_log_2* m_log;
   std::vector<Index> m_triangle_of; // one of each vertex
   std::vector<Corner_2> m_doubtful; // edges, each opposite to a vertex of a triangle
   std::vector<Index> m_flipped;

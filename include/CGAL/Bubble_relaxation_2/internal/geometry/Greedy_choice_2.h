@@ -34,7 +34,6 @@ struct Greedy_candidate_2
 
 /// Chooses from candidates the best first, as long as they do not come too near to a better one that was chosen.
 /// Who stands in whose way is found once, so that the choice can be made again when some of it is made elsewhere.
-template <class Concurrency_tag>
 class Greedy_choice_2
 {
 public:
@@ -42,7 +41,7 @@ public:
   /// which `is_possible(candidate)` does not hold are not chosen. `origin`: any point near them.
   template <class Is_possible>
   void assign(const std::vector<Greedy_candidate_2>& candidates, double reach, double unit, const Point& origin,
-              const Is_possible& is_possible)
+              const Threads& threads, const Is_possible& is_possible)
   {
     const std::size_t n = candidates.size();
     m_order.resize(n);
@@ -54,9 +53,9 @@ public:
     m_is_possible.resize(n);
     m_is_chosen.assign(n, 0);
     m_rivals.resize((std::max)(m_rivals.size(), n));
-    parallel_for<Concurrency_tag>(
-      n, [&](std::size_t k) { m_is_possible[k] = is_possible(static_cast<Index>(k)); }, grain);
-    find_rivals(candidates, reach, unit, origin);
+    parallel_for(
+      threads, n, [&](std::size_t k) { m_is_possible[k] = is_possible(static_cast<Index>(k)); }, grain);
+    find_rivals(candidates, reach, unit, origin, threads);
   }
 
   /// decides on those for which `is_ours(candidate)` holds; what is decided of others stays
@@ -68,6 +67,11 @@ public:
         m_is_chosen[c] = m_is_possible[c] && std::none_of(m_rivals[c].begin(), m_rivals[c].end(), [this](Index r) {
           return m_is_chosen[r] != 0;
         });
+  }
+
+  void decide()
+  {
+    decide([](Index) { return true; });
   }
 
   bool is_chosen(std::size_t candidate) const { return m_is_chosen[candidate] != 0; }
@@ -88,15 +92,15 @@ private:
   static constexpr std::size_t grain = 64;
 
   /// of each candidate the better ones that stand in its way
-  void find_rivals(const std::vector<Greedy_candidate_2>& candidates, double reach, double unit,
-                   const Point& origin)
+  void find_rivals(const std::vector<Greedy_candidate_2>& candidates, double reach, double unit, const Point& origin,
+                   const Threads& threads)
   {
     Bubble_buckets_2 near(reach, unit, origin.x(), origin.y(), candidates.size());
     for (std::size_t k = 0; k < candidates.size(); ++k)
       if (m_is_possible[k])
         near.insert(static_cast<Index>(k), candidates[k].x, candidates[k].y, candidates[k].d);
-    parallel_for<Concurrency_tag>(
-      candidates.size(),
+    parallel_for(
+      threads, candidates.size(),
       [&](std::size_t k) {
         m_rivals[k].clear();
         const Greedy_candidate_2& c = candidates[k];

@@ -139,8 +139,8 @@ private:
 
 /// The indices of points along a Hilbert curve. Points in one of its cells are in lexicographic order, those
 /// in one place in that of their indices.
-template <class Concurrency_tag = Sequential_tag>
-std::vector<Index> hilbert_order(const Hilbert_curve_2& curve, const std::vector<Point>& points)
+inline std::vector<Index> hilbert_order(const Hilbert_curve_2& curve, const std::vector<Point>& points,
+                                        const Threads& threads = Threads())
 {
   struct Numbered_key
   {
@@ -148,17 +148,17 @@ std::vector<Index> hilbert_order(const Hilbert_curve_2& curve, const std::vector
     Index index;
   };
   std::vector<Numbered_key> keys(points.size());
-  parallel_for<Concurrency_tag>(points.size(), [&](std::size_t i) {
+  parallel_for(threads, points.size(), [&](std::size_t i) {
     keys[i] = Numbered_key{curve.key(points[i].x(), points[i].y()), static_cast<Index>(i)};
   });
-  parallel_sort<Concurrency_tag>(keys, [&points](const Numbered_key& a, const Numbered_key& b) {
+  parallel_sort(threads, keys, [&points](const Numbered_key& a, const Numbered_key& b) {
     if (a.key != b.key)
       return a.key < b.key;
     const Point &p = points[a.index], &q = points[b.index];
     return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : a.index < b.index;
   });
   std::vector<Index> result(points.size());
-  parallel_for<Concurrency_tag>(keys.size(), [&](std::size_t k) { result[k] = keys[k].index; });
+  parallel_for(threads, keys.size(), [&](std::size_t k) { result[k] = keys[k].index; });
   return result;
 }
 

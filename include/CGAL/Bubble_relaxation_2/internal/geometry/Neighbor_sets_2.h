@@ -66,15 +66,13 @@ public:
   std::size_t number_of_changes() const { return m_number_of_changes; }
 
   /// finds all neighbours anew with buckets
-  template <class Concurrency_tag = Sequential_tag>
-  void build(const Bubbles_2& bubbles)
+  void build(const Bubbles_2& bubbles, const Threads& threads = Threads())
   {
-    build<Concurrency_tag>(bubbles, Bubble_references_2{bubbles.x, bubbles.y, bubbles.d});
+    build(bubbles, Bubble_references_2{bubbles.x, bubbles.y, bubbles.d}, threads);
   }
 
   /// the same, by references that the bubbles have already
-  template <class Concurrency_tag>
-  void build(const Bubbles_2& bubbles, const Bubble_references_2& references)
+  void build(const Bubbles_2& bubbles, const Bubble_references_2& references, const Threads& threads)
   {
     start(bubbles, references);
     const std::size_t n = bubbles.size();
@@ -91,8 +89,8 @@ public:
     std::vector<Neighbor_block> blocks((std::max)(least_blocks_at_once, n / block_size / 32));
     const Neighbor_search_2 find(*m_buckets, m_x, m_y, m_d, m_radius);
     for (std::size_t first = 0; first < n; first += blocks.size() * block_size) {
-      parallel_for<Concurrency_tag>(
-        blocks.size(),
+      parallel_for(
+        threads, blocks.size(),
         [&](std::size_t k) {
           const std::size_t start = (std::min)(first + k * block_size, n), end = (std::min)(start + block_size, n);
           find_block(bubbles, find, start, end, blocks[k]);
@@ -150,8 +148,7 @@ public:
 
   /// renews the bubbles that have used up their skin, in the sets of their neighbours too
   /// \pre the sets were made by `build()` from as many bubbles
-  template <class Concurrency_tag = Sequential_tag>
-  void renew(const Bubbles_2& bubbles, const std::vector<Index>& outrun)
+  void renew(const Bubbles_2& bubbles, const std::vector<Index>& outrun, const Threads& threads = Threads())
   {
     ++m_number_of_changes;
     for (Index i : outrun) {
@@ -163,8 +160,8 @@ public:
     m_new_sets.resize((std::min)(outrun.size(), renewed_at_once));
     for (std::size_t first = 0; first < outrun.size(); first += renewed_at_once) {
       const std::size_t n = (std::min)(outrun.size() - first, renewed_at_once);
-      parallel_for<Concurrency_tag>(
-        n,
+      parallel_for(
+        threads, n,
         [&](std::size_t k) {
           m_new_sets[k].clear();
           find_neighbors(outrun[first + k], m_new_sets[k]);

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_CRYSTAL_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -42,7 +43,6 @@ struct Growth_birth_2
 /// Bubbles that form a lattice as they come: the direction of the lattice at each, and its links to those
 /// around. Links are in the order in which bubbles came, so that sums over them do not depend on how they
 /// were found.
-template <class Concurrency_tag>
 class Crystal_2
 {
 public:
@@ -52,8 +52,8 @@ public:
   static constexpr std::size_t grain = 64;
 
   /// without links
-  Crystal_2(const Domain_2& domain, Bubbles_2& bubbles)
-    : m_bubbles(bubbles), m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
+  Crystal_2(const Domain_2& domain, Bubbles_2& bubbles, const Threads& threads)
+    : m_threads(threads), m_bubbles(bubbles), m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
                                     4 * bubbles.size())
   {
     m_direction.assign(bubbles.size(), Direction{1, 0});
@@ -109,8 +109,8 @@ public:
   void link_from(std::size_t first)
   {
     m_links.resize(m_bubbles.size());
-    parallel_for<Concurrency_tag>(
-      m_bubbles.size() - first, [this, first](std::size_t k) { find_links(first + k); }, grain);
+    parallel_for(
+      m_threads, m_bubbles.size() - first, [this, first](std::size_t k) { find_links(first + k); }, grain);
     for (std::size_t i = first; i < m_bubbles.size(); ++i)
       for (Index j : m_links[i])
         if (static_cast<std::size_t>(j) < first)
@@ -128,8 +128,7 @@ public:
 
   /// Gives a bubble that has settled its triangle and its size. One that an edge stands in the way of goes back
   /// to where it came in.
-  template <class Sizing>
-  void finish(const Domain_2& domain, const Sizing& sizing, std::size_t i)
+  void finish(const Domain_2& domain, const Sizes_2& sizing, std::size_t i)
   {
     const Point p = m_buckets.point(i), q = m_bubbles.point(i);
     const Walk_end end = domain.walk(m_bubbles.place[i], p, q);
@@ -178,6 +177,7 @@ private:
                  i);
   }
 
+  const Threads m_threads;
   Bubbles_2& m_bubbles;
   std::vector<Direction> m_direction;
   std::vector<Links> m_links;

@@ -10,6 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_CRYSTAL_GROWTH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
@@ -26,51 +28,6 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// No other ranks: what a team does at each place of the growth.
-struct Growth_alone
-{
-  /// Divides the domain by bubbles that are some times as large, which all ranks have.
-  void divide(const Domain_2&, const Bubbles_2&) {}
-  /// how many of so many bubbles come to this rank, about
-  std::size_t part_of(double number) const { return static_cast<std::size_t>(number); }
-  /// The crystal has its first bubbles, which all ranks have or which were given to the team; so many will come.
-  template <class Crystal>
-  void start(const Crystal&, std::size_t)
-  {}
-  /// bubbles that this rank has to know of, though they are not new
-  template <class Crystal>
-  std::vector<Growth_proposal_2> catch_up(Crystal&)
-  {
-    return {};
-  }
-  /// the smallest of all ranks
-  double smallest(double key) const { return key; }
-  /// a generation leaves the front
-  void take(const std::vector<Proposer>&) {}
-  /// whether this rank says what becomes of a bubble
-  bool owns(Index) const { return true; }
-  /// adds what others propose and might be in the way of ours
-  void share(std::vector<Growth_proposal_2>&) {}
-  /// decides which proposals become bubbles
-  template <class Choice>
-  void decide(Choice& choice)
-  {
-    choice.decide([](Index) { return true; });
-  }
-  /// keeps of the new bubbles those that this rank has to know, and adds such of others
-  void exchange_new(std::vector<Growth_proposal_2>&) {}
-  /// adds bubbles of others, older ones too, that the new ones need around them
-  template <class Crystal>
-  void complete(Crystal&, std::vector<Growth_proposal_2>&)
-  {}
-  /// puts in the places of new bubbles that others own
-  void share_settled(std::vector<Point>&) {}
-  /// a bubble becomes one of the front
-  template <class Crystal>
-  void enter_front(const Crystal&, Index, double)
-  {}
-};
-
 /// Fills the faces of a domain with a crystal: each bubble of a front proposes the six places around it for
 /// neighbours at the wanted distance, aligned with the lattice around it.
 ///
@@ -82,23 +39,20 @@ struct Growth_alone
 /// The crystal grows by generations: all of about the smallest size propose at once, by what was there
 /// before; of proposals for one place the one that fits best is accepted; then the new bubbles settle
 /// among each other. Nothing depends on an order within a generation, so threads change no bit.
-///
-/// `Team`: what other ranks have to do with it, see `Growth_alone`.
-template <class Concurrency_tag, class Sizing, class Team = Growth_alone>
 class Crystal_growth_2
 {
 public:
   /// `directions`: angles of the lattice for the bubbles that are there, or for some; read for those in faces only
-  Crystal_growth_2(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles,
-                   const std::vector<double>& directions, Lattice_direction lattice, Team& team)
-    : m_domain(domain), m_sizing(sizing), m_team(team), m_crystal(domain, bubbles), m_front(domain),
-      m_propose(domain, sizing, m_crystal, m_front, lattice)
+  Crystal_growth_2(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles,
+                   const std::vector<double>& directions, Lattice_direction lattice, Team& team, const Threads& threads)
+    : m_domain(domain), m_sizing(sizing), m_team(team), m_threads(threads), m_crystal(domain, bubbles, threads),
+      m_front(domain), m_propose(domain, sizing, m_crystal, m_front, lattice, team, threads)
   {
     const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
     m_crystal.make_room_for(expected);
     for (std::size_t i = 0; i < directions.size(); ++i)
       m_crystal.direction(i) = Direction{std::cos(directions[i]), std::sin(directions[i])};
-    team.start(m_crystal, expected);
+    team.start_growth(m_crystal, expected);
     m_crystal.link_from(0);
   }
 
@@ -110,16 +64,17 @@ public:
   {
     for (;;) {
       add_late();
-      const double smallest = m_team.smallest(m_front.smallest_key());
+      const double smallest = m_team.start_generation(m_front.smallest_key());
       if (smallest == std::numeric_limits<double>::infinity())
         return;
       m_front.take_generation(smallest, m_generation);
       m_team.take(m_generation);
       m_proposals.clear();
-      m_propose(m_generation, [this](Index i) { return m_team.owns(i); }, m_proposals);
-      m_team.share(m_proposals);
+      m_propose(m_generation, m_proposals);
+      m_team.share_proposals(m_proposals);
       find_candidates();
-      m_team.decide(m_choice);
+      m_choice.decide();
+      m_team.agree_on(m_choice);
       const std::size_t first = m_crystal.size();
       accept();
       m_crystal.link_from(first);
@@ -148,7 +103,8 @@ private:
   void add_late()
   {
     const std::size_t first = m_crystal.size();
-    m_new = m_team.catch_up(m_crystal);
+    m_new.clear();
+    m_team.catch_up(m_crystal, m_new);
     m_crystal.link_from(first);
     add_to_front_from(first);
   }
@@ -160,7 +116,7 @@ private:
     for (const Growth_proposal_2& p : m_proposals)
       m_candidates.push_back(Greedy_candidate_2{p.misfit, p.x, p.y, p.d});
     m_choice.assign(m_candidates, Surroundings_2::least_distance, m_crystal.bubbles().d[0],
-                    Point(m_domain.bbox().xmin(), m_domain.bbox().ymin()), [this](Index k) {
+                    Point(m_domain.bbox().xmin(), m_domain.bbox().ymin()), m_threads, [this](Index k) {
                       return m_crystal.is_free(m_candidates[k].x, m_candidates[k].y, m_candidates[k].d);
                     });
   }
@@ -179,8 +135,8 @@ private:
   void settle_from(std::size_t first)
   {
     const auto for_all_new = [this](const auto& f) { // not for those that were there before
-      parallel_for<Concurrency_tag>(
-        m_new.size(),
+      parallel_for(
+        m_threads, m_new.size(),
         [this, &f](std::size_t k) {
           if (m_new[k].from != no_index)
             f(k);
@@ -201,14 +157,15 @@ private:
   }
 
   const Domain_2& m_domain;
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
   Team& m_team;
-  Crystal_2<Concurrency_tag> m_crystal;
+  const Threads m_threads;
+  Crystal_2 m_crystal;
   Growth_front_2 m_front;
-  Growth_proposals_2<Concurrency_tag, Sizing> m_propose;
-  Greedy_choice_2<Concurrency_tag> m_choice;
+  Growth_proposals_2 m_propose;
+  Greedy_choice_2 m_choice;
   // of the present generation
-  std::vector<Proposer> m_generation;
+  std::vector<Growth_proposer> m_generation;
   std::vector<Growth_proposal_2> m_proposals;
   std::vector<Greedy_candidate_2> m_candidates; // the same
   std::vector<Growth_proposal_2> m_new; // bubbles

@@ -10,6 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_PROPOSALS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_limits_2.h>
@@ -29,14 +31,14 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// a bubble of the front, and with which direction it proposes
-struct Proposer
+struct Growth_proposer
 {
   double key; ///< how small it counts
   Index index;
   Direction direction;
 
   /// a corner proposes along each of its edges
-  bool operator>(const Proposer& p) const
+  bool operator>(const Growth_proposer& p) const
   {
     return std::tie(key, index, direction.x, direction.y) >
            std::tie(p.key, p.index, p.direction.x, p.direction.y);
@@ -66,12 +68,12 @@ public:
   {
     const Index index = static_cast<Index>(i), place = bubbles.place[i];
     if (bubbles.is_on_edge(i))
-      m_queue.push(Proposer{key, index, direction = m_domain.direction(place)});
+      m_queue.push(Growth_proposer{key, index, direction = m_domain.direction(place)});
     else if (bubbles.is_in_face(i) || place == no_index)
-      m_queue.push(Proposer{key, index, direction});
+      m_queue.push(Growth_proposer{key, index, direction});
     else
       for (Index e : m_edges_of_corner[place])
-        m_queue.push(Proposer{key, index, m_domain.direction(e)});
+        m_queue.push(Growth_proposer{key, index, m_domain.direction(e)});
   }
 
   /// infinity if the front is empty
@@ -81,7 +83,7 @@ public:
   }
 
   /// takes the next generation off the front: all that are about as small as the smallest of all
-  void take_generation(double smallest, std::vector<Proposer>& generation)
+  void take_generation(double smallest, std::vector<Growth_proposer>& generation)
   {
     generation.clear();
     for (; !m_queue.empty() && m_queue.top().key <= band * smallest; m_queue.pop())
@@ -94,7 +96,7 @@ private:
 
   const Domain_2& m_domain;
   std::vector<std::vector<Index>> m_edges_of_corner;
-  std::priority_queue<Proposer, std::vector<Proposer>, std::greater<Proposer>> m_queue;
+  std::priority_queue<Growth_proposer, std::vector<Growth_proposer>, std::greater<Growth_proposer>> m_queue;
 };
 
 enum class Lattice_direction
@@ -116,30 +118,27 @@ struct Growth_proposal_2
 
 /// What the bubbles of a generation propose: each of the six places around a bubble where there is room, moved
 /// to where a bubble would settle.
-template <class Concurrency_tag, class Sizing>
 class Growth_proposals_2
 {
 public:
-  Growth_proposals_2(const Domain_2& domain, const Sizing& sizing, const Crystal_2<Concurrency_tag>& crystal,
-                     const Growth_front_2& front, Lattice_direction lattice)
-    : m_domain(domain), m_sizing(sizing), m_crystal(crystal), m_bubbles(crystal.bubbles()), m_front(front),
+  Growth_proposals_2(const Domain_2& domain, const Sizes_2& sizing, const Crystal_2& crystal,
+                     const Growth_front_2& front, Lattice_direction lattice, const Team& team, const Threads& threads)
+    : m_team(team), m_threads(threads), m_domain(domain), m_sizing(sizing), m_crystal(crystal), m_bubbles(crystal.bubbles()), m_front(front),
       m_lattice(lattice)
   {}
 
-  /// adds the proposals of those of a generation for which `is_ours(index)` holds
-  template <class Is_ours>
-  void operator()(const std::vector<Proposer>& generation, const Is_ours& is_ours,
-                  std::vector<Growth_proposal_2>& result)
+  /// adds the proposals of those of a generation that this rank owns
+  void operator()(const std::vector<Growth_proposer>& generation, std::vector<Growth_proposal_2>& result)
   {
     m_proposes.resize(m_crystal.size(), 0);
-    for (const Proposer& p : generation)
+    for (const Growth_proposer& p : generation)
       m_proposes[p.index] = !m_bubbles.is_corner(p.index);
     m_lists.resize((std::max)(m_lists.size(), generation.size()));
-    parallel_for<Concurrency_tag>(
-      generation.size(),
+    parallel_for(
+      m_threads, generation.size(),
       [&](std::size_t k) {
         m_lists[k].size = 0;
-        if (is_ours(generation[k].index))
+        if (m_team.owns(generation[k].index))
           propose_from(generation[k], m_lists[k]);
       },
       m_crystal.grain);
@@ -160,7 +159,7 @@ private:
   static constexpr double surroundings_reach = 1.7;
   static constexpr int proposal_steps = 3;
 
-  void propose_from(const Proposer& from, List& proposals) const
+  void propose_from(const Growth_proposer& from, List& proposals) const
   {
     const unsigned taken = taken_places(from);
     Direction u = from.direction;
@@ -170,7 +169,7 @@ private:
   }
 
   /// a bit for each of the six places around a bubble: whether one that is linked to it takes it
-  unsigned taken_places(const Proposer& from) const
+  unsigned taken_places(const Growth_proposer& from) const
   {
     const Index i = from.index;
     const double d = m_bubbles.d[i];
@@ -206,7 +205,7 @@ private:
   }
 
   /// tests by their cost: most places are taken
-  void propose(const Proposer& from, const Direction& u, List& proposals) const
+  void propose(const Growth_proposer& from, const Direction& u, List& proposals) const
   {
     const Index i = from.index;
     const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
@@ -270,9 +269,11 @@ private:
     return no_index;
   }
 
+  const Team& m_team;
+  const Threads m_threads;
   const Domain_2& m_domain;
-  const Sizing& m_sizing;
-  const Crystal_2<Concurrency_tag>& m_crystal;
+  const Sizes_2& m_sizing;
+  const Crystal_2& m_crystal;
   const Bubbles_2& m_bubbles;
   const Growth_front_2& m_front;
   const Lattice_direction m_lattice;

@@ -11,13 +11,16 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Mesh_surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_frontal.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_rhombic.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
 #include <CGAL/Bubble_relaxation_enums.h>
 
@@ -30,31 +33,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// What an existing mesh has on the outline of the domain, and what is pinned inside.
-struct Mesh_outline_2
-{
-  std::vector<Point> pinned;
-  std::vector<std::vector<Point>> on_edge; ///< those that split an edge of the domain, from source to target
-};
-
-template <class Cdt>
-Mesh_outline_2 outline_of_mesh(const Domain_reading_2<Cdt>& reading)
-{
-  using Graph = Constraint_graph_2<Cdt>;
-  Mesh_outline_2 result;
-  for (const auto v : reading.pinned)
-    result.pinned.push_back(Graph::to_point(v));
-  for (const auto& chain : reading.graph->chains()) {
-    result.on_edge.emplace_back();
-    for (const auto v : chain.splits)
-      result.on_edge.back().push_back(Graph::to_point(v));
-  }
-  return result;
-}
-
 /// Bubbles on all vertices that stay: corners and pinned ones.
-template <class Sizing>
-void place_on_vertices(const Domain_2& domain, const std::vector<Point>& pinned, const Sizing& sizing,
+inline void place_on_vertices(const Domain_2& domain, const std::vector<Point>& pinned, const Sizes_2& sizing,
                        Bubbles_2& bubbles)
 {
   const std::vector<Point>& corners = domain.corners();
@@ -73,8 +53,7 @@ inline double position_on_edge(const Domain_2& domain, Index e, const Point& p)
 }
 
 /// Bubbles where the vertices of an existing mesh split an edge.
-template <class Sizing>
-void place_on_splits(const Domain_2& domain, Index e, const std::vector<Point>& splits, const Sizing& sizing,
+inline void place_on_splits(const Domain_2& domain, Index e, const std::vector<Point>& splits, const Sizes_2& sizing,
                      Bubbles_2& bubbles)
 {
   for (const Point& p : splits)
@@ -82,8 +61,7 @@ void place_on_splits(const Domain_2& domain, Index e, const std::vector<Point>& 
 }
 
 /// Bubbles where the vertices of an existing mesh split an edge, unless d asks for another number.
-template <class Sizing>
-void keep_on_edge(const Domain_2& domain, Index e, const std::vector<Point>& splits, const Sizing& sizing,
+inline void keep_on_edge(const Domain_2& domain, Index e, const std::vector<Point>& splits, const Sizes_2& sizing,
                   Bubbles_2& bubbles)
 {
   const double parts =
@@ -98,8 +76,7 @@ void keep_on_edge(const Domain_2& domain, Index e, const std::vector<Point>& spl
 enum class On_edges { PLACE_ANEW, KEEP_THE_RIGHT_NUMBER, KEEP };
 
 /// Bubbles on all vertices that stay and on all edges.
-template <class Sizing>
-Bubbles_2 place_on_outline(const Domain_2& domain, const Mesh_outline_2& mesh, On_edges way, const Sizing& sizing)
+inline Bubbles_2 place_on_outline(const Domain_2& domain, const Given_mesh_2& mesh, On_edges way, const Sizes_2& sizing)
 {
   Bubbles_2 bubbles;
   place_on_vertices(domain, mesh.pinned, sizing, bubbles);
@@ -116,13 +93,11 @@ Bubbles_2 place_on_outline(const Domain_2& domain, const Mesh_outline_2& mesh, O
 }
 
 /// Bubbles where the free vertices of an existing mesh are.
-template <class Cdt, class Sizing>
-void keep_in_faces(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, Bubbles_2& bubbles)
+inline void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& sizing, Bubbles_2& bubbles)
 {
   Index hint = 0;
-  for (const auto v : reading.free) {
-    const Point p = Constraint_graph_2<Cdt>::to_point(v);
-    const Index triangle = reading.domain.place_inside(p, hint);
+  for (const Point& p : given.free) {
+    const Index triangle = domain.place_inside(p, hint);
     if (triangle != no_index) // else rounded out of the domain
       bubbles.add(p, sizing(p), Bubbles_2::FACE, triangle);
   }
@@ -130,26 +105,24 @@ void keep_in_faces(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, B
 
 /// Bubbles where the free vertices of an existing mesh are, as far as it is about as fine there as d
 /// asks; the rest of the domain is filled by a front.
-template <class Concurrency_tag, class Cdt, class Sizing>
-void adapt_in_faces(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                    Bubbles_2& bubbles)
+inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& sizing, Bubbles_2& bubbles,
+                           const Threads& threads)
 {
   std::vector<double> directions(bubbles.size(), 0);
   Index hint = 0;
-  for (const auto v : reading.free) {
-    const Point p = Constraint_graph_2<Cdt>::to_point(v);
-    const Index triangle = reading.domain.place_inside(p, hint);
+  for (std::size_t k = 0; k < given.free.size(); ++k) {
+    const Point& p = given.free[k];
+    const Index triangle = domain.place_inside(p, hint);
     if (triangle == no_index)
       continue;
     const double d = sizing(p);
-    const Mesh_surroundings_2 around = reading.surroundings(cdt, v);
-    if (!around.fits(d))
+    if (!given.around[k].fits(d))
       continue;
     bubbles.add(p, d, Bubbles_2::FACE, triangle);
-    directions.push_back(around.direction);
+    directions.push_back(given.around[k].direction);
   }
-  Growth_alone alone;
-  grow_from_all<Concurrency_tag>(reading.domain, sizing, directions, bubbles, alone);
+  Team alone;
+  grow_from_all(domain, sizing, directions, bubbles, alone, threads);
 }
 
 /// whether the user gives all bubbles, as vertices of an existing mesh
@@ -159,41 +132,34 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
 }
 
 /// The bubbles that the user gives, all of them, whatever d asks for.
-template <class Concurrency_tag, class Cdt, class Sizing>
-Bubbles_2 given_bubbles(const Domain_reading_2<Cdt>& reading, const Sizing& sizing)
+inline Bubbles_2 given_bubbles(const Problem_2& p)
 {
-  Bubbles_2 bubbles = place_on_outline(reading.domain, outline_of_mesh(reading), On_edges::KEEP, sizing);
-  keep_in_faces(reading, sizing, bubbles);
-  remove_coincident(reading.domain, bubbles);
-  sort_in_space<Concurrency_tag>(reading.domain, bubbles);
+  Bubbles_2 bubbles = place_on_outline(p.domain, p.given, On_edges::KEEP, p.sizes);
+  keep_in_faces(p.domain, p.given, p.sizes, bubbles);
+  remove_coincident(p.domain, bubbles);
+  sort_in_space(p.domain, bubbles, p.options.threads);
   return bubbles;
 }
 
 /// the initial bubbles (section 2.1.2 of the paper), sorted in space: on vertices, then edges, then faces, in this
 /// order; if the user leaves the choice, an existing mesh is kept where it fits
-template <class Concurrency_tag, class Cdt, class Sizing>
-Bubbles_2 place_bubbles(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                        const Relaxation_options& options)
+inline Bubbles_2 place_bubbles(const Problem_2& p)
 {
-  const Domain_2& domain = reading.domain;
-  const bool adapts = !options.placement_is_given && !reading.free.empty();
-  const bool keeps = keeps_given_bubbles(options);
-  Bubbles_2 bubbles = place_on_outline(domain, outline_of_mesh(reading),
-                                       adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW,
-                                       sizing);
+  const bool adapts = !p.options.placement_is_given && !p.given.free.empty();
+  const bool keeps = keeps_given_bubbles(p.options);
+  Bubbles_2 bubbles = place_on_outline(
+    p.domain, p.given, adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW, p.sizes);
+  Team alone;
   if (adapts)
-    adapt_in_faces<Concurrency_tag>(cdt, reading, sizing, bubbles);
+    adapt_in_faces(p.domain, p.given, p.sizes, bubbles, p.options.threads);
   else if (keeps)
-    keep_in_faces(reading, sizing, bubbles);
-  else if (options.placement == Bubble_placement::RHOMBIC) {
-    Placement_alone alone;
-    Rhombic_placement<Sizing>(domain, sizing, bubbles, alone)();
-  } else {
-    Growth_alone alone;
-    place_frontal<Concurrency_tag>(domain, sizing, bubbles, alone);
-  }
-  remove_coincident(domain, bubbles);
-  sort_in_space<Concurrency_tag>(domain, bubbles);
+    keep_in_faces(p.domain, p.given, p.sizes, bubbles);
+  else if (p.options.placement == Bubble_placement::RHOMBIC)
+    Rhombic_placement(p.domain, p.sizes, bubbles, alone)();
+  else
+    place_frontal(p.domain, p.sizes, bubbles, alone, p.options.threads);
+  remove_coincident(p.domain, bubbles);
+  sort_in_space(p.domain, bubbles, p.options.threads);
   return bubbles;
 }
 

@@ -10,6 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_FRONTAL_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_growth_2.h>
@@ -31,12 +33,10 @@ enum class Growth { FROM_ALL, SINGLE_STRAIGHT, SINGLE_BENT };
 /// Initial bubbles of the faces by fronts that grow from all bubbles that are there: those of the edges
 /// aligned with their edge, those of the faces, if there are any, in given directions.
 /// `directions`: angles for the bubbles that are there; read for those in faces only
-template <class Concurrency_tag, class Sizing, class Team>
-void grow_from_all(const Domain_2& domain, const Sizing& sizing,
-                   const std::vector<double>& directions, Bubbles_2& bubbles, Team& team)
+inline void grow_from_all(const Domain_2& domain, const Sizes_2& sizing, const std::vector<double>& directions,
+                          Bubbles_2& bubbles, Team& team, const Threads& threads)
 {
-  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, directions,
-                                                       Lattice_direction::BENDS, team);
+  Crystal_growth_2 grow(domain, sizing, bubbles, directions, Lattice_direction::BENDS, team, threads);
   for (std::size_t i = 0, n = bubbles.size(); i < n; ++i)
     grow.add_to_front(i);
   grow();
@@ -54,14 +54,14 @@ inline bool touches_edge(const Domain_2& domain, const Bubbles_2& b, std::size_t
 
 /// Initial bubbles of the faces as a single crystal as far as possible: it grows from the longest edge
 /// and meets the others where they are; what it does not reach is filled from the others then.
-template <class Concurrency_tag, class Sizing, class Team>
-void grow_single_crystal(const Domain_2& domain, const Sizing& sizing, Growth way, Bubbles_2& bubbles, Team& team)
+inline void grow_single_crystal(const Domain_2& domain, const Sizes_2& sizing, Growth way, Bubbles_2& bubbles, Team& team,
+                                const Threads& threads)
 {
   const Lattice_direction lattice =
     way == Growth::SINGLE_STRAIGHT ? Lattice_direction::KEEPS : Lattice_direction::BENDS;
   const std::size_t n = bubbles.size();
   const Index longest = longest_edge(domain);
-  Crystal_growth_2<Concurrency_tag, Sizing, Team> grow(domain, sizing, bubbles, {}, lattice, team);
+  Crystal_growth_2 grow(domain, sizing, bubbles, {}, lattice, team, threads);
   for (const bool is_first : {true, false}) {
     for (std::size_t i = 0; i < n; ++i)
       if (touches_edge(domain, bubbles, i, longest) == is_first)
@@ -96,17 +96,6 @@ inline double disorder(const Domain_2& domain, const Bubbles_2& b)
   return defects * energy;
 }
 
-/// A sizing field times a constant.
-template <class Sizing>
-struct Scaled_field_2
-{
-  const Sizing& field;
-  double factor;
-  double expected_number = field.expected_number / (factor * factor); ///< of bubbles
-
-  double operator()(const Point& p) const { return factor * field(p); }
-};
-
 /// The bubbles that have room when all are `factor` times as large, the first of several.
 inline Bubbles_2 enlarge(const Domain_2& domain, const Bubbles_2& b, double factor)
 {
@@ -127,20 +116,20 @@ inline Bubbles_2 enlarge(const Domain_2& domain, const Bubbles_2& b, double fact
 /// Fills the faces in the way that suits the domain and d, and returns which it is. Fronts from all edges
 /// are right where d follows the boundary; where d is constant, or smallest inside, they may meet badly,
 /// and a single crystal is tried as well.
-template <class Concurrency_tag, class Sizing>
-Growth fill_in_better_way(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles)
+inline Growth fill_in_better_way(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles,
+                                 const Threads& threads)
 {
   constexpr double nearly_constant = 1.25, clearly_less = 0.75, better = 0.8;
   Bubbles_2 single = bubbles;
-  Growth_alone alone;
-  grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles, alone);
+  Team alone;
+  grow_from_all(domain, sizing, {}, bubbles, alone, threads);
   const double least_at_start = *std::min_element(single.d.begin(), single.d.end());
   const auto sizes = std::minmax_element(bubbles.d.begin(), bubbles.d.end());
   const bool is_constant = *sizes.second < nearly_constant * *sizes.first;
   if (!is_constant && !(*sizes.first < clearly_less * least_at_start))
     return Growth::FROM_ALL;
   const Growth way = is_constant ? Growth::SINGLE_STRAIGHT : Growth::SINGLE_BENT;
-  grow_single_crystal<Concurrency_tag>(domain, sizing, way, single, alone);
+  grow_single_crystal(domain, sizing, way, single, alone, threads);
   if (!(disorder(domain, single) < better * disorder(domain, bubbles)))
     return Growth::FROM_ALL;
   bubbles = std::move(single);
@@ -159,22 +148,21 @@ inline double factor_of_large_bubbles(double expected_number)
 
 /// Initial bubbles of the faces. What suits a domain is found with large bubbles if there will be many.
 /// `sizing`: has `expected_number`
-template <class Concurrency_tag, class Sizing, class Team>
-void place_frontal(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles, Team& team)
+inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles, Team& team,
+                          const Threads& threads)
 {
   const double factor = factor_of_large_bubbles(sizing.expected_number);
   if (factor == 1) {
-    fill_in_better_way<Concurrency_tag>(domain, sizing, bubbles);
+    fill_in_better_way(domain, sizing, bubbles, threads);
     return;
   }
   Bubbles_2 large = enlarge(domain, bubbles, factor);
-  const Growth way = fill_in_better_way<Concurrency_tag>(
-    domain, Scaled_field_2<Sizing>{sizing, factor}, large);
+  const Growth way = fill_in_better_way(domain, scaled(sizing, factor), large, threads);
   team.divide(domain, large);
   if (way == Growth::FROM_ALL)
-    grow_from_all<Concurrency_tag>(domain, sizing, {}, bubbles, team);
+    grow_from_all(domain, sizing, {}, bubbles, team, threads);
   else
-    grow_single_crystal<Concurrency_tag>(domain, sizing, way, bubbles, team);
+    grow_single_crystal(domain, sizing, way, bubbles, team, threads);
 }
 
 } // namespace internal

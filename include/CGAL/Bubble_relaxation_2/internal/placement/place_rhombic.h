@@ -10,10 +10,11 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_RHOMBIC_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,32 +25,13 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// how much of a disc belongs to a rank
-enum class Share_of_disc { NONE, SOME, ALL };
-
-/// No other ranks: what a team does when bubbles are placed in cells.
-struct Placement_alone
-{
-  Share_of_disc share_of(const Point&, double) const { return Share_of_disc::ALL; }
-  bool owns_place(const Point&) const { return true; }
-  /// see `Population_alone`
-  std::size_t share_holes(std::vector<Hole_2>& holes, double) { return holes.size(); }
-  template <class Choice>
-  void decide(Choice& choice)
-  {
-    choice.decide([](Index) { return true; });
-  }
-};
-
 /// The initial bubbles of the faces after section 2.1.2 of the paper: a rhombus with angles of 60 and
 /// 120 degrees around the domain is cut in four until a cell is as small as d asks, and gets a bubble
-/// in its centre. Where d is constant this is the hexagonal lattice. `Team`: the ranks that do this together, each
-/// in its own part, see `Placement_alone`.
-template <class Sizing, class Team = Placement_alone>
+/// in its centre. Where d is constant this is the hexagonal lattice.
 class Rhombic_placement
 {
 public:
-  Rhombic_placement(const Domain_2& domain, const Sizing& sizing, Bubbles_2& bubbles, Team& team)
+  Rhombic_placement(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles, Team& team)
     : m_domain(domain), m_sizing(sizing), m_bubbles(bubbles), m_team(team)
   {}
 
@@ -144,11 +126,12 @@ private:
     std::vector<Greedy_candidate_2> candidates;
     for (const Hole_2& h : m_centers)
       candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
-    Greedy_choice_2<Sequential_tag> choice;
-    choice.assign(candidates, least_distance, m_bubbles.d[0], origin, [&](Index k) {
+    Greedy_choice_2 choice;
+    choice.assign(candidates, least_distance, m_bubbles.d[0], origin, Threads(), [&](Index k) {
       return outline.is_free(candidates[k].x, candidates[k].y, candidates[k].d);
     });
-    m_team.decide(choice);
+    choice.decide();
+    m_team.agree_on(choice);
     choice.for_each_chosen([&](Index k) {
       const Hole_2& h = m_centers[k];
       if (static_cast<std::size_t>(k) < number_of_ours)
@@ -157,7 +140,7 @@ private:
   }
 
   const Domain_2& m_domain;
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
   Bubbles_2& m_bubbles;
   Team& m_team;
   std::vector<Hole_2> m_centers; // of cells

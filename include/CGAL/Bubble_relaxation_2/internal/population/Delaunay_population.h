@@ -10,11 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_DELAUNAY_POPULATION_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,6 @@ namespace internal {
 /// The population control by the triangulation of the bubbles: a hole shows as a large empty circle
 /// and gets a bubble in its centre; a crowd shows as a short edge, or as a bubble with four neighbours
 /// or less, and loses one. It looks only where bubbles may have moved since it looked last.
-template <class Concurrency_tag, class Sizing, class Team = Population_alone>
 class Delaunay_population
 {
 public:
@@ -49,16 +49,16 @@ public:
   /// pressed into the gap
   double cleared_radius = 0.7;
 
-  Delaunay_population(const Domain_2& domain, const Sizing& sizing, Team& team)
-    : m_domain(domain), m_sizing(sizing), m_team(team)
+  Delaunay_population(const Domain_2& domain, const Sizes_2& sizing, Team& team, const Threads& threads)
+    : m_domain(domain), m_sizing(sizing), m_team(team), m_threads(threads)
   {}
 
   /// `touched`: the bubbles that may have moved
   Population_change operator()(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
                                const std::vector<Index>& touched)
   {
-    const auto mesh = Local_triangulation_2::make<Concurrency_tag>(
-      bubbles, neighbors, m_team.share_touched(bubbles, touched));
+    const auto mesh =
+      Local_triangulation_2::make(bubbles, neighbors, m_team.share_touched(bubbles, touched), m_threads);
     m_change = Population_change();
     m_is_deleted.assign(bubbles.size(), 0);
     delete_crowded(bubbles, mesh);
@@ -68,7 +68,7 @@ public:
     for (std::size_t i = 0; i < m_is_deleted.size(); ++i)
       if (m_is_deleted[i])
         m_change.deleted.push_back(static_cast<Index>(i));
-    sort_in_space<Concurrency_tag>(m_domain, m_change.inserted);
+    sort_in_space(m_domain, m_change.inserted, m_threads);
     m_team.number(m_change.inserted);
     return std::move(m_change);
   }
@@ -177,11 +177,12 @@ private:
     std::vector<Greedy_candidate_2> candidates;
     for (const Hole_2& h : holes)
       candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
-    Greedy_choice_2<Concurrency_tag> choice;
+    Greedy_choice_2 choice;
     const Bbox_2& box = m_domain.bbox();
     choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, Point(box.xmin(), box.ymin()),
-                  [](Index) { return true; });
-    m_team.decide(choice);
+                  m_threads, [](Index) { return true; });
+    choice.decide();
+    m_team.agree_on(choice);
     choice.for_each_chosen([&](Index k) {
       if (static_cast<std::size_t>(k) < number_of_ours)
         m_change.inserted.add(Point(holes[k].x, holes[k].y), holes[k].d, Bubbles_2::FACE, holes[k].triangle);
@@ -223,7 +224,8 @@ private:
 
   void insert_on_edges(const Bubbles_2& b, const Neighbor_sets_2& neighbors)
   {
-    const Outline_bubbles_2 outline = m_team.outline(m_domain, b);
+    Outline_bubbles_2 outline = outline_bubbles(m_domain, b);
+    m_team.share_outline(m_domain, b, outline);
     for (std::size_t e = 0; e < outline.on_edge.size(); ++e) {
       const Domain_edge_2& edge = m_domain.edges()[e];
       const Outline_bubble_2* u = &outline.on_corner[edge.source];
@@ -271,8 +273,9 @@ private:
   }
 
   const Domain_2& m_domain;
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
   Team& m_team;
+  const Threads m_threads;
   Population_change m_change;
   std::vector<char> m_is_deleted;
   Index m_hint = 0; // a triangle of the domain near the last point

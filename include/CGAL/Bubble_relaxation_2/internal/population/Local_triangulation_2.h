@@ -188,12 +188,11 @@ class Local_triangulation_2
 public:
   using Triangle = std::array<Index, 3>; ///< bubbles, counterclockwise
 
-  template <class Concurrency_tag>
   static Local_triangulation_2 make(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-                                    const std::vector<Index>& touched)
+                                    const std::vector<Index>& touched, const Threads& threads)
   {
     Local_triangulation_2 result(touched);
-    result.template wrap<Concurrency_tag>(bubbles, neighbors);
+    result.wrap(bubbles, neighbors, threads);
     return result;
   }
 
@@ -226,15 +225,14 @@ private:
 
   static constexpr std::size_t block_size = 512;
 
-  template <class Concurrency_tag>
-  void wrap(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors)
+  void wrap(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const Threads& threads)
   {
     std::vector<char> is_touched(bubbles.size(), 0);
     for (Index i : m_touched)
       is_touched[i] = 1;
     std::vector<std::vector<Triangle>> blocks((m_touched.size() + block_size - 1) / block_size);
-    parallel_for<Concurrency_tag>(
-      blocks.size(),
+    parallel_for(
+      threads, blocks.size(),
       [&](std::size_t b) {
         const std::size_t last = (std::min)((b + 1) * block_size, m_touched.size());
         for (std::size_t k = b * block_size; k < last; ++k)

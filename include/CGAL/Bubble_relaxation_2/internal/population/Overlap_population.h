@@ -10,12 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_OVERLAP_POPULATION_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,6 @@ namespace internal {
 /// add something. Six neighbours at the wanted distance make 6. Needs no triangulation.
 ///
 /// The sources do not give their thresholds; these were chosen by experiment with the paper's figures.
-/// `Team`: what other ranks have to do with it, see `Population_alone`.
-template <class Sizing, class Team = Population_alone>
 class Overlap_population
 {
 public:
@@ -44,7 +43,7 @@ public:
   /// an inserted bubble is no nearer to another than this, in units of the mean size
   double least_distance = 0.75;
 
-  Overlap_population(const Domain_2& domain, const Sizing& sizing, Team& team)
+  Overlap_population(const Domain_2& domain, const Sizes_2& sizing, Team& team)
     : m_domain(domain), m_sizing(sizing), m_team(team)
   {}
 
@@ -63,7 +62,7 @@ public:
       if (is_deleted[i])
         change.deleted.push_back(static_cast<Index>(i));
     insert_beside_lonely(b, neighbors, ratio, is_deleted, change.inserted);
-    sort_in_space<Sequential_tag>(m_domain, change.inserted);
+    sort_in_space(m_domain, change.inserted);
     m_team.number(change.inserted);
     return change;
   }
@@ -136,10 +135,11 @@ private:
     std::vector<Greedy_candidate_2> candidates;
     for (const Hole_2& h : holes)
       candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
-    Greedy_choice_2<Sequential_tag> choice;
-    choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, origin,
+    Greedy_choice_2 choice;
+    choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, origin, Threads(),
                   [](Index) { return true; });
-    m_team.decide(choice);
+    choice.decide();
+    m_team.agree_on(choice);
     choice.for_each_chosen([&](Index k) {
       if (static_cast<std::size_t>(k) < number_of_ours)
         inserted.add(Point(holes[k].x, holes[k].y), holes[k].d, Bubbles_2::FACE, holes[k].triangle);
@@ -183,7 +183,7 @@ private:
   }
 
   const Domain_2& m_domain;
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
   Team& m_team;
 };
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/quality/order_independent.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/Unique_hash_map.h>
@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -102,12 +103,11 @@ public:
     m_lengths.insert(m_lengths.end(), other.m_lengths.begin(), other.m_lengths.end());
   }
 
-  /// `all` may know of what others have, see `All_values_here`; to be called once
-  template <class All = All_values_here>
-  Mesh_statistics_2 statistics(const All& all = All())
+  /// of what all of a team have; to be called once
+  Mesh_statistics_2 statistics(const Team& all = Team())
   {
-    const auto counts = all.sums(std::array<std::size_t, 5>{m.vertices, m.interior, m.irregular,
-                                                            m_qualities.size(), m_lengths.size()});
+    std::array<std::size_t, 5> counts{m.vertices, m.interior, m.irregular, m_qualities.size(), m_lengths.size()};
+    all.add_up(counts.data(), counts.size());
     m.vertices = counts[0];
     m.interior = counts[1];
     m.irregular = counts[2];
@@ -181,8 +181,7 @@ private:
   }
 
   /// where there is no triangle all extremes are at infinity
-  template <class All>
-  void finish_extremes(const All& all)
+  void finish_extremes(const Team& all)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const bool is_empty = m_qualities.empty();
@@ -203,21 +202,19 @@ private:
     m.maximum_angle = all.largest(is_widest ? m.maximum_angle : -infinity);
   }
 
-  template <class All>
-  void finish_qualities(const All& all)
+  void finish_qualities(const Team& all)
   {
     for (double q : m_qualities) {
       const double bar = q * double(number_of_quality_bars);
       ++m.histogram[(std::min)(static_cast<std::size_t>(bar), number_of_quality_bars - 1)];
     }
-    m.histogram = all.sums(m.histogram);
+    all.add_up(m.histogram.data(), m.histogram.size());
     m.mean_quality = sum_in_any_order(m_qualities, [](double q) { return q; }, all) / double(m.triangles);
     m.quality_percentiles = percentiles(m_qualities, m.triangles, quality_percents, all);
   }
 
   /// `lengths`: how many there are
-  template <class All>
-  void finish_lengths(std::size_t lengths, const All& all)
+  void finish_lengths(std::size_t lengths, const Team& all)
   {
     const double n = double(lengths);
     m.mean_length = sum_in_any_order(m_lengths, [](double l) { return l; }, all) / n;
@@ -229,16 +226,43 @@ private:
   }
 
   /// the smallest of the values that at least each of `percents` of all values do not exceed
-  template <std::size_t n, class All>
+  template <std::size_t n>
   static std::array<double, n> percentiles(std::vector<double>& values, std::size_t number,
-                                           const std::array<int, n>& percents, const All& all)
+                                           const std::array<int, n>& percents, const Team& all)
   {
-    std::array<std::size_t, n> positions;
-    std::transform(percents.begin(), percents.end(), positions.begin(), [number](int percent) {
+    std::vector<std::size_t> positions;
+    for (int percent : percents) {
       const std::size_t rank = (number * static_cast<std::size_t>(percent) + 99) / 100;
-      return (std::max)(rank, std::size_t(1)) - 1;
-    });
-    return all.sorted_at(values, positions);
+      positions.push_back((std::max)(rank, std::size_t(1)) - 1);
+    }
+    const std::vector<double> sorted = all.sorted_at(values, positions);
+    std::array<double, n> result;
+    std::copy(sorted.begin(), sorted.end(), result.begin());
+    return result;
+  }
+
+  /// The sum of `term(v)` over the values of all of a team, the same to the last bit in whatever order they come: of
+  /// terms as multiples of a unit, summed as integers. The unit is so small that the mean is off by less than
+  /// n / 2^60 times the largest term. \pre no term is negative or not a number
+  template <class Term>
+  static double sum_in_any_order(const std::vector<double>& values, const Term& term, const Team& all)
+  {
+    double largest = 0;
+    for (double v : values)
+      largest = (std::max)(largest, term(v));
+    largest = all.largest(largest);
+    if (largest == 0 || !std::isfinite(largest))
+      return largest;
+    std::size_t n = values.size();
+    all.add_up(&n, 1);
+    const int digits = 60 - std::ilogb(static_cast<double>(n)) - std::ilogb(largest);
+    // in two parts, since the largest terms may be the smallest numbers
+    const double scale = std::ldexp(1., digits / 2), rest = std::ldexp(1., digits - digits / 2);
+    std::size_t sum = 0; // stays below 2^62
+    for (double v : values)
+      sum += static_cast<std::size_t>(static_cast<std::int64_t>(term(v) * scale * rest));
+    all.add_up(&sum, 1);
+    return std::ldexp(static_cast<double>(sum), -digits);
   }
 
   Mesh_statistics_2 m;

@@ -10,11 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/quality/order_independent.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 
-#include <CGAL/Mesh_quality_2.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <algorithm>
 #include <array>
@@ -28,8 +30,8 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// d at the vertices of a mesh that belong to its domain; others are not the business of d
-template <class Concurrency_tag, class Sizing>
-std::vector<double> sizes_at_vertices(const Marked_triangulation_2& mesh, const Sizing& sizing)
+inline std::vector<double> sizes_at_vertices(const Marked_triangulation_2& mesh, const Sizes_2& sizing,
+                                             const Threads& threads)
 {
   std::vector<char> is_in_domain(mesh.tr.points.size(), 0);
   for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
@@ -37,7 +39,7 @@ std::vector<double> sizes_at_vertices(const Marked_triangulation_2& mesh, const 
       if (mesh.inside[t])
         is_in_domain[v] = 1;
   std::vector<double> sizes(mesh.tr.points.size(), 0);
-  parallel_for<Concurrency_tag>(sizes.size(), [&](std::size_t v) {
+  parallel_for(threads, sizes.size(), [&](std::size_t v) {
     if (is_in_domain[v])
       sizes[v] = sizing(mesh.tr.points[v]);
   });
@@ -72,21 +74,20 @@ public:
   }
 
   /// Puts it into the report. Of edges with the same gradient it tells that with the lexicographically smallest
-  /// midpoint. `all` may know of what others have, see `All_values_here`.
-  template <class Report, class All = All_values_here>
-  void tell(Report& report, const All& all = All()) const
+  /// midpoint.
+  void tell(Report& report, const Team& all = Team()) const
   {
-    using FT = typename Report::FT;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double largest = all.largest(m_largest);
     const bool is_here = m_largest == largest;
     const double x = all.smallest(is_here ? m_steepest.x() : infinity);
     const double y = all.smallest(is_here && m_steepest.x() == x ? m_steepest.y() : infinity);
-    const auto counts = all.sums(std::array<std::size_t, 2>{m_number_of_steep, m_number});
-    report.largest_size_gradient = FT(largest);
-    report.steepest_x = FT(x);
-    report.steepest_y = FT(y);
-    report.steep_share = FT(counts[1] == 0 ? 0. : static_cast<double>(counts[0]) / static_cast<double>(counts[1]));
+    std::array<std::size_t, 2> counts{m_number_of_steep, m_number};
+    all.add_up(counts.data(), counts.size());
+    report.largest_size_gradient = largest;
+    report.steepest_x = x;
+    report.steepest_y = y;
+    report.steep_share = counts[1] == 0 ? 0. : static_cast<double>(counts[0]) / static_cast<double>(counts[1]);
   }
 
 private:
@@ -97,10 +98,10 @@ private:
 
 /// Tells how much d changes from one vertex of a mesh to the next, which is what the mesh can see of its
 /// gradient, kinks and jumps included.
-template <class Concurrency_tag, class Sizing, class Report>
-void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& report)
+inline void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizes_2& sizing, const Threads& threads,
+                                   Report& report)
 {
-  const std::vector<double> sizes = sizes_at_vertices<Concurrency_tag>(mesh, sizing);
+  const std::vector<double> sizes = sizes_at_vertices(mesh, sizing, threads);
   const Flat_triangulation_2& tr = mesh.tr;
   Size_gradient_2 gradient(Report::steep_size_gradient);
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
@@ -115,8 +116,7 @@ void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizing& si
 
 /// Adds the length of an edge over d in the midpoint. It begins at the end that comes first: what rounds must not
 /// depend on the triangle from which the edge is seen.
-template <class Sizing>
-void add_length(const Point& p, const Point& q, const Sizing& sizing, Mesh_quality_accumulator_2& accumulator)
+inline void add_length(const Point& p, const Point& q, const Sizes_2& sizing, Mesh_quality_accumulator_2& accumulator)
 {
   const bool is_reversed = CGAL::lexicographically_xy_smaller(q, p);
   const Point &a = is_reversed ? q : p, &b = is_reversed ? p : q;
@@ -126,9 +126,8 @@ void add_length(const Point& p, const Point& q, const Sizing& sizing, Mesh_quali
 
 /// Adds the triangles of a domain from `first` to `last`, without, and the lengths of their edges over d in
 /// the midpoints.
-template <class Sizing>
-void add_triangles(const Marked_triangulation_2& mesh, std::size_t first, std::size_t last,
-                   const Sizing& sizing, Mesh_quality_accumulator_2& accumulator)
+inline void add_triangles(const Marked_triangulation_2& mesh, std::size_t first, std::size_t last,
+                          const Sizes_2& sizing, Mesh_quality_accumulator_2& accumulator)
 {
   const Flat_triangulation_2& tr = mesh.tr;
   for (std::size_t t = first; t < last; ++t) {
@@ -168,25 +167,24 @@ inline void add_vertices(const Marked_triangulation_2& mesh, Mesh_quality_accumu
 
 /// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
 /// then the user's triangulation must not have been changed yet.
-template <class Concurrency_tag, class Sizing, class Report>
-void evaluate(const Marked_triangulation_2& mesh, const Sizing& sizing, Report& report)
+inline void evaluate(const Marked_triangulation_2& mesh, const Sizes_2& sizing, const Threads& threads, Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
   constexpr std::size_t block_size = 4096;
   const std::size_t n = mesh.tr.number_of_triangles();
   std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);
-  parallel_for<Concurrency_tag>(
-    blocks.size(),
+  parallel_for(
+    threads, blocks.size(),
     [&](std::size_t k) {
       add_triangles(mesh, k * block_size, (std::min)((k + 1) * block_size, n), sizing, blocks[k]);
     },
     1);
-  evaluate_size_gradient<Concurrency_tag>(mesh, sizing, report);
+  evaluate_size_gradient(mesh, sizing, threads, report);
   Mesh_quality_accumulator_2 all;
   add_vertices(mesh, all);
   for (const Mesh_quality_accumulator_2& block : blocks)
     all.add(block);
-  report.quality = decltype(report.quality)(all.statistics());
+  report.quality = Mesh_quality_2<double>(all.statistics());
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
 }

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Mesh_surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/Constraint_graph_2.h>
 
@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// What `npbs_relax()` reads from a user's triangulation: the domain, and which vertex is what.
+/// What the entry points read from a user's triangulation: the domain, and which vertex is what.
 template <class Cdt>
 struct Domain_reading_2
 {
@@ -39,6 +39,7 @@ struct Domain_reading_2
   /// vertices inside the domain that no constraint touches: the pinned ones and all others. Only their
   /// points decide their order, whatever the order in which they were inserted.
   std::vector<Vertex_handle> pinned, free;
+  Given_mesh_2 given; ///< where vertices inside and on edges are
 
   /// `is_inside(face)`, `is_pinned(vertex)`: the domain and what the user pinned
   template <class Is_inside, class Is_pinned>
@@ -57,10 +58,24 @@ struct Domain_reading_2
     for (Vertex_handle v : cdt.finite_vertex_handles())
       if (!graph->contains(v) && is_inside(v->face()) && !cdt.are_there_incident_constraints(v))
         (is_pinned(v) ? pinned : free).push_back(v);
-    sort_by_place(pinned);
-    sort_by_place(free);
+    given.pinned = sort_by_place(pinned);
+    given.free = sort_by_place(free);
+    for (const typename Graph::Chain& c : graph->chains()) {
+      given.on_edge.emplace_back();
+      for (Vertex_handle v : c.splits)
+        given.on_edge.back().push_back(Graph::to_point(v));
+    }
   }
 
+  /// finds out how the mesh looks around the free vertices from `first` to `last`, without
+  void look_around(const Cdt& cdt, std::size_t first, std::size_t last)
+  {
+    given.around.resize(free.size());
+    for (std::size_t k = first; k < last; ++k)
+      given.around[k] = surroundings(cdt, free[k]);
+  }
+
+private:
   static Mesh_surroundings_2 surroundings(const Cdt& cdt, Vertex_handle v)
   {
     std::vector<Point> ring;
@@ -72,7 +87,6 @@ struct Domain_reading_2
     return mesh_surroundings(Graph::to_point(v), ring);
   }
 
-private:
   /// Starts at the neighbour with the lexicographically smallest point: where CGAL starts depends on the
   /// history of the triangulation, and a sum depends on the order of its terms.
   static typename Cdt::Vertex_circulator first_neighbor(const Cdt& cdt, Vertex_handle v)
@@ -85,17 +99,21 @@ private:
     return first;
   }
 
-  /// sorts along a Hilbert curve, so that a search from one vertex to the next is short
-  void sort_by_place(std::vector<Vertex_handle>& vertices) const
+  /// sorts along a Hilbert curve, so that a search from one vertex to the next is short; returns the points
+  std::vector<Point> sort_by_place(std::vector<Vertex_handle>& vertices) const
   {
     std::sort(vertices.begin(), vertices.end(), Graph::is_before); // some may be rounded to one place
     std::vector<Point> points;
     for (Vertex_handle v : vertices)
       points.push_back(Graph::to_point(v));
     std::vector<Vertex_handle> sorted;
-    for (Index i : hilbert_order(hilbert_curve(domain), points))
+    std::vector<Point> sorted_points;
+    for (Index i : hilbert_order(hilbert_curve(domain), points)) {
       sorted.push_back(vertices[i]);
+      sorted_points.push_back(points[i]);
+    }
     vertices.swap(sorted);
+    return sorted_points;
   }
 
   template <class Is_inside, class Is_pinned>

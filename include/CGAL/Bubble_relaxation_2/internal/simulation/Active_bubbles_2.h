@@ -116,15 +116,15 @@ public:
   bool is_roused() const { return m_is_roused; }
 
   /// goes on to the next step; `is_moving[k]`: whether the `k`-th of `indices()` moves noticeably
-  template <class Concurrency_tag>
-  void advance(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
+  void advance(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving,
+               const Threads& threads)
   {
     make_room(bubbles);
     m_is_roused = false;
     m_before.swap(m_indices);
     m_indices.clear();
     if (many * m_before.size() > bubbles.size())
-      ask_all<Concurrency_tag>(bubbles, neighbors, is_moving);
+      ask_all(bubbles, neighbors, is_moving, threads);
     else
       tell_neighbors(bubbles, neighbors, is_moving);
   }
@@ -145,14 +145,14 @@ private:
 
   /// Many are active: each bubble looks whether it or a neighbour moves. Then the active ones come in the order
   /// in which they lie in memory.
-  template <class Concurrency_tag>
-  void ask_all(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving)
+  void ask_all(Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const std::vector<char>& is_moving,
+               const Threads& threads)
   {
     m_moves.resize(bubbles.size());
-    parallel_for<Concurrency_tag>(m_before.size(), [&](std::size_t k) { m_moves[m_before[k]] = is_moving[k]; });
+    parallel_for(threads, m_before.size(), [&](std::size_t k) { m_moves[m_before[k]] = is_moving[k]; });
     std::vector<std::size_t> positions((bubbles.size() + block_size - 1) / block_size + 1, 0);
-    parallel_for<Concurrency_tag>(
-      positions.size() - 1,
+    parallel_for(
+      threads, positions.size() - 1,
       [&](std::size_t block) {
         for (std::size_t i = block * block_size; i < end_of(block); ++i)
           positions[block + 1] += ask(bubbles, neighbors, i);
@@ -160,8 +160,8 @@ private:
       1);
     std::partial_sum(positions.begin(), positions.end(), positions.begin());
     m_indices.resize(positions.back());
-    parallel_for<Concurrency_tag>(
-      positions.size() - 1,
+    parallel_for(
+      threads, positions.size() - 1,
       [&](std::size_t block) {
         std::size_t k = positions[block];
         for (std::size_t i = block * block_size; i < end_of(block); ++i)
@@ -169,7 +169,7 @@ private:
             m_indices[k++] = static_cast<Index>(i);
       },
       1);
-    parallel_for<Concurrency_tag>(m_before.size(), [&](std::size_t k) { m_moves[m_before[k]] = 0; });
+    parallel_for(threads, m_before.size(), [&](std::size_t k) { m_moves[m_before[k]] = 0; });
   }
 
   std::size_t end_of(std::size_t block) const

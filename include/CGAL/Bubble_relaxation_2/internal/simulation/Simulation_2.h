@@ -11,17 +11,20 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Active_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_alone.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/integrators.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -30,13 +33,12 @@ namespace internal {
 
 /// Keeps the sizes of the bubbles up to date. d is asked again only where a bubble has moved more than
 /// `tolerance` times its size since it was asked last: most bubbles soon hardly move.
-template <class Sizing>
 class Size_update
 {
 public:
   static constexpr double tolerance = 0.01;
 
-  Size_update(const Bubbles_2& b, const Sizing& sizing) : m_sizing(sizing), m_x(b.x), m_y(b.y) {}
+  Size_update(const Bubbles_2& b, const Sizes_2& sizing) : m_sizing(sizing), m_x(b.x), m_y(b.y) {}
 
   void operator()(Bubbles_2& b, std::size_t i)
   {
@@ -74,7 +76,7 @@ public:
   }
 
 private:
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
   std::vector<double> m_x, m_y; // where d was asked
 };
 
@@ -115,15 +117,13 @@ struct Bubble_memory_2
 };
 
 /// The bubbles in motion, with all that outlasts a round: neighbour sets, sizes, and who sleeps.
-template <class Concurrency_tag, class Integrator, class Sizing, class Team = Simulation_alone>
 class Simulation_2
 {
 public:
-  Simulation_2(const Domain_2& domain, const Sizing& sizing, const Relaxation_options& options,
-               Bubbles_2& bubbles, Team& team)
-    : m_options(options), m_tolerance(options.displacement_tolerance), m_boundary(domain),
-      m_integrator(options), m_bubbles(bubbles), m_team(team), m_neighbors(options.neighbor_radius),
-      m_update_size(bubbles, sizing)
+  Simulation_2(const Problem_2& problem, Bubbles_2& bubbles, Team& team)
+    : m_options(problem.options), m_tolerance(m_options.displacement_tolerance), m_boundary(problem.domain),
+      m_integrator(make_integrator(m_options)), m_bubbles(bubbles), m_team(team),
+      m_neighbors(m_options.neighbor_radius), m_update_size(bubbles, problem.sizes)
   {
     m_active.wake_all(bubbles);
   }
@@ -131,7 +131,7 @@ public:
   /// While bubbles are still inserted and deleted, rest need not be what it shall be in the end.
   void rest_coarsely()
   {
-    if (Integrator::lets_bubbles_sleep && m_options.population != Bubble_population::NONE)
+    if (m_integrator->lets_bubbles_sleep() && m_options.population != Bubble_population::NONE)
       m_tolerance = coarse_tolerance * m_options.displacement_tolerance;
   }
 
@@ -149,6 +149,8 @@ public:
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
   Neighbor_sets_2& neighbors() { return m_neighbors; }
+
+  unsigned evaluations_per_step() const { return m_integrator->evaluations_per_step(); }
 
   /// whether neighbours were looked for, so that there is something to remember
   bool has_begun() const { return m_has_begun; }
@@ -193,7 +195,7 @@ public:
       is_active.push_back(m_bubbles.is_ours(i) ? m.is_active : char(0));
       is_touched.push_back(m.is_touched);
     }
-    m_neighbors.template build<Concurrency_tag>(m_bubbles, Bubble_references_2{x, y, d});
+    m_neighbors.build(m_bubbles, Bubble_references_2{x, y, d}, m_options.threads);
     m_active.restart(is_active, is_touched, is_roused);
     m_outrun.clear();
     for (std::size_t i = 0; i < memories.size(); ++i)
@@ -205,8 +207,7 @@ public:
   std::vector<Index> touched() const { return m_active.touched(); }
 
   /// One round of Fig. 2 of the paper: steps until the bubbles rest, `number_of_iterations` at most.
-  template <class Seconds>
-  Round_result run_round(Progress& progress, Seconds& seconds)
+  Round_result run_round(Progress& progress, Bubble_relaxation_seconds& seconds)
   {
     Round_result result;
     m_active.forget_touched();
@@ -298,7 +299,7 @@ private:
 
   void build_neighbors()
   {
-    m_neighbors.template build<Concurrency_tag>(m_bubbles);
+    m_neighbors.build(m_bubbles, m_options.threads);
     m_outrun.clear();
   }
 
@@ -309,9 +310,9 @@ private:
     const std::size_t interval = m_options.renewal_interval;
     if (interval == 0 && m_number_of_outrun != 0) {
       if (3 * m_number_of_outrun > m_team.number_of_all(m_bubbles))
-        m_neighbors.template build<Concurrency_tag>(m_bubbles);
+        m_neighbors.build(m_bubbles, m_options.threads);
       else
-        m_neighbors.template renew<Concurrency_tag>(m_bubbles, m_outrun);
+        m_neighbors.renew(m_bubbles, m_outrun, m_options.threads);
     } else if (interval != 0 && step != 0 && step % interval == 0) {
       m_team.share_sets(m_bubbles, m_neighbors);
       m_neighbors.renew_from_neighbors(m_bubbles);
@@ -321,20 +322,10 @@ private:
     return true;
   }
 
-  /// tells other ranks where bubbles are within a step
-  struct Stage_sharing
-  {
-    Team& team;
-    const Neighbor_sets_2& neighbors;
-
-    void send(const std::vector<double>& x, const std::vector<double>& y) const { team.send_positions(neighbors, x, y); }
-    void receive(std::vector<double>& x, std::vector<double>& y) const { team.receive_positions(x, y); }
-  };
-
   void step(Round_result& result)
   {
     const std::vector<Index>& active = m_active.indices();
-    m_integrator(m_bubbles, active, m_neighbors, m_boundary, m_displacements, Stage_sharing{m_team, m_neighbors});
+    (*m_integrator)(m_bubbles, active, m_neighbors, m_boundary, m_displacements, m_team);
     m_flags.start_step(active.size());
     move_all_of(active, true);
     m_team.send_moves(m_bubbles, active, m_flags.is_moving);
@@ -353,10 +344,10 @@ private:
     for (Index i : others)
       if (m_neighbors.is_outrun_by(m_bubbles, i))
         m_outrun.push_back(i);
-    if (Integrator::lets_bubbles_sleep) {
+    if (m_integrator->lets_bubbles_sleep()) {
       m_active.add_others(others);
-      m_active.template advance<Concurrency_tag>(m_bubbles, m_neighbors, m_flags.is_moving);
-    } else if (!Team::is_alone)
+      m_active.advance(m_bubbles, m_neighbors, m_flags.is_moving, m_options.threads);
+    } else if (!m_team.is_alone())
       m_active.forget_others(m_bubbles); // those that wait in others' parts
     sums = m_team.sum(sums);
     result.is_at_rest = sums.restless == 0;
@@ -366,10 +357,11 @@ private:
   /// moves the active bubbles at the border to other ranks, or all others
   void move_all_of(const std::vector<Index>& active, bool is_at_border)
   {
-    if (Team::is_alone && is_at_border)
+    const bool is_alone = m_team.is_alone();
+    if (is_alone && is_at_border)
       return;
-    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
-      if (Team::is_alone || m_team.is_at_border(active[k]) == is_at_border)
+    parallel_for(m_options.threads, active.size(), [&](std::size_t k) {
+      if (is_alone || m_team.is_at_border(active[k]) == is_at_border)
         move(k, active[k]);
     });
   }
@@ -398,12 +390,12 @@ private:
   bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
   double m_tolerance; // a displacement of less, in units of the size, is rest
   const Boundary_2 m_boundary;
-  Integrator m_integrator;
+  std::unique_ptr<Integrator> m_integrator;
   Bubbles_2& m_bubbles;
   Team& m_team;
   Neighbor_sets_2 m_neighbors;
   Active_bubbles_2 m_active;
-  Size_update<Sizing> m_update_size;
+  Size_update m_update_size;
   Displacements m_displacements;
   Step_flags m_flags;
   std::vector<Index> m_outrun; // waiting for their renewal

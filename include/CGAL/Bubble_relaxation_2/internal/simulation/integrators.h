@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -75,34 +77,40 @@ struct Displacements
   }
 };
 
-/// No other ranks: all positions within a step are known.
-struct Share_nothing
+/// How the equation of motion (eq. 3) is integrated over a step.
+class Integrator
 {
-  void send(const std::vector<double>&, const std::vector<double>&) const {}
-  void receive(std::vector<double>&, std::vector<double>&) const {}
+public:
+  virtual ~Integrator() = default;
+
+  virtual unsigned evaluations_per_step() const = 0;
+
+  /// whether bubbles sleep while they and their neighbours move less than the tolerance
+  virtual bool lets_bubbles_sleep() const = 0;
+
+  /// finds velocities after a step, and displacements in it
+  virtual void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
+                          const Boundary_2& boundary, Displacements& displacements, Team& team) = 0;
 };
 
 /// One step of eq. 3 in units of the local size, which makes it scale-free:
 ///   v <- (1 - h c/m) v + h k0/m F,   x <- x + h d v.
-template <class Concurrency_tag>
-class Semi_implicit_euler
+class Semi_implicit_euler : public Integrator
 {
 public:
-  static constexpr unsigned evaluations_per_step = 1;
-  /// bubbles sleep while they and their neighbours move less than the tolerance
-  static constexpr bool lets_bubbles_sleep = true;
+  unsigned evaluations_per_step() const override { return 1; }
+  bool lets_bubbles_sleep() const override { return true; }
 
   explicit Semi_implicit_euler(const Relaxation_options& o)
-    : m_force{o.force_coefficient}, m_step(o.time_step),
+    : m_threads(o.threads), m_force{o.force_coefficient}, m_step(o.time_step),
       m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass)
   {}
 
-  template <class Share = Share_nothing>
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
-                  const Boundary_2& boundary, Displacements& displacements, const Share& = Share()) const
+                  const Boundary_2& boundary, Displacements& displacements, Team&) override
   {
     displacements.start_step(active.size());
-    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
+    parallel_for(m_threads, active.size(), [&](std::size_t k) {
       const Index i = active[k];
       Force f = resultant_force(m_force, neighbors, b.x.data(), b.y.data(), b.d.data(), i);
       f = boundary.project(b, i, f);
@@ -114,28 +122,27 @@ public:
   }
 
 private:
+  const Threads m_threads;
   Bubble_force_2 m_force;
   double m_step, m_keep, m_push;
 };
 
 /// One step of eq. 3 by the classical Runge-Kutta method, in length units as in the paper. Sizes stay
 /// as they are during the step.
-template <class Concurrency_tag>
-class Runge_kutta_4
+class Runge_kutta_4 : public Integrator
 {
 public:
-  static constexpr unsigned evaluations_per_step = 4;
-  static constexpr bool lets_bubbles_sleep = false;
+  unsigned evaluations_per_step() const override { return 4; }
+  bool lets_bubbles_sleep() const override { return false; }
 
   explicit Runge_kutta_4(const Relaxation_options& o)
-    : m_force{o.force_coefficient}, m_step(o.time_step), m_mass(o.mass), m_damping(o.damping)
+    : m_threads(o.threads), m_force{o.force_coefficient}, m_step(o.time_step), m_mass(o.mass), m_damping(o.damping)
   {}
 
-  /// `share.send(x, y)` begins to tell other ranks where the bubbles are at the next stage. That depends on velocities
-  /// only, so the forces of this stage are found meanwhile; then `share.receive(x, y)` puts in where theirs are
-  template <class Share = Share_nothing>
+  /// Other ranks are told where the bubbles are at the next stage. That depends on velocities only, so the forces of
+  /// this stage are found meanwhile; then places of others are put in.
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
-                  const Boundary_2& boundary, Displacements& displacements, const Share& share = Share())
+                  const Boundary_2& boundary, Displacements& displacements, Team& team) override
   {
     const std::size_t n = active.size();
     displacements.start_step(n);
@@ -156,11 +163,11 @@ public:
       const bool is_last = stage.ahead == 0;
       if (!is_last) {
         find_next_places(stage, b, active);
-        share.send(m_next_x, m_next_y);
+        team.send_positions(neighbors, m_next_x, m_next_y);
       }
       advance(stage, b, active, neighbors, boundary, displacements);
       if (!is_last) {
-        share.receive(m_next_x, m_next_y);
+        team.receive_positions(m_next_x, m_next_y);
         m_x.swap(m_next_x);
         m_y.swap(m_next_y);
       }
@@ -178,7 +185,7 @@ private:
   void find_next_places(const Stage& stage, const Bubbles_2& b, const std::vector<Index>& active)
   {
     const double ahead = stage.ahead * m_step;
-    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
+    parallel_for(m_threads, active.size(), [&](std::size_t k) {
       const Index i = active[k];
       m_next_x[i] = b.x[i] + ahead * m_vx[k];
       m_next_y[i] = b.y[i] + ahead * m_vy[k];
@@ -190,7 +197,7 @@ private:
                Displacements& displacements)
   {
     const double sum = stage.weight * m_step, ahead = stage.ahead * m_step;
-    parallel_for<Concurrency_tag>(active.size(), [&](std::size_t k) {
+    parallel_for(m_threads, active.size(), [&](std::size_t k) {
       const Index i = active[k];
       Force f = resultant_force(m_force, neighbors, m_x.data(), m_y.data(), b.d.data(), i);
       f = boundary.project(b, i, f);
@@ -205,11 +212,19 @@ private:
     });
   }
 
+  const Threads m_threads;
   Bubble_force_2 m_force;
   double m_step, m_mass, m_damping;
   std::vector<double> m_x, m_y, m_next_x, m_next_y;   // of all bubbles
   std::vector<double> m_vx, m_vy, m_sum_vx, m_sum_vy; // of the active ones
 };
+
+inline std::unique_ptr<Integrator> make_integrator(const Relaxation_options& options)
+{
+  if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)
+    return std::make_unique<Runge_kutta_4>(options);
+  return std::make_unique<Semi_implicit_euler>(options);
+}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

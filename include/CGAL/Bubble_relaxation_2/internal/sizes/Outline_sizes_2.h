@@ -9,17 +9,18 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Outline_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/fields/Sizing_field_ref_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/expected_number_of_bubbles.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,40 +28,15 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The smaller of the sizes that the user wants, if there is a wish, and of those from sources.
-class Smaller_of_2
-{
-public:
-  Smaller_of_2(const Sizing_field_ref_2* wanted, const Outline_field_2* limit)
-    : m_wanted(wanted), m_limit(limit)
-  {}
-
-  double operator()(double x, double y) const
-  {
-    if (m_wanted == nullptr || m_limit == nullptr)
-      return m_wanted != nullptr ? (*m_wanted)(x, y) : (*m_limit)(x, y);
-    return (std::min)((*m_wanted)(x, y), (*m_limit)(x, y));
-  }
-
-  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
-
-private:
-  const Sizing_field_ref_2* m_wanted;
-  const Outline_field_2* m_limit;
-};
-
 /// Finds the sizes that the outline of a domain asks for. Without a wish of the user: at each vertex of a
 /// constraint the length of the shorter constraint beside it, and less where the domain is narrower than
 /// that. With a wish: what is smaller than the wish by so much that the triangles between would be bad, the
 /// distances of pinned vertices among it.
-template <class Cdt>
 class Outline_sizes_2
 {
-  using Reading = Domain_reading_2<Cdt>;
-
 public:
-  explicit Outline_sizes_2(const Reading& reading, const Sizing_field_ref_2* wanted = nullptr)
-    : m_reading(reading), m_domain(reading.domain), m_wanted(wanted),
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2* wanted = nullptr)
+    : m_domain(domain), m_given(given), m_wanted(wanted),
       m_corner_sizes(m_domain.corners().size(), extent())
   {}
 
@@ -115,11 +91,10 @@ private:
   /// if the user has a wish.
   void add_edge(Index e)
   {
-    const auto& chain = m_reading.graph->chains()[e];
+    const Domain_edge_2& edge = m_domain.edges()[e];
     std::vector<Point> path(1, m_domain.source(e));
     if (m_wanted == nullptr)
-      for (const auto v : chain.splits)
-        path.push_back(Reading::Graph::to_point(v));
+      path.insert(path.end(), m_given.on_edge[e].begin(), m_given.on_edge[e].end());
     path.push_back(m_domain.target(e));
     double last = extent();
     for (std::size_t k = 1; k < path.size(); ++k) {
@@ -127,10 +102,10 @@ private:
       if (k > 1)
         add(path[k - 1], (std::min)(last, length));
       else
-        limit(chain.source, length);
+        limit(edge.source, length);
       last = length;
     }
-    limit(chain.target, last);
+    limit(edge.target, last);
   }
 
   void limit(Index corner, double d)
@@ -138,13 +113,19 @@ private:
     m_corner_sizes[corner] = (std::min)(m_corner_sizes[corner], d);
   }
 
+  /// what is wanted, and less where sources were found; there are some if there is no wish
+  Sizes_2 sizes_so_far() const
+  {
+    if (m_wanted != nullptr && m_sources.empty())
+      return *m_wanted;
+    const Sizes_2 found{Outline_field_2(m_sources, m_domain.bbox())};
+    return m_wanted != nullptr ? smaller_of(*m_wanted, found) : found;
+  }
+
   /// divides the constraints by the sizes found so far, and measures across the triangles between them
   void add_widths()
   {
-    std::optional<Outline_field_2> found; // there are sources if there is no wish
-    if (!m_sources.empty())
-      found.emplace(m_sources, m_domain.bbox());
-    const Smaller_of_2 field(m_wanted, found ? &*found : nullptr);
+    const Sizes_2 field = sizes_so_far();
     const Bubbles_2 nodes = nodes_on_constraints(field);
     std::vector<Point> points;
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -167,7 +148,7 @@ private:
   static bool is_pin(const Bubbles_2& nodes, Index i) { return nodes.place[i] == no_index; }
 
   /// the distance of a pinned vertex from another one or from a corner
-  void add_distance(const Bubbles_2& nodes, Index i, Index j, const Smaller_of_2& field)
+  void add_distance(const Bubbles_2& nodes, Index i, Index j, const Sizes_2& field)
   {
     if (!nodes.is_corner(i) || !nodes.is_corner(j) || !(is_pin(nodes, i) || is_pin(nodes, j)))
       return;
@@ -178,14 +159,14 @@ private:
         add(end, distance);
   }
 
-  Bubbles_2 nodes_on_constraints(const Smaller_of_2& field) const
+  Bubbles_2 nodes_on_constraints(const Sizes_2& field) const
   {
     Bubbles_2 nodes;
     for (std::size_t c = 0; c < m_corner_sizes.size(); ++c)
       nodes.add(m_domain.corners()[c], m_corner_sizes[c], Bubbles_2::CORNER, static_cast<Index>(c));
     if (m_wanted != nullptr)
-      for (const auto v : m_reading.pinned)
-        nodes.add(Reading::Graph::to_point(v), extent(), Bubbles_2::CORNER, no_index);
+      for (const Point& p : m_given.pinned)
+        nodes.add(p, extent(), Bubbles_2::CORNER, no_index);
     for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
       place_on_edge(m_domain, static_cast<Index>(e), field, nodes);
     remove_coincident(m_domain, nodes);
@@ -234,7 +215,7 @@ private:
 
   /// the distance of the vertex `i` of a triangle from the constraint opposite to it
   void add_width(const Marked_triangulation_2& mesh, Index t, int i, double least,
-                 const Smaller_of_2& field)
+                 const Sizes_2& field)
   {
     const Point &p = mesh.tr.point(t, i), &a = mesh.tr.point(t, ccw(i)), &b = mesh.tr.point(t, cw(i));
     const Kernel::Vector_2 u = b - a;
@@ -249,18 +230,31 @@ private:
         add(end, width);
   }
 
-  const Reading& m_reading;
   const Domain_2& m_domain;
-  const Sizing_field_ref_2* m_wanted;
+  const Given_mesh_2& m_given;
+  const Sizes_2* m_wanted;
   std::vector<double> m_corner_sizes; // the shortest constraint at each
   std::vector<Size_source_2> m_sources;
 };
 
-/// The size for a domain that has no mesh yet.
-template <class Cdt>
-Outline_field_2 outline_field(const Domain_reading_2<Cdt>& reading)
+/// the sizes for a domain that has no mesh yet
+inline Sizes_2 sizes_of_outline(const Domain_2& domain, const Given_mesh_2& given)
 {
-  return Outline_field_2(Outline_sizes_2<Cdt>(reading)(), reading.domain.bbox());
+  return Sizes_2(Outline_field_2(Outline_sizes_2(domain, given)(), domain.bbox()));
+}
+
+/// The sizes that the simulation follows: those that are wanted, and smaller ones where the outline is too fine or the
+/// domain too narrow for them. Both are counted.
+/// \throws std::length_error if they ask for too many bubbles
+inline Sizes_2 limited_by_outline(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
+                                  std::size_t maximum)
+{
+  const std::vector<Size_source_2> sources = Outline_sizes_2(domain, given, &wanted)();
+  if (sources.empty())
+    return wanted;
+  Sizes_2 result = smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox())));
+  count_bubbles(domain, maximum, "the sizing function and the fine parts of the outline (limit_by_outline)", result);
+  return result;
 }
 
 } // namespace internal

@@ -9,8 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_EXPECTED_NUMBER_OF_BUBBLES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_EXPECTED_NUMBER_OF_BUBBLES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/fields/Sizing_field_ref_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +23,11 @@ namespace internal {
 
 /// How many bubbles the domain and the sizing field ask for: on the corners, on the edges by the integral
 /// of 1/d, in the faces by the integral of 2 / (sqrt(3) d^2), the density of the hexagonal lattice.
-template <class Sizing>
 class Expected_number_of_bubbles
 {
 public:
   /// `limit`: sums are not followed beyond it
-  Expected_number_of_bubbles(const Domain_2& domain, const Sizing& sizing, double limit)
+  Expected_number_of_bubbles(const Domain_2& domain, const Sizes_2& sizing, double limit)
     : m_domain(domain), m_sizing(sizing), m_limit(limit),
       m_coarsest((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
                             domain.bbox().ymax() - domain.bbox().ymin()) / 16)
@@ -139,46 +138,26 @@ private:
   bool is_near(const Point& p, double d) const { return std::abs(m_sizing(p) - d) <= 0.05 * d; }
 
   const Domain_2& m_domain;
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
   double m_limit, m_coarsest;
   double m_sum = 0;
   double m_mean_density = 0; // of the last smooth triangle
 };
 
-/// \returns how many bubbles are expected
+/// Counts how many bubbles sizes ask for in the domain: that costs calls of d, so it is done once. `asking`: what asks
+/// for them, in words for the user
 /// \throws std::length_error if they are more than the user wants to have
-template <class Sizing>
-double check_expected_number(const Domain_2& domain, const Sizing& sizing, std::size_t maximum,
-                             const char* asking)
+inline void count_bubbles(const Domain_2& domain, std::size_t maximum, const char* asking, Sizes_2& sizes)
 {
   const double expected =
-    Expected_number_of_bubbles<Sizing>(domain, sizing, static_cast<double>(maximum))();
+    Expected_number_of_bubbles(domain, sizes, static_cast<double>(maximum))();
   if (expected > static_cast<double>(maximum)) {
     std::ostringstream message;
     message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
             << ": " << asking << " ask for more, at least " << expected;
     throw std::length_error(message.str());
   }
-  return expected;
-}
-
-/// A sizing field, and how many bubbles it asks for in the domain: that costs calls of d, so it is found
-/// once.
-struct Counted_sizing_field_2 : Sizing_field_ref_2
-{
-  double expected_number;
-
-  Counted_sizing_field_2(const Sizing_field_ref_2& field, double number)
-    : Sizing_field_ref_2(field), expected_number(number)
-  {}
-};
-
-/// `asking`: what asks for these sizes, in words for the user
-/// \throws std::length_error if more bubbles are expected than the user wants to have
-inline Counted_sizing_field_2 counted(const Domain_2& domain, const Sizing_field_ref_2& sizing,
-                                      std::size_t maximum, const char* asking)
-{
-  return Counted_sizing_field_2(sizing, check_expected_number(domain, sizing, maximum, asking));
+  sizes.expected_number = expected;
 }
 
 } // namespace internal

@@ -360,8 +360,8 @@ private:
     Marked_triangulation_2 triangulation;
     if (mark_triangulation(points, edges, triangulation) != Marking_error::NONE)
       return;
-    const Treatment_alone alone;
-    Defect_treatment_2<Sequential_tag>(m_domain, triangulation, bubbles, alone)();
+    Team alone;
+    Smoothing_sweeps_2(m_domain, triangulation, bubbles, alone)();
     const double smallest = smallest_quality(triangulation);
     if (smallest > m_smallest) {
       m_smallest = smallest;

@@ -9,10 +9,11 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/Treatment_alone.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Greedy_coloring_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_smoothing_2.h>
 
 #include <CGAL/radius_ratio_2.h>
@@ -31,11 +32,10 @@ inline double quality(const Flat_triangulation_2& tr, Index t)
 }
 
 /// q of each triangle of the domain, 1 outside
-template <class Concurrency_tag>
-std::vector<double> qualities(const Marked_triangulation_2& mesh)
+inline std::vector<double> qualities(const Marked_triangulation_2& mesh, const Threads& threads)
 {
   std::vector<double> result(mesh.tr.number_of_triangles());
-  parallel_for<Concurrency_tag>(result.size(), [&](std::size_t t) {
+  parallel_for(threads, result.size(), [&](std::size_t t) {
     const Index i = static_cast<Index>(t);
     result[t] = mesh.inside[t] != 0 ? quality(mesh.tr, i) : 1.;
   });
@@ -43,10 +43,9 @@ std::vector<double> qualities(const Marked_triangulation_2& mesh)
 }
 
 /// the smallest q of the triangles of the domain
-template <class Concurrency_tag = Sequential_tag>
-double smallest_quality(const Marked_triangulation_2& mesh)
+inline double smallest_quality(const Marked_triangulation_2& mesh, const Threads& threads = Threads())
 {
-  const std::vector<double> q = qualities<Concurrency_tag>(mesh);
+  const std::vector<double> q = qualities(mesh, threads);
   return q.empty() ? 1. : *std::min_element(q.begin(), q.end());
 }
 
@@ -54,16 +53,16 @@ double smallest_quality(const Marked_triangulation_2& mesh)
 /// they must be pressed. So the vertices of bad triangles are moved for the quality of their triangles
 /// alone: in sweeps, of which each takes the vertices around those that moved in the last one, with the
 /// constrained Delaunay property restored in between. Vertices of other ranks are left to them.
-template <class Concurrency_tag, class Team = const Treatment_alone>
-class Defect_treatment_2
+class Smoothing_sweeps_2
 {
 public:
   /// triangles with less are treated
   static constexpr double treated_quality = 0.95;
   static constexpr int number_of_sweeps = 4;
 
-  Defect_treatment_2(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles, Team& team)
-    : m_domain(domain), m_mesh(mesh), m_bubbles(bubbles), m_team(team), m_coloring(bubbles.size())
+  Smoothing_sweeps_2(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles, Team& team,
+                     const Threads& threads = Threads())
+    : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(bubbles), m_team(team), m_coloring(bubbles.size())
   {}
 
   /// returns the vertices that were moved
@@ -72,7 +71,7 @@ public:
     Editable_triangulation_2 mesh(m_mesh, &m_log);
     std::vector<char> was_moved(m_bubbles.size(), 0);
     std::vector<Index> candidates = vertices_of_bad_triangles();
-    for (int sweep = 0; sweep < number_of_sweeps && m_team.goes_on(!candidates.empty()); ++sweep) {
+    for (int sweep = 0; sweep < number_of_sweeps && m_team.goes_on_treating(!candidates.empty()); ++sweep) {
       const std::vector<Index> moved = move(mesh, candidates);
       mesh.restore_delaunay(moved);
       m_team.restore_border(mesh);
@@ -92,7 +91,7 @@ private:
   std::vector<Index> vertices_of_bad_triangles() const
   {
     const Flat_triangulation_2& tr = m_mesh.tr;
-    const std::vector<double> q = qualities<Concurrency_tag>(m_mesh);
+    const std::vector<double> q = qualities(m_mesh, m_threads);
     std::vector<char> marks(m_bubbles.size(), 0);
     for (std::size_t t = 0; t < q.size(); ++t)
       if (q[t] < treated_quality)
@@ -115,15 +114,15 @@ private:
   {
     const Vertex_smoothing_2 smooth(m_domain, treated_quality);
     std::vector<std::vector<Index>> independent = independent_sets(mesh, candidates);
-    independent.resize(m_team.largest(independent.size()));
+    independent.resize(m_team.largest_number(independent.size()));
     std::vector<Index> result;
     for (const std::vector<Index>& set : independent) {
       std::vector<char> was_moved(set.size(), 0);
-      std::vector<Treatment_log_2::Vertex> before(set.size());
-      parallel_for<Concurrency_tag>(
-        set.size(),
+      std::vector<Undo_log_2::Vertex> before(set.size());
+      parallel_for(
+        m_threads, set.size(),
         [&](std::size_t k) {
-          before[k] = Treatment_log_2::vertex(m_bubbles, set[k]);
+          before[k] = Undo_log_2::vertex(m_bubbles, set[k]);
           was_moved[k] = smooth(mesh, m_bubbles, set[k]);
         },
         64);
@@ -133,7 +132,7 @@ private:
           moved.push_back(set[k]);
           m_log.note(before[k]);
         }
-      m_team.share_moves(m_mesh, m_bubbles, moved, m_log);
+      m_team.share_moved(m_mesh, m_bubbles, moved, m_log);
       result.insert(result.end(), moved.begin(), moved.end());
     }
     return result;
@@ -164,12 +163,13 @@ private:
     return result;
   }
 
+  const Threads m_threads;
   const Domain_2& m_domain;
   Marked_triangulation_2& m_mesh;
   Bubbles_2& m_bubbles;
   Team& m_team;
   Greedy_coloring_2 m_coloring;
-  Treatment_log_2 m_log;
+  Undo_log_2 m_log;
 };
 
 } // namespace internal

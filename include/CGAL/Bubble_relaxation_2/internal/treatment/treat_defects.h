@@ -10,12 +10,14 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_TREAT_DEFECTS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Outside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +42,6 @@ struct Treatment_counts
     return *this;
   }
 
-  template <class Report>
   void add_to(Report& report) const
   {
     report.number_of_treated_vertices += treated;
@@ -58,13 +59,13 @@ inline std::size_t most_operations(std::size_t number_of_bubbles) { return 32 + 
 
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
-template <class Concurrency_tag>
-std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& smallest)
+inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
+                                  double& smallest)
 {
-  const Treatment_alone alone;
-  Defect_treatment_2<Concurrency_tag> treat(domain, mesh.triangulation, mesh.bubbles, alone);
+  Team alone;
+  Smoothing_sweeps_2 treat(domain, mesh.triangulation, mesh.bubbles, alone, threads);
   const std::vector<Index> moved = treat();
-  const double smallest_now = smallest_quality<Concurrency_tag>(mesh.triangulation);
+  const double smallest_now = smallest_quality(mesh.triangulation, threads);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
   // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
@@ -79,8 +80,8 @@ std::size_t smooth_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double& 
 
 /// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller. All that
 /// could be better by it is tried once, since operations are dear, and what is bad some times more.
-template <class Concurrency_tag>
-void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, Treatment_counts& counts)
+inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, double smallest,
+                               Treatment_counts& counts)
 {
   const std::size_t most = most_operations(mesh.bubbles.size());
   for (double bad_quality : bad_qualities) {
@@ -94,8 +95,8 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smal
     // rounding can make a mess of a change; then what was there is good
     if (surgery.has_changed_outline && !Outside_2(domain, changed.bubbles, changed.triangulation).rebuild())
       break;
-    double smallest_now = smallest_quality<Concurrency_tag>(changed.triangulation);
-    const std::size_t moved = smooth_defects<Concurrency_tag>(domain, changed, smallest_now);
+    double smallest_now = smallest_quality(changed.triangulation, threads);
+    const std::size_t moved = smooth_defects(domain, threads, changed, smallest_now);
     if (smallest_now < smallest)
       break;
     smallest = smallest_now;
@@ -106,14 +107,14 @@ void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, double smal
 
 /// Treats the last defects of a mesh. The smallest q never gets smaller. Sizes of bubbles that move are not
 /// renewed.
-template <class Concurrency_tag>
-Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_options& options, Bubble_mesh_2& mesh)
+inline Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_options& options, Bubble_mesh_2& mesh)
 {
+  const Threads& threads = options.threads;
   Treatment_counts counts;
-  double smallest = smallest_quality<Concurrency_tag>(mesh.triangulation);
-  counts.treated = smooth_defects<Concurrency_tag>(domain, mesh, smallest);
+  double smallest = smallest_quality(mesh.triangulation, threads);
+  counts.treated = smooth_defects(domain, threads, mesh, smallest);
   if (options.population != Bubble_population::NONE)
-    operate_on_defects<Concurrency_tag>(domain, mesh, smallest, counts);
+    operate_on_defects(domain, threads, mesh, smallest, counts);
   return counts;
 }
 
@@ -126,43 +127,38 @@ inline bool is_about_as_many(std::size_t before, std::size_t after)
 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is
 /// larger, treated too, unless d asked for more or fewer bubbles.
-template <class Concurrency_tag, class Cdt, class Sizing>
-void keep_the_better(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                     const Relaxation_options& options, Bubble_mesh_2& mesh, Treatment_counts& counts)
+inline void keep_the_better(const Problem_2& problem, Bubble_mesh_2& mesh, Treatment_counts& counts)
 {
+  const Threads& threads = problem.options.threads;
   Bubble_mesh_2 given;
-  given.bubbles = given_bubbles<Concurrency_tag>(reading, sizing);
+  given.bubbles = given_bubbles(problem);
   if (!is_about_as_many(given.bubbles.size(), mesh.bubbles.size()))
     return;
-  given.triangulation = triangulate(reading.domain, given.bubbles);
-  if (smallest_quality<Concurrency_tag>(given.triangulation) <=
-      smallest_quality<Concurrency_tag>(mesh.triangulation))
+  given.triangulation = triangulate(problem.domain, given.bubbles);
+  if (smallest_quality(given.triangulation, threads) <= smallest_quality(mesh.triangulation, threads))
     return;
-  counts = treat_defects<Concurrency_tag>(reading.domain, options, given);
+  counts = treat_defects(problem.domain, problem.options, given);
   mesh = std::move(given);
 }
 
 /// whether there is a result of a simulation to be treated
-template <class Report>
-bool is_treatment_due(const Relaxation_options& options, const Report& report)
+inline bool is_treatment_due(const Relaxation_options& options, const Report& report)
 {
   return options.defect_treatment && report.number_of_steps != 0 &&
          report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK;
 }
 
 /// The triangulation of the simulated bubbles, and what is done to it before it is written.
-template <class Concurrency_tag, class Cdt, class Sizing, class Report>
-Bubble_mesh_2 make_mesh(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                        const Relaxation_options& options, Bubbles_2 bubbles, Report& report)
+inline Bubble_mesh_2 make_mesh(const Problem_2& problem, Bubbles_2 bubbles, Report& report)
 {
   const Phase_timer timer(report.seconds.treatment);
   Bubble_mesh_2 mesh{std::move(bubbles), {}};
-  mesh.triangulation = triangulate(reading.domain, mesh.bubbles);
-  if (!is_treatment_due(options, report))
+  mesh.triangulation = triangulate(problem.domain, mesh.bubbles);
+  if (!is_treatment_due(problem.options, report))
     return mesh;
-  Treatment_counts counts = treat_defects<Concurrency_tag>(reading.domain, options, mesh);
-  if (keeps_given_bubbles(options))
-    keep_the_better<Concurrency_tag>(reading, sizing, options, mesh, counts);
+  Treatment_counts counts = treat_defects(problem.domain, problem.options, mesh);
+  if (keeps_given_bubbles(problem.options))
+    keep_the_better(problem, mesh, counts);
   counts.add_to(report);
   return mesh;
 }

@@ -10,10 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_MESH_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
+#include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <cmath>
 #include <cstddef>
@@ -289,8 +291,8 @@ private:
 
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
 /// nothing else in it, else by insertion.
-template <class Cdt, class Report>
-void write_back(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh, Report& report)
+template <class Cdt>
+void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
   if constexpr (Is_plain<Cdt>::value)

@@ -19,11 +19,11 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Fills a set of nodes with bubbles and their neighbour sets.
-template <class Concurrency_tag, class Node_set>
-void copy_nodes(const Bubbles_2& bubbles, double neighbor_radius, Node_set& nodes)
+template <class Node_set>
+void write_nodes(const Bubbles_2& bubbles, double neighbor_radius, const Threads& threads, Node_set& nodes)
 {
   Neighbor_sets_2 neighbors(neighbor_radius);
-  neighbors.build<Concurrency_tag>(bubbles);
+  neighbors.build(bubbles, threads);
   nodes.neighbor_radius = neighbor_radius;
   nodes.neighbor_offsets.push_back(0);
   for (std::size_t i = 0; i < bubbles.size(); ++i) {

@@ -10,8 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINT_FORMAT_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
 #include <algorithm>
@@ -123,16 +124,14 @@ inline std::uint64_t hash_of(const Checkpoint_record_2& record, std::int64_t pos
 }
 
 /// All that bubbles refer to by indices: the outline, its triangles, and pinned vertices.
-template <class Reading>
-std::uint64_t hash_of_places(const Reading& reading)
+inline std::uint64_t hash_of_places(const Domain_2& domain, const Given_mesh_2& given)
 {
   Hash_of_numbers hash;
-  hash.add(hash_of(reading.domain));
-  for (const auto& vertices : reading.domain.triangulation().vertices)
+  hash.add(hash_of(domain));
+  for (const auto& vertices : domain.triangulation().vertices)
     for (Index v : vertices)
       hash.add(v);
-  for (const auto& v : reading.pinned) {
-    const Point p = Reading::Graph::to_point(v);
+  for (const Point& p : given.pinned) {
     hash.add(p.x());
     hash.add(p.y());
   }

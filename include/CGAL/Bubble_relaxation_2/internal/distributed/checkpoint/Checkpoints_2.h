@@ -9,10 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINTS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINTS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoint_format_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Shared_file.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/read_checkpoint.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
 #include <array>
 #include <cerrno>
@@ -109,17 +111,15 @@ public:
   bool is_restart() const { return !m_options.restart_path.empty(); }
 
   /// Reads the bubbles of this rank. What the simulation remembers of them is kept for `resume()`.
-  template <class Sizing>
-  const Restart_2& read(const Hilbert_curve_2& curve, const Sizing& sizing)
+  const Restart_2& read(const Hilbert_curve_2& curve, const Sizes_2& sizing)
   {
-    Checkpoint_reader_2<Sizing> reader(m_comm, m_agreement, m_options, m_hash_of_domain, sizing);
+    Checkpoint_reader_2 reader(m_comm, m_agreement, m_options, m_hash_of_domain, sizing);
     m_restart = std::make_unique<Restart_2>(reader(m_exchange, curve));
     return *m_restart;
   }
 
   /// brings a simulation of these bubbles, and its report, to where they were; returns the rounds until then
-  template <class Simulation, class Report>
-  std::size_t resume(Simulation& simulation, Report& report)
+  std::size_t resume(Simulation_2& simulation, Report& report)
   {
     const Checkpoint_header_2& h = m_restart->header;
     if (!h.is_coarse)
@@ -141,8 +141,7 @@ public:
   }
 
   /// Collective. Writes a checkpoint if it is time, after a round and what it did to the population.
-  template <class Simulation, class Report>
-  void end_round(const Simulation& simulation, const Bubbles_2& bubbles, const Hilbert_partition_2& partition,
+  void end_round(const Simulation_2& simulation, const Bubbles_2& bubbles, const Hilbert_partition_2& partition,
                  std::int64_t number_of_all, Report& report)
   {
     if (m_options.rounds_per_checkpoint == 0 || report.number_of_rounds % m_options.rounds_per_checkpoint != 0)
@@ -175,15 +174,13 @@ private:
     return hash.value();
   }
 
-  template <class Report>
   static std::array<std::size_t*, 4> counts_of_rank(Report& report)
   {
     return {{&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
              &report.number_of_deletions}};
   }
 
-  template <class Simulation, class Report>
-  Checkpoint_header_2 header(const Simulation& simulation, std::int64_t number_of_all, Report& report) const
+  Checkpoint_header_2 header(const Simulation_2& simulation, std::int64_t number_of_all, Report& report) const
   {
     Checkpoint_header_2 h{};
     h.hash_of_domain = m_hash_of_domain;

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_READ_CHECKPOINT_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_READ_CHECKPOINT_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoint_format_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Shared_file.h>
@@ -35,12 +36,11 @@ struct Restart_2
 };
 
 /// Reads a checkpoint by any number of ranks, and refuses one that is not whole, or not of this simulation.
-template <class Sizing>
 class Checkpoint_reader_2
 {
 public:
   Checkpoint_reader_2(const Communicator& comm, Agreement& agreement, const Relaxation_options& options,
-                      std::uint64_t hash_of_domain, const Sizing& sizing)
+                      std::uint64_t hash_of_domain, const Sizes_2& sizing)
     : m_comm(comm), m_agreement(agreement), m_options(options), m_hash_of_domain(hash_of_domain), m_sizing(sizing)
   {}
 
@@ -163,7 +163,7 @@ private:
   Agreement& m_agreement;
   const Relaxation_options& m_options;
   std::uint64_t m_hash_of_domain;
-  const Sizing& m_sizing;
+  const Sizes_2& m_sizing;
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_MESH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_MESH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
@@ -74,8 +75,7 @@ private:
 
 /// Asks d anew where a rank's bubbles are: neither the simulation nor the treatment asks it again for every little
 /// displacement.
-template <class Sizing>
-void ask_own_sizes(Distributed_mesh_2& mesh, int rank, const Sizing& sizing)
+inline void ask_own_sizes(Distributed_mesh_2& mesh, int rank, const Sizes_2& sizing)
 {
   Known_bubbles_2& known = mesh.known;
   for (std::size_t i = 0; i < known.size(); ++i)
@@ -84,8 +84,7 @@ void ask_own_sizes(Distributed_mesh_2& mesh, int rank, const Sizing& sizing)
 }
 
 /// The same of others' bubbles that triangles with own ones have.
-template <class Sizing>
-void ask_ghost_sizes(Distributed_mesh_2& mesh, int rank, const Sizing& sizing)
+inline void ask_ghost_sizes(Distributed_mesh_2& mesh, int rank, const Sizes_2& sizing)
 {
   Known_bubbles_2& known = mesh.known;
   std::vector<char> is_asked(known.size(), 0);

@@ -9,12 +9,13 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,10 +44,9 @@ public:
   void sent(int rank, Index candidate) { m_sent[rank].push_back(candidate); }
   void received(int rank, Index candidate) { m_received[rank].push_back(candidate); }
 
-  template <class Choice>
-  void decide(Choice& choice) const
+  /// \pre the choice was made as if there were no other ranks
+  void agree_on(Greedy_choice_2& choice) const
   {
-    choice.decide([](Index) { return true; });
     Messages<char> out, in;
     for (const auto& received : m_received)
       in[received.first].resize(received.second.size());
@@ -64,8 +64,7 @@ public:
   }
 
 private:
-  template <class Choice>
-  bool take_decisions(const Messages<char>& in, Choice& choice) const
+  bool take_decisions(const Messages<char>& in, Greedy_choice_2& choice) const
   {
     bool was_wrong = false;
     for (const auto& received : m_received)
@@ -91,7 +90,7 @@ public:
     : m_comm(comm), m_exchange(exchange), m_choice(comm)
   {}
 
-  /// Collective. See `Population_alone::share_holes()`.
+  /// Collective. See `Team::share_holes()`.
   std::size_t share(const Hilbert_partition_2& partition, std::vector<Hole_2>& holes, double reach)
   {
     Messages<Hole_2> out;
@@ -116,11 +115,7 @@ public:
   }
 
   /// Collective.
-  template <class Choice>
-  void decide(Choice& choice) const
-  {
-    m_choice.decide(choice);
-  }
+  void agree_on(Greedy_choice_2& choice) const { m_choice.agree_on(choice); }
 
 private:
   using Told = std::vector<Hilbert_partition_2::Ranks>;

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Point_distribution_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Mesh_surroundings_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 
 #include <algorithm>
@@ -43,21 +43,20 @@ public:
 
   /// Collective. `points`: what this rank has of them.
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
-  template <class Cdt>
-  Given_bubbles_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                  const Domain_reading_2<Cdt>& reading, const Numbered_bubbles_2& points)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_domain(reading.domain),
-      m_outline(outline_of_mesh(reading)), m_are_points(comm.any(points.size() > 0)),
-      m_distribution(reading.domain, comm, agreement, exchange)
+  Given_bubbles_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Domain_2& domain,
+                  const Given_mesh_2& given, const Numbered_bubbles_2& points)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_domain(domain), m_given(given),
+      m_outline{given.pinned, given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
+      m_distribution(domain, comm, agreement, exchange)
   {
     if (m_are_points)
       distribute(points);
     else
-      take_share_of(reading);
+      take_share();
     m_has_free = comm.any(!m_free.empty());
   }
 
-  const Mesh_outline_2& outline() const { return m_outline; }
+  const Given_mesh_2& outline() const { return m_outline; }
 
   /// whether there are any in faces
   bool has_free() const { return m_has_free; }
@@ -66,14 +65,13 @@ public:
   const std::vector<Free>& free() const { return m_free; }
 
   /// Collective. How the mesh of all given bubbles looks around those of `free()`.
-  template <class Cdt>
-  std::vector<Mesh_surroundings_2> surroundings(const Cdt& cdt, const Domain_reading_2<Cdt>& reading) const
+  std::vector<Mesh_surroundings_2> surroundings() const
   {
     if (m_are_points)
       return surroundings_of_points();
     std::vector<Mesh_surroundings_2> result;
     for (const Free& f : m_free)
-      result.push_back(reading.surroundings(cdt, reading.free[static_cast<std::size_t>(f.number)]));
+      result.push_back(m_given.around[static_cast<std::size_t>(f.number)]);
     return result;
   }
 
@@ -87,13 +85,12 @@ private:
     bool operator<(const Placed& p) const { return std::tie(edge, s, x, y) < std::tie(p.edge, p.s, p.x, p.y); }
   };
 
-  template <class Cdt>
-  void take_share_of(const Domain_reading_2<Cdt>& reading)
+  void take_share()
   {
-    const std::size_t n = reading.free.size(), ranks = static_cast<std::size_t>(m_comm.size()),
+    const std::size_t n = m_given.free.size(), ranks = static_cast<std::size_t>(m_comm.size()),
                       rank = static_cast<std::size_t>(m_comm.rank());
     for (std::size_t k = n * rank / ranks; k < n * (rank + 1) / ranks; ++k)
-      m_free.push_back(Free{Constraint_graph_2<Cdt>::to_point(reading.free[k]), static_cast<std::int64_t>(k)});
+      m_free.push_back(Free{m_given.free[k], static_cast<std::int64_t>(k)});
   }
 
   void distribute(const Numbered_bubbles_2& points)
@@ -185,7 +182,8 @@ private:
   Sparse_exchange& m_exchange;
   Agreement& m_agreement;
   const Domain_2& m_domain;
-  Mesh_outline_2 m_outline;
+  const Given_mesh_2& m_given;
+  Given_mesh_2 m_outline; // of it, or of the points
   std::vector<Point> m_pinned_by_place;
   bool m_are_points, m_has_free = false;
   Point_distribution_2 m_distribution;

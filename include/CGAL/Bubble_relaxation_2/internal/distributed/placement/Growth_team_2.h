@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
@@ -52,7 +53,7 @@ struct Growth_seed_2
 /// larger one are known to the owners of both: each is sent to the ranks whose parts a disc around it meets,
 /// and a rank that gets to know one that is larger than its own sends those to its owner. All that a proposal or
 /// a bubble depends on lies within.
-class Growth_team_2
+class Growth_team_2 : public Team
 {
 public:
   Growth_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement)
@@ -62,7 +63,9 @@ public:
   /// whether bubbles have grown in parts
   bool is_divided() const { return m_partition != nullptr; }
 
-  void divide(const Domain_2& domain, const Bubbles_2& large)
+  bool is_alone() const override { return false; }
+
+  void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
     m_partition =
       std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
@@ -89,14 +92,13 @@ public:
     }
   }
 
-  std::size_t part_of(double number) const
+  std::size_t part_of(double number) const override
   {
     constexpr double uneven = 1.1; // parts differ, and each has some bubbles of others
     return static_cast<std::size_t>(uneven * number / m_comm.size());
   }
 
-  template <class Crystal>
-  void start(Crystal& crystal, std::size_t expected)
+  void start_growth(Crystal_2& crystal, std::size_t expected) override
   {
     const Bubbles_2& b = crystal.bubbles();
     make_room_for(expected, crystal);
@@ -118,7 +120,7 @@ public:
     exchange_late(crystal, late);
   }
 
-  double smallest(double key)
+  double start_generation(double key) override
   {
     const double result = m_comm.smallest(m_agreement.has_failed() ? -1. : key);
     if (result < 0)
@@ -127,15 +129,15 @@ public:
     return result;
   }
 
-  void take(const std::vector<Proposer>& generation)
+  void take(const std::vector<Growth_proposer>& generation) override
   {
-    for (const Proposer& p : generation)
+    for (const Growth_proposer& p : generation)
       m_is_in_front[p.index] = 0;
   }
 
-  bool owns(Index i) const { return m_holders->is_ours(i); }
+  bool owns(Index i) const override { return m_holders->is_ours(i); }
 
-  void share(std::vector<Growth_proposal_2>& proposals)
+  void share_proposals(std::vector<Growth_proposal_2>& proposals) override
   {
     m_choice.start(proposals.size());
     Messages<Growth_proposal_2> out;
@@ -152,13 +154,9 @@ public:
       }
   }
 
-  template <class Choice>
-  void decide(Choice& choice)
-  {
-    m_choice.decide(choice);
-  }
+  void agree_on(Greedy_choice_2& choice) override { m_choice.agree_on(choice); }
 
-  void exchange_new(std::vector<Growth_proposal_2>& bubbles)
+  void exchange_new(std::vector<Growth_proposal_2>& bubbles) override
   {
     Messages<Growth_proposal_2> out;
     std::vector<Growth_proposal_2> ours;
@@ -187,8 +185,7 @@ public:
     bubbles.swap(ours);
   }
 
-  template <class Crystal>
-  void complete(Crystal& crystal, std::vector<Growth_proposal_2>& bubbles)
+  void complete(Crystal_2& crystal, std::vector<Growth_proposal_2>& bubbles) override
   {
     m_first = static_cast<Index>(crystal.size() - bubbles.size());
     for (const Growth_proposal_2& p : bubbles)
@@ -199,7 +196,7 @@ public:
     list_new(crystal);
   }
 
-  void share_settled(std::vector<Point>& settled)
+  void share_settled(std::vector<Point>& settled) override
   {
     Messages<Place> out, in;
     for (const auto& list : m_new_sent)
@@ -214,8 +211,7 @@ public:
   }
 
   /// A bubble has its place and its size. Where d jumps, it may be larger than it was thought to be.
-  template <class Crystal>
-  void enter_front(const Crystal& crystal, Index i, double key)
+  void enter_front(const Crystal_2& crystal, Index i, double key) override
   {
     m_keys[i] = key;
     m_is_in_front[i] = 1;
@@ -226,14 +222,12 @@ public:
       m_grown.push_back(i);
   }
 
-  /// Makes bubbles that have grown known to those who need them, and others to them; returns those that this
+  /// Makes bubbles that have grown known to those who need them, and others to them; adds those that this
   /// rank gets to know.
-  template <class Crystal>
-  std::vector<Growth_proposal_2> catch_up(Crystal& crystal)
+  void catch_up(Crystal_2& crystal, std::vector<Growth_proposal_2>& late) override
   {
-    std::vector<Growth_proposal_2> late;
     if (!m_comm.any(!m_grown.empty()))
-      return late;
+      return;
     const Bubbles_2& b = crystal.bubbles();
     for (Index i : m_grown)
       for (int rank : m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
@@ -245,13 +239,11 @@ public:
       if (m_is_in_front[i])
         tell_those_who_need(crystal, static_cast<Index>(i));
     exchange_late(crystal, late);
-    return late;
   }
 
 private:
   /// makes room for `n` more bubbles than the crystal has
-  template <class Crystal>
-  void make_room_for(std::size_t n, Crystal& crystal)
+  void make_room_for(std::size_t n, Crystal_2& crystal)
   {
     const std::size_t all = crystal.size() + n;
     crystal.make_room_for_births(all);
@@ -288,8 +280,7 @@ private:
       m_others->insert(i, b.x[i], b.y[i], b.d[i]);
   }
 
-  template <class Crystal>
-  void enter(Crystal& crystal, const Growth_proposal_2& p, const Growth_birth_2& birth)
+  void enter(Crystal_2& crystal, const Growth_proposal_2& p, const Growth_birth_2& birth)
   {
     m_holders->add(birth.x, birth.y, reach * p.d, p.from == foreign ? no_index : p.from);
     m_is_in_front.push_back(0);
@@ -300,8 +291,7 @@ private:
 
   /// Tells of a bubble of ours the owners of larger ones near it, and the owner of another's of those of ours
   /// that are smaller and near it.
-  template <class Crystal>
-  void tell_those_who_need(const Crystal& crystal, Index i)
+  void tell_those_who_need(const Crystal_2& crystal, Index i)
   {
     const Bubbles_2& b = crystal.bubbles();
     const double least = (std::max)(b.d[i], m_holders->clearance(i) / reach);
@@ -318,8 +308,7 @@ private:
       });
   }
 
-  template <class Crystal>
-  void send_late(const Crystal& crystal, Index i, int rank)
+  void send_late(const Crystal_2& crystal, Index i, int rank)
   {
     if (m_holders->has(i, rank))
       return;
@@ -335,8 +324,7 @@ private:
   }
 
   /// adds the bubbles that this rank gets to know to the crystal and to `bubbles`
-  template <class Crystal>
-  void exchange_late(Crystal& crystal, std::vector<Growth_proposal_2>& bubbles)
+  void exchange_late(Crystal_2& crystal, std::vector<Growth_proposal_2>& bubbles)
   {
     for (const auto& message : m_exchange(m_late))
       for (const Late& late : message.second) {
@@ -349,8 +337,7 @@ private:
   }
 
   /// who tells whom where new bubbles settle
-  template <class Crystal>
-  void list_new(const Crystal& crystal)
+  void list_new(const Crystal_2& crystal)
   {
     m_new_sent.clear();
     m_new_received.clear();

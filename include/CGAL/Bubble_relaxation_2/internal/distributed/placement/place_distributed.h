@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACE_DISTRIBUTED_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACE_DISTRIBUTED_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/with_same_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Given_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_rhombic.h>
@@ -33,14 +34,16 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The ranks that place bubbles in cells together, each those whose centres are in its part.
-class Rhombic_team_2
+class Rhombic_team_2 : public Team
 {
 public:
   Rhombic_team_2(const Communicator& comm, Sparse_exchange& exchange, const Hilbert_partition_2& partition)
     : m_rank(comm.rank()), m_partition(partition), m_holes(comm, exchange)
   {}
 
-  Share_of_disc share_of(const Point& p, double radius) const
+  bool is_alone() const override { return false; }
+
+  Share_of_disc share_of(const Point& p, double radius) const override
   {
     const Hilbert_partition_2::Ranks owners = m_partition.owners_in_disc(p.x(), p.y(), radius);
     if (std::find(owners.begin(), owners.end(), m_rank) == owners.end())
@@ -48,18 +51,14 @@ public:
     return owners.size() == 1 ? Share_of_disc::ALL : Share_of_disc::SOME;
   }
 
-  bool owns_place(const Point& p) const { return m_partition.owner(p.x(), p.y()) == m_rank; }
+  bool owns_place(const Point& p) const override { return m_partition.owner(p.x(), p.y()) == m_rank; }
 
-  std::size_t share_holes(std::vector<Hole_2>& holes, double reach)
+  std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
   {
     return m_holes.share(m_partition, holes, reach);
   }
 
-  template <class Choice>
-  void decide(Choice& choice) const
-  {
-    m_holes.decide(choice);
-  }
+  void agree_on(Greedy_choice_2& choice) override { m_holes.agree_on(choice); }
 
 private:
   const int m_rank;
@@ -88,8 +87,7 @@ struct Placement_2
 };
 
 /// Bubbles where those in faces were given.
-template <class Sizing>
-void keep_given(const Domain_2& domain, const Given_bubbles_2& given, const Sizing& sizing, Placement_2& placed)
+inline void keep_given(const Domain_2& domain, const Given_bubbles_2& given, const Sizes_2& sizing, Placement_2& placed)
 {
   Index hint = 0;
   for (const Given_bubbles_2::Free& f : given.free()) {
@@ -102,24 +100,21 @@ void keep_given(const Domain_2& domain, const Given_bubbles_2& given, const Sizi
 }
 
 /// Large bubbles that fill the domain, the same on all ranks: where they are many, bubbles will be many.
-template <class Sizing>
-Bubbles_2 large_bubbles(const Domain_2& domain, const Sizing& sizing, const Bubbles_2& on_outline)
+inline Bubbles_2 large_bubbles(const Domain_2& domain, const Sizes_2& sizing, const Bubbles_2& on_outline)
 {
   const double factor = factor_of_large_bubbles(sizing.expected_number);
   Bubbles_2 large = enlarge(domain, on_outline, factor);
-  Growth_alone alone;
-  grow_from_all<Sequential_tag>(domain, Scaled_field_2<Sizing>{sizing, factor}, {}, large, alone);
+  Team alone;
+  grow_from_all(domain, scaled(sizing, factor), {}, large, alone, Threads());
   return large;
 }
 
 /// Bubbles where those in faces were given, as far as they fit d; the rest is filled by a front of all ranks.
-template <class Cdt, class Sizing>
-void adapt_given(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Given_bubbles_2& given,
-                 const Sizing& sizing, Growth_team_2& team, Bubbles_2& bubbles)
+inline void adapt_given(const Domain_2& domain, const Given_bubbles_2& given, const Sizes_2& sizing, Growth_team_2& team,
+                        Bubbles_2& bubbles)
 {
-  const Domain_2& domain = reading.domain;
   team.divide(domain, large_bubbles(domain, sizing, bubbles));
-  const std::vector<Mesh_surroundings_2> surroundings = given.surroundings(cdt, reading);
+  const std::vector<Mesh_surroundings_2> surroundings = given.surroundings();
   std::vector<Growth_seed_2> seeds;
   Index hint = 0;
   for (std::size_t k = 0; k < surroundings.size(); ++k) {
@@ -133,43 +128,43 @@ void adapt_given(const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Giv
   }
   std::vector<double> directions(bubbles.size(), 0);
   team.bring_seeds(seeds, bubbles, directions);
-  grow_from_all<Sequential_tag>(domain, sizing, directions, bubbles, team);
+  grow_from_all(domain, sizing, directions, bubbles, team, Threads());
 }
 
 /// Bubbles in the cells of a rhombus: each rank makes those in its part.
-template <class Sizing>
-void place_rhombic_by_all(const Communicator& comm, Sparse_exchange& exchange, const Domain_2& domain,
-                          const Sizing& sizing, Placement_2& placed)
+inline void place_rhombic_by_all(const Communicator& comm, Sparse_exchange& exchange, const Domain_2& domain,
+                          const Sizes_2& sizing, Placement_2& placed)
 {
   const Hilbert_partition_2 partition = partition_of_common(
     hilbert_curve(domain), large_bubbles(domain, sizing, placed.bubbles), comm.size());
   Rhombic_team_2 team(comm, exchange, partition);
-  Rhombic_placement<Sizing, Rhombic_team_2>(domain, sizing, placed.bubbles, team)();
+  Rhombic_placement(domain, sizing, placed.bubbles, team)();
   placed.is_ours.resize(placed.bubbles.size(), 1);
 }
 
 /// what `place_bubbles()` does, by all ranks together
-template <class Cdt, class Sizing>
-Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Cdt& cdt,
-                         const Domain_reading_2<Cdt>& reading, const Given_bubbles_2& given, const Sizing& sizing,
-                         const Relaxation_options& options)
+inline Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                                const Problem_2& problem, const Given_bubbles_2& given)
 {
+  const Domain_2& domain = problem.domain;
+  const Sizes_2& sizing = problem.sizes;
+  const Relaxation_options& options = problem.options;
   const bool adapts = !options.placement_is_given && given.has_free(), keeps = keeps_given_bubbles(options);
   const On_edges way = adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW;
-  Placement_2 placed(place_on_outline(reading.domain, given.outline(), way, sizing), comm);
+  Placement_2 placed(place_on_outline(domain, given.outline(), way, sizing), comm);
   if (keeps) {
-    keep_given(reading.domain, given, sizing, placed);
+    keep_given(domain, given, sizing, placed);
     return placed;
   }
   if (!adapts && options.placement == Bubble_placement::RHOMBIC) {
-    place_rhombic_by_all(comm, exchange, reading.domain, sizing, placed);
+    place_rhombic_by_all(comm, exchange, domain, sizing, placed);
     return placed;
   }
   Growth_team_2 team(comm, exchange, agreement);
   if (adapts)
-    adapt_given(cdt, reading, given, sizing, team, placed.bubbles);
+    adapt_given(domain, given, sizing, team, placed.bubbles);
   else
-    place_frontal<Sequential_tag>(reading.domain, sizing, placed.bubbles, team);
+    place_frontal(domain, sizing, placed.bubbles, team, Threads());
   placed.is_ours.resize(placed.bubbles.size(), comm.rank() == 0);
   for (std::size_t i = 0; team.is_divided() && i < placed.is_ours.size(); ++i)
     placed.is_ours[i] = team.owns(static_cast<Index>(i));
@@ -200,29 +195,24 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
 /// The initial bubbles, each on the rank that owns its place. All ranks put bubbles on the outline, which all of
 /// them have; the faces are filled by all together. `points`: this rank's part of those to start from, if any rank
 /// has some; they take the place of the free vertices of the domain's triangulation.
-template <class Cdt, class Sizing>
-Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                                const Relaxation_options& options, const Numbered_bubbles_2& points = {})
+inline Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                                       const Problem_2& problem, const Numbered_bubbles_2& points = {})
 {
-  const Given_bubbles_2 given(comm, exchange, agreement, reading, points);
-  Placement_2 placed = place_by_all(comm, exchange, agreement, cdt, reading, given, sizing, options);
+  const Given_bubbles_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
+  Placement_2 placed = place_by_all(comm, exchange, agreement, problem, given);
   agreement.reach();
-  return bring_home_and_number(comm, exchange, reading.domain, placed);
+  return bring_home_and_number(comm, exchange, problem.domain, placed);
 }
 
 /// The bubbles that were given, all of them, whatever d asks for, as `given_bubbles()` has them.
-template <class Cdt, class Sizing>
-Placed_part_2 given_bubbles_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                        const Domain_reading_2<Cdt>& reading, const Sizing& users,
-                                        const Numbered_bubbles_2& points = {})
+inline Placed_part_2 given_bubbles_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                                               const Problem_2& problem, const Numbered_bubbles_2& points = {})
 {
-  const Agreed_sizing_field_2<Sizing> sizing(users, agreement, Hilbert_curve_2(reading.domain.bbox()).side());
-  const Given_bubbles_2 given(comm, exchange, agreement, reading, points);
-  Placement_2 placed(place_on_outline(reading.domain, given.outline(), On_edges::KEEP, sizing), comm);
-  keep_given(reading.domain, given, sizing, placed);
+  const Given_bubbles_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
+  Placement_2 placed(place_on_outline(problem.domain, given.outline(), On_edges::KEEP, problem.sizes), comm);
+  keep_given(problem.domain, given, problem.sizes, placed);
   agreement.reach();
-  return bring_home_and_number(comm, exchange, reading.domain, placed);
+  return bring_home_and_number(comm, exchange, problem.domain, placed);
 }
 
 } // namespace internal

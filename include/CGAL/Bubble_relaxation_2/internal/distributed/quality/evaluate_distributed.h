@@ -10,19 +10,20 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_QUALITY_EVALUATE_DISTRIBUTED_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
-#include <CGAL/Bubble_relaxation_2/internal/quality/order_independent.h>
 
 #include <CGAL/Mesh_quality_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -30,39 +31,35 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// What the values of all ranks are like, for statistics that are the same as if one rank had them all. All
-/// members are collective. See `All_values_here`.
-class Values_of_all_ranks
+/// members are collective. See `Team`.
+class Values_of_all_ranks : public Team
 {
 public:
   explicit Values_of_all_ranks(const Communicator& comm) : m_comm(comm) {}
 
-  double smallest(double value) const { return m_comm.smallest(value); }
-  double largest(double value) const { return m_comm.largest(value); }
+  bool is_alone() const override { return false; }
+  double smallest(double value) const override { return m_comm.smallest(value); }
+  double largest(double value) const override { return m_comm.largest(value); }
 
-  template <std::size_t n>
-  std::array<std::size_t, n> sums(const std::array<std::size_t, n>& counts) const
+  void add_up(std::size_t* counts, std::size_t n) const override
   {
-    std::array<std::uint64_t, n> result;
-    std::copy(counts.begin(), counts.end(), result.begin());
-    add_up(result.data(), n);
-    std::array<std::size_t, n> sums;
-    std::copy(result.begin(), result.end(), sums.begin());
-    return sums;
+    std::vector<std::uint64_t> sums(counts, counts + n);
+    check_mpi(
+      MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(n), MPI_UINT64_T, MPI_SUM, m_comm.handle()));
+    std::copy(sums.begin(), sums.end(), counts);
   }
 
   /// Finds them byte after byte: how many values that begin as far as is known go on with which byte tells the
   /// next one. No rank gets values of others, nor all positions a walk over all values.
-  template <std::size_t n>
-  std::array<double, n> sorted_at(const std::vector<double>& values,
-                                  const std::array<std::size_t, n>& positions) const
+  std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions) const override
   {
+    const std::size_t n = positions.size();
     std::vector<std::uint64_t> candidates(values.size());
     std::transform(values.begin(), values.end(), candidates.begin(), bits);
-    std::array<std::uint64_t, n> found{}, rest;
-    std::copy(positions.begin(), positions.end(), rest.begin());
+    std::vector<std::uint64_t> found(n, 0), rest(positions.begin(), positions.end());
     for (int shift = 56; shift >= 0; shift -= 8) {
       const std::vector<std::uint64_t> known = distinct(found);
-      std::vector<std::uint64_t> counts(known.size() * 256, 0);
+      std::vector<std::size_t> counts(known.size() * 256, 0);
       const auto leave = [&](std::uint64_t candidate) { return !count(candidate, shift, known, counts); };
       candidates.erase(std::remove_if(candidates.begin(), candidates.end(), leave), candidates.end());
       add_up(counts.data(), counts.size());
@@ -71,17 +68,12 @@ public:
         add_byte(&counts[static_cast<std::size_t>(place) * 256], found[k], rest[k]);
       }
     }
-    std::array<double, n> result;
-    std::transform(found.begin(), found.end(), result.begin(), number);
+    std::vector<double> result;
+    std::transform(found.begin(), found.end(), std::back_inserter(result), number);
     return result;
   }
 
 private:
-  void add_up(std::uint64_t* counts, std::size_t n) const
-  {
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts, static_cast<int>(n), MPI_UINT64_T, MPI_SUM, m_comm.handle()));
-  }
-
   /// of numbers that are not negative; they have the order of their bits
   static std::uint64_t bits(double value)
   {
@@ -99,10 +91,8 @@ private:
   }
 
   /// what is known of the values at several positions, sorted: at first there is little that differs
-  template <std::size_t n>
-  static std::vector<std::uint64_t> distinct(const std::array<std::uint64_t, n>& found)
+  static std::vector<std::uint64_t> distinct(std::vector<std::uint64_t> result)
   {
-    std::vector<std::uint64_t> result(found.begin(), found.end());
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -110,7 +100,7 @@ private:
 
   /// counts the next byte of a candidate that begins as one of those that are known; whether it does
   static bool count(std::uint64_t candidate, int shift, const std::vector<std::uint64_t>& known,
-                    std::vector<std::uint64_t>& counts)
+                    std::vector<std::size_t>& counts)
   {
     const std::uint64_t first_bytes = shift == 56 ? 0 : candidate >> (shift + 8);
     for (std::size_t k = 0; k < known.size(); ++k)
@@ -121,7 +111,7 @@ private:
     return false;
   }
 
-  static void add_byte(const std::uint64_t* counts, std::uint64_t& found, std::uint64_t& rest)
+  static void add_byte(const std::size_t* counts, std::uint64_t& found, std::uint64_t& rest)
   {
     std::uint64_t byte = 0;
     for (; byte < 255 && rest >= counts[byte]; ++byte)
@@ -162,9 +152,8 @@ void for_each_owned_edge(const Distributed_mesh_2& mesh, int rank, const Visitor
 }
 
 /// adds the lengths of the edges that a rank owns over d in the midpoints
-template <class Sizing>
-void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizing& sizing,
-                       Mesh_quality_accumulator_2& accumulator)
+inline void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizes_2& sizing,
+                              Mesh_quality_accumulator_2& accumulator)
 {
   const std::vector<Point>& points = mesh.triangulation.tr.points;
   for_each_owned_edge(mesh, rank,
@@ -197,9 +186,8 @@ inline void add_owned_vertices(const Distributed_mesh_2& mesh, int rank,
 /// Collective. The statistics of the mesh of all ranks, on all ranks the same as one rank alone would find them,
 /// to the last bit. `sizing`: a pointer to the sizing field, or null if there are to be no lengths. What it
 /// throws on one rank all throw.
-template <class FT = double, class Sizing>
-Mesh_quality_2<FT> distributed_quality(const Distributed_mesh_2& mesh, const Sizing* sizing,
-                                       const Communicator& comm, Agreement& agreement)
+inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh, const Sizes_2* sizing,
+                                                  const Communicator& comm, Agreement& agreement)
 {
   Mesh_quality_accumulator_2 accumulator;
   agreement.reach_after([&] {
@@ -208,12 +196,11 @@ Mesh_quality_2<FT> distributed_quality(const Distributed_mesh_2& mesh, const Siz
     if (sizing != nullptr)
       add_owned_lengths(mesh, comm.rank(), *sizing, accumulator);
   });
-  return Mesh_quality_2<FT>(accumulator.statistics(Values_of_all_ranks(comm)));
+  return Mesh_quality_2<double>(accumulator.statistics(Values_of_all_ranks(comm)));
 }
 
 /// d at the vertices of the triangles around own bubbles
-template <class Sizing>
-std::vector<double> sizes_around_own(const Distributed_mesh_2& mesh, const Sizing& sizing)
+inline std::vector<double> sizes_around_own(const Distributed_mesh_2& mesh, const Sizes_2& sizing)
 {
   const Flat_triangulation_2& tr = mesh.triangulation.tr;
   std::vector<char> is_needed(tr.points.size(), 0);
@@ -229,12 +216,11 @@ std::vector<double> sizes_around_own(const Distributed_mesh_2& mesh, const Sizin
 
 /// Collective. Puts the statistics of the mesh of all ranks into the report, as `evaluate()` does of that of one.
 /// What d throws on one rank all throw.
-template <class Sizing, class Report>
-void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizing& sizing, const Communicator& comm,
-                          Agreement& agreement, Report& report)
+inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& sizing, const Communicator& comm,
+                                 Agreement& agreement, Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
-  report.quality = distributed_quality<typename Report::FT>(mesh, &sizing, comm, agreement);
+  report.quality = distributed_quality(mesh, &sizing, comm, agreement);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
   Size_gradient_2 gradient(Report::steep_size_gradient);

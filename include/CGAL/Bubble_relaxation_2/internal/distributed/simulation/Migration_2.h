@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Bubble_state_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
 #include <algorithm>
 #include <array>
@@ -101,8 +102,7 @@ public:
   }
 
   /// Collective. Brings each bubble to the rank that owns its place now, and what the simulation knows of it.
-  template <class Simulation>
-  void bring_home(Simulation& simulation, Bubbles_2& bubbles) const
+  void bring_home(Simulation_2& simulation, Bubbles_2& bubbles) const
   {
     std::vector<Bubble_state_2> ours;
     Messages<Bubble_state_2> out;

@@ -9,13 +9,13 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_POPULATION_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_POPULATION_TEAM_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/population/Population_alone.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The ranks that control the population together: each deletes its own bubbles and inserts in its own part.
-class Population_team_2
+class Population_team_2 : public Team
 {
 public:
   using Triangle = std::array<Index, 3>;
@@ -49,7 +49,9 @@ public:
   std::int64_t next_number() const { return m_next_number; }
 
   /// `touched`, as far as it is known of others' bubbles as well
-  std::vector<Index> share_touched(const Bubbles_2& b, const std::vector<Index>& touched)
+  bool is_alone() const override { return false; }
+
+  std::vector<Index> share_touched(const Bubbles_2& b, std::vector<Index> touched) override
   {
     std::vector<char> is_touched(b.size(), 0);
     for (Index i : touched)
@@ -62,7 +64,7 @@ public:
     return result;
   }
 
-  void share_triangles(const Bubbles_2& b, std::vector<Triangle>& triangles)
+  void share_triangles(const Bubbles_2& b, std::vector<Triangle>& triangles) override
   {
     using Numbers = std::array<std::int64_t, 3>;
     Messages<Numbers> out;
@@ -83,8 +85,57 @@ public:
         triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
   }
 
+  bool share(std::vector<char>& values) override { return share_values(values); }
+  bool share(std::vector<double>& values) override { return share_values(values); }
+
+  std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
+  {
+    return m_holes.share(*m_partition, holes, reach);
+  }
+
+  void agree_on(Greedy_choice_2& choice) override { m_holes.agree_on(choice); }
+
+  bool owns_place(const Point& p) const override { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
+
+  /// All ranks have the outline of the domain, and now all its bubbles.
+  void share_outline(const Domain_2& domain, const Bubbles_2& b, Outline_bubbles_2& result) const override
+  {
+    std::vector<Placed> ours;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_ours(i) && (b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index)))
+        ours.push_back(Placed{b.x[i], b.y[i], b.d[i], b.s[i], b.number[i], b.place[i], b.is_on_edge(i)});
+    std::vector<Placed> all = gather_records(m_comm, ours);
+    std::sort(all.begin(), all.end());
+    std::unordered_map<std::int64_t, Index> indices;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_on_edge(i) || b.is_corner(i))
+        indices[b.number[i]] = static_cast<Index>(i);
+    result.on_edge.assign(domain.edges().size(), {});
+    result.on_corner.assign(domain.corners().size(), Outline_bubble_2{0, 0, 1, 0, no_index});
+    for (const Placed& p : all) {
+      const auto found = indices.find(p.number);
+      const Outline_bubble_2 bubble{p.x, p.y, p.d, p.s, found == indices.end() ? no_index : found->second};
+      if (p.is_on_edge)
+        result.on_edge[p.place].push_back(bubble);
+      else
+        result.on_corner[p.place] = bubble;
+    }
+  }
+
+  /// \pre they are sorted along the curve
+  void number(Bubbles_2& inserted) override
+  {
+    const std::int64_t n = static_cast<std::int64_t>(inserted.size());
+    std::int64_t number = m_next_number + m_comm.sum_before(n);
+    m_next_number += m_comm.sum(n);
+    for (std::size_t k = 0; k < inserted.size(); ++k)
+      inserted.number.push_back(number++);
+    inserted.is_foreign.assign(inserted.size(), 0);
+  }
+
+private:
   template <class T>
-  bool share(std::vector<T>& values) const
+  bool share_values(std::vector<T>& values) const
   {
     Messages<T> out, in;
     for (const auto& list : m_halo.sent())
@@ -103,58 +154,6 @@ public:
     return m_comm.any(has_changed);
   }
 
-  std::size_t share_holes(std::vector<Hole_2>& holes, double reach)
-  {
-    return m_holes.share(*m_partition, holes, reach);
-  }
-
-  template <class Choice>
-  void decide(Choice& choice) const
-  {
-    m_holes.decide(choice);
-  }
-
-  bool owns_place(const Point& p) const { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
-
-  /// All ranks have the outline of the domain, and now all its bubbles.
-  Outline_bubbles_2 outline(const Domain_2& domain, const Bubbles_2& b) const
-  {
-    std::vector<Placed> ours;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_ours(i) && (b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index)))
-        ours.push_back(Placed{b.x[i], b.y[i], b.d[i], b.s[i], b.number[i], b.place[i], b.is_on_edge(i)});
-    std::vector<Placed> all = gather_records(m_comm, ours);
-    std::sort(all.begin(), all.end());
-    std::unordered_map<std::int64_t, Index> indices;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_on_edge(i) || b.is_corner(i))
-        indices[b.number[i]] = static_cast<Index>(i);
-    Outline_bubbles_2 result;
-    result.on_edge.resize(domain.edges().size());
-    result.on_corner.assign(domain.corners().size(), Outline_bubble_2{0, 0, 1, 0, no_index});
-    for (const Placed& p : all) {
-      const auto found = indices.find(p.number);
-      const Outline_bubble_2 bubble{p.x, p.y, p.d, p.s, found == indices.end() ? no_index : found->second};
-      if (p.is_on_edge)
-        result.on_edge[p.place].push_back(bubble);
-      else
-        result.on_corner[p.place] = bubble;
-    }
-    return result;
-  }
-
-  /// \pre they are sorted along the curve
-  void number(Bubbles_2& inserted)
-  {
-    const std::int64_t n = static_cast<std::int64_t>(inserted.size());
-    std::int64_t number = m_next_number + m_comm.sum_before(n);
-    m_next_number += m_comm.sum(n);
-    for (std::size_t k = 0; k < inserted.size(); ++k)
-      inserted.number.push_back(number++);
-    inserted.is_foreign.assign(inserted.size(), 0);
-  }
-
-private:
   /// a bubble of the outline
   struct Placed
   {

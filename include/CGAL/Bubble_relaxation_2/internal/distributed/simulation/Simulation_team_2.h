@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATION_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATION_TEAM_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/wide_hole_sides.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
 #include <algorithm>
 #include <array>
@@ -33,10 +35,10 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// The ranks that simulate bubbles together: each moves its own, and is told of others' before the next step.
-class Simulation_team_2
+class Simulation_team_2 : public Team
 {
 public:
-  static constexpr bool is_alone = false;
+  bool is_alone() const override { return false; }
 
   Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                     Checkpoints_2& checkpoints, const Relaxation_options& options)
@@ -64,8 +66,7 @@ public:
     m_population.start(partition(), m_number_of_all);
   }
 
-  template <class Simulation, class Report>
-  std::size_t resume(Simulation& simulation, Bubbles_2& bubbles, Report& report)
+  std::size_t resume(Simulation_2& simulation, Bubbles_2& bubbles, Report& report) override
   {
     if (!m_checkpoints.is_restart())
       return 0;
@@ -74,15 +75,13 @@ public:
     return rounds;
   }
 
-  template <class Simulation, class Report>
-  void end_round(const Simulation& simulation, const Bubbles_2& bubbles, Report& report)
+  void end_round(const Simulation_2& simulation, const Bubbles_2& bubbles, Report& report) override
   {
     m_checkpoints.end_round(simulation, bubbles, partition(), m_population.next_number(), report);
   }
 
   /// Gives the bubbles of each rank their surroundings before the first step.
-  template <class Simulation>
-  void surround(Simulation& simulation, Bubbles_2& bubbles)
+  void surround(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
     surround(simulation, bubbles, m_interval.is_used() ? Bubble_force_2::cut_off * largest_size(bubbles) : 0);
     m_interval.start_stage();
@@ -90,8 +89,7 @@ public:
 
   /// Looks after the bubbles that have gone far or grown. If one has gone too far, all are brought to the ranks
   /// that own their places now; and so they are in each exchange of the paper's protocol.
-  template <class Simulation>
-  void surround_anew(Simulation& simulation, Bubbles_2& bubbles)
+  void surround_anew(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
     if (m_interval.is_used()) {
       release_marked(simulation, bubbles);
@@ -106,8 +104,7 @@ public:
   }
 
   /// After the steps of a round the paper's protocol ends, and the population is controlled as it always is.
-  template <class Simulation>
-  void end_steps(Simulation& simulation, Bubbles_2& bubbles)
+  void end_steps(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
     if (!m_interval.is_used())
       return;
@@ -120,8 +117,7 @@ public:
   }
 
   /// Gets the bubbles that those of ours beside wide holes look at, which are farther away than others ever look.
-  template <class Simulation>
-  void look_across_holes(Simulation& simulation, Bubbles_2& bubbles)
+  void look_across_holes(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
     const Neighbor_sets_2& neighbors = simulation.neighbors();
     const Messages<Wide_hole_side_2> asked =
@@ -137,8 +133,7 @@ public:
   }
 
   /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
-  template <class Simulation>
-  void share_new(Simulation& simulation, Bubbles_2& bubbles, Index first)
+  void share_new(Simulation_2& simulation, Bubbles_2& bubbles, Index first) override
   {
     const std::int64_t first_new = m_number_of_all;
     m_number_of_all = m_population.next_number();
@@ -157,33 +152,33 @@ public:
       m_is_outgrown = m_is_far_from_home = true; // all migrate before the next step
   }
 
-  std::size_t number_of_all(const Bubbles_2&) const { return static_cast<std::size_t>(m_number_of_all); }
+  std::size_t number_of_all(const Bubbles_2&) const override { return static_cast<std::size_t>(m_number_of_all); }
 
-  bool any(bool here) const { return m_comm.any(here); }
+  bool any(bool here) const override { return m_comm.any(here); }
 
-  Population_team_2& population() { return m_population; }
+  Population_team_2& population() override { return m_population; }
 
-  bool is_at_border(Index i) const { return m_halo.is_at_border(i); }
+  bool is_at_border(Index i) const override { return m_halo.is_at_border(i); }
 
   /// where bubbles are within a step; `sets` are their neighbours
-  void send_positions(const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
+  void send_positions(const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y) override
   {
     if (!m_interval.is_used())
       m_stages.send(m_halo, sets, x, y);
   }
 
-  void receive_positions(std::vector<double>& x, std::vector<double>& y)
+  void receive_positions(std::vector<double>& x, std::vector<double>& y) override
   {
     if (!m_interval.is_used())
       m_stages.receive(m_halo, x, y);
   }
 
-  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets)
+  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets) override
   {
     Shared_sets_2(m_halo, b)(m_exchange, sets);
   }
 
-  void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving)
+  void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving) override
   {
     count_step();
     if (!m_interval.is_used())
@@ -191,7 +186,7 @@ public:
   }
 
   const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
-                                          std::vector<char>& is_moving)
+                                          std::vector<char>& is_moving) override
   {
     m_others.clear();
     if (m_interval.is_used()) {
@@ -204,7 +199,7 @@ public:
     return m_others;
   }
 
-  Step_sums sum(const Step_sums& sums)
+  Step_sums sum(const Step_sums& sums) override
   {
     const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
     const bool is_far_here = m_is_far_here || (!m_interval.is_used() && m_halo.has_gone_far());
@@ -224,10 +219,10 @@ public:
     return Step_sums{static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1])};
   }
 
-  bool goes_on(bool here) const { return m_may_be_stopped ? !m_comm.any(!here) : here; }
+  bool goes_on(bool here) const override { return m_may_be_stopped ? !m_comm.any(!here) : here; }
 
   /// whether a bubble of any rank has gone so far that the halo is to be made anew, or it is time for that
-  bool is_outgrown() const { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
+  bool is_outgrown() const override { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
 
   const Hilbert_partition_2& partition() const { return m_migration.partition(); }
 
@@ -235,8 +230,7 @@ public:
 
 private:
   /// makes the halo, of one width or by the bubbles' sizes
-  template <class Simulation>
-  void surround(Simulation& simulation, Bubbles_2& bubbles, double width)
+  void surround(Simulation_2& simulation, Bubbles_2& bubbles, double width)
   {
     m_halo.start(partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
     std::vector<Index> near_others;
@@ -263,15 +257,13 @@ private:
       }
   }
 
-  template <class Simulation>
-  void release_marked(Simulation& simulation, Bubbles_2& bubbles)
+  void release_marked(Simulation_2& simulation, Bubbles_2& bubbles)
   {
     m_interval.release(bubbles, [&simulation](Index i) { simulation.wake_around(i); });
   }
 
   /// others may have moved since their neighbours here fell asleep
-  template <class Simulation>
-  static void wake_around_others(Simulation& simulation, const Bubbles_2& bubbles)
+  static void wake_around_others(Simulation_2& simulation, const Bubbles_2& bubbles)
   {
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (!bubbles.is_ours(i))
@@ -296,14 +288,12 @@ private:
       }
   }
 
-  template <class Simulation>
-  static Bubble_state_2 state(const Simulation& simulation, const Bubbles_2& bubbles, Index i)
+  static Bubble_state_2 state(const Simulation_2& simulation, const Bubbles_2& bubbles, Index i)
   {
     return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)};
   }
 
-  template <class Simulation>
-  Index add_of_other(Simulation& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
+  Index add_of_other(Simulation_2& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
   {
     const Index i = static_cast<Index>(bubbles.size());
     add(bubbles, s.bubble, true);
@@ -312,8 +302,7 @@ private:
     return i;
   }
 
-  template <class Simulation>
-  void look_after(Simulation& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
+  void look_after(Simulation_2& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
     std::unique_ptr<Bubbles_here_2> here;
     if (!simulation.keeps_references())
@@ -335,8 +324,7 @@ private:
     m_moves.connect(m_halo, bubbles.size());
   }
 
-  template <class Simulation>
-  void migrate_and_surround(Simulation& simulation, Bubbles_2& bubbles)
+  void migrate_and_surround(Simulation_2& simulation, Bubbles_2& bubbles)
   {
     if (!simulation.keeps_references()) {
       migrate_with_sets(simulation, bubbles);
@@ -347,8 +335,7 @@ private:
   }
 
   /// the same; neighbour sets that are not what references tell go with their bubbles
-  template <class Simulation>
-  void migrate_with_sets(Simulation& simulation, Bubbles_2& bubbles)
+  void migrate_with_sets(Simulation_2& simulation, Bubbles_2& bubbles)
   {
     m_migration.balance(bubbles, m_interval.is_used());
     Numbered_sets messages;
@@ -364,8 +351,7 @@ private:
     simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
   }
 
-  template <class Simulation>
-  void migrate(Simulation& simulation, Bubbles_2& bubbles)
+  void migrate(Simulation_2& simulation, Bubbles_2& bubbles)
   {
     m_migration.balance(bubbles, m_interval.is_used());
     m_migration.bring_home(simulation, bubbles);

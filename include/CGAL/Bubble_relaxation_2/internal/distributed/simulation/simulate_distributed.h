@@ -9,13 +9,13 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATE_DISTRIBUTED_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATE_DISTRIBUTED_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/with_same_sizing_field.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Simulation_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
 
@@ -121,7 +121,9 @@ private:
 /// Removes bubbles of ours that cannot be told apart on edges, as `remove_crowded_on_edges()` does of all.
 inline void remove_crowded_of_ours(const Domain_2& domain, const Population_team_2& team, Bubbles_2& b)
 {
-  const Outline_bubbles_2 outline = team.outline(domain, b);
+  Outline_bubbles_2 outline;
+  outline.on_corner.resize(domain.corners().size());
+  team.share_outline(domain, b, outline);
   for (std::size_t e = 0; e < outline.on_edge.size(); ++e) {
     Crowd_on_edge crowd(domain.length(static_cast<Index>(e)));
     for (const Outline_bubble_2& bubble : outline.on_edge[e])
@@ -150,20 +152,18 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
 }
 
 /// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
-template <class Cdt, class Sizing>
-std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                               const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                               const Relaxation_options& options, const Numbered_bubbles_2& points,
-                               Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
+inline std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                                      const Problem_2& problem, const Numbered_bubbles_2& points,
+                                      Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
 {
   if (checkpoints.is_restart()) {
-    const Restart_2& restart = checkpoints.read(hilbert_curve(reading.domain), sizing);
+    const Restart_2& restart = checkpoints.read(hilbert_curve(problem.domain), problem.sizes);
     for (const Bubble_state_2& s : restart.states)
       add(bubbles, s.bubble, false);
     team.start(restart);
     return static_cast<std::size_t>(restart.header.initial_bubbles);
   }
-  Placed_part_2 part = place_distributed(comm, exchange, agreement, cdt, reading, sizing, options, points);
+  Placed_part_2 part = place_distributed(comm, exchange, agreement, problem, points);
   team.start(part);
   bubbles = std::move(part.bubbles.bubbles);
   bubbles.number = std::move(part.bubbles.numbers);
@@ -171,33 +171,26 @@ std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchan
   return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
 }
 
-/// Places bubbles and simulates them, all ranks together: those that `simulate_bubbles()` makes on one. Their
-/// numbers are their indices there. What d throws on one rank is thrown on all. `points`: see `place_distributed()`;
+/// Places bubbles and simulates them, all ranks together: those that `relax_bubbles()` makes on one. Their
+/// numbers are their indices there. `points`: see `place_distributed()`;
 /// `traffic`: what this rank sent and held, if it is asked for.
-template <class Cdt, class Sizing, class Report>
-Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                   const Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Sizing& users,
-                                   const Relaxation_options& options, Progress& progress, Report& report,
-                                   const Numbered_bubbles_2& points = {}, Traffic_2* traffic = nullptr)
+/// \pre sizes of `problem` keep what they throw until ranks agree on it
+inline Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+                                          const Problem_2& problem, Progress& progress, Report& report,
+                                          const Numbered_bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
-  const Agreed_sizing_field_2<Sizing> sizing(users, agreement, Hilbert_curve_2(reading.domain.bbox()).side());
-  Checkpoints_2 checkpoints(comm, exchange, agreement, hash_of_places(reading), options);
-  Simulation_team_2 team(comm, exchange, agreement, checkpoints, options);
+  Checkpoints_2 checkpoints(comm, exchange, agreement, hash_of_places(problem.domain, problem.given), problem.options);
+  Simulation_team_2 team(comm, exchange, agreement, checkpoints, problem.options);
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
-    report.number_of_initial_bubbles = find_first_bubbles(comm, exchange, agreement, cdt, reading, sizing, options,
-                                                          points, checkpoints, team, bubbles);
+    report.number_of_initial_bubbles =
+      find_first_bubbles(comm, exchange, agreement, problem, points, checkpoints, team, bubbles);
   }
-  if (options.integrator == Bubble_integrator::RUNGE_KUTTA_4)
-    relax<Sequential_tag, Runge_kutta_4<Sequential_tag>>(reading.domain, sizing, options, bubbles, team, progress,
-                                                         report);
-  else
-    relax<Sequential_tag, Semi_implicit_euler<Sequential_tag>>(reading.domain, sizing, options, bubbles, team,
-                                                               progress, report);
+  relax(problem, bubbles, team, progress, report);
   if (traffic)
     *traffic = team.traffic();
-  remove_crowded_of_ours(reading.domain, team.population(), bubbles);
+  remove_crowded_of_ours(problem.domain, team.population(), bubbles);
   return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(),
                                std::move(bubbles));
 }

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_INSIDE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
@@ -25,18 +26,30 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A rank that treats the defects of its own part of the mesh as if it were alone, see `Treatment_alone`. It may as long as
+/// Ranks that treat the defects of a mesh, each on its own or together.
+class Treating_team : public Team
+{
+public:
+  /// whether ranks speak to each other within the treatment
+  virtual bool is_collective() const = 0;
+
+  /// Collective. Whether what was done is worth nothing.
+  virtual bool has_failed() const = 0;
+
+  /// the triangles that may not be marked as what they are now
+  virtual const std::vector<Index>& changed_triangles() const = 0;
+};
+
+/// A rank that treats the defects of its own part of the mesh as if it were alone, see `Team`. It may as long as
 /// two things hold; else it has come too near to others.
 ///
 /// No candidate has a neighbour of another rank: then candidates that are connected are all of one rank, their colours are
 /// those that one rank alone would give them, and they are moved in the same order, among vertices that stay. And all
 /// triangles that flips make are between its own bubbles: then no other rank has one of them, and every edge is locally
 /// Delaunay again on the rank that changed something beside it, so the whole is Delaunay.
-class Treatment_inside_2
+class Treatment_inside_2 : public Treating_team
 {
 public:
-  static constexpr bool is_collective = false; ///< whether ranks speak to each other within the treatment
-
   Treatment_inside_2(const Communicator& comm, const Distributed_mesh_2& mesh)
     : m_comm(comm), m_mesh(mesh), m_has_foreign_neighbors(mesh.known.size(), 0)
   {
@@ -45,25 +58,21 @@ public:
         m_has_foreign_neighbors[v] = 1;
   }
 
-  bool goes_on(bool here) const { return here && !m_is_too_near; }
+  bool is_collective() const override { return false; }
+
+  bool goes_on_treating(bool here) override { return here && !m_is_too_near; }
 
   /// Collective. Whether any rank came too near to others: then what was done is worth nothing.
-  bool has_failed() const { return m_comm.any(m_is_too_near); }
+  bool has_failed() const override { return m_comm.any(m_is_too_near); }
 
-  std::size_t largest(std::size_t here) const { return here; }
-
-  void share_colors(const Editable_triangulation_2&, const std::vector<Index>& candidates, const Greedy_coloring_2&)
+  void share_colors(const Editable_triangulation_2&, const std::vector<Index>& candidates, Greedy_coloring_2&) override
   {
     m_is_too_near = m_is_too_near || std::any_of(candidates.begin(), candidates.end(), [this](Index v) {
                       return m_has_foreign_neighbors[v] != 0;
                     });
   }
 
-  void share_moves(const Marked_triangulation_2&, const Bubbles_2&, const std::vector<Index>&,
-                   const Treatment_log_2&) const
-  {}
-
-  void restore_border(Editable_triangulation_2& mesh)
+  void restore_border(Editable_triangulation_2& mesh) override
   {
     const std::vector<Index> flipped = mesh.take_flipped();
     m_is_too_near = m_is_too_near || std::any_of(flipped.begin(), flipped.end(), [&](Index t) {
@@ -72,10 +81,8 @@ public:
     m_changed.insert(m_changed.end(), flipped.begin(), flipped.end());
   }
 
-  void add_neighbors_of_others(const Editable_triangulation_2&, const Bubbles_2&, const std::vector<Index>&) const {}
-
   /// all that were flipped
-  const std::vector<Index>& changed_triangles() const { return m_changed; }
+  const std::vector<Index>& changed_triangles() const override { return m_changed; }
 
 private:
   const Communicator& m_comm;

@@ -9,10 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_TEAM_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_inside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Greedy_coloring_2.h>
 
 #include <algorithm>
@@ -27,14 +29,12 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The ranks that treat the defects of a mesh together, see `Treatment_alone`. Each treats its own vertices, and
+/// The ranks that treat the defects of a mesh together, see `Team`. Each treats its own vertices, and
 /// moves those of others as it is told. Its piece of the mesh gets narrower with each sweep, by what bubbles that it
 /// does not know may have changed; when triangles around its own vertices are concerned, it knows too little.
-class Treatment_team_2
+class Treatment_team_2 : public Treating_team
 {
 public:
-  static constexpr bool is_collective = true; ///< whether ranks speak to each other within the treatment
-
   Treatment_team_2(const Communicator& comm, const Mesh_piece_2& piece)
     : m_comm(comm), m_piece(piece), m_targets(piece.mesh.known.size()),
       m_beside_others(triangles_beside_others(piece.mesh.known.bubbles, piece.mesh.triangulation)),
@@ -45,7 +45,10 @@ public:
         m_targets.add(list.second[k], {list.first, static_cast<std::int32_t>(k)});
   }
 
-  bool goes_on(bool here)
+  bool is_collective() const override { return true; }
+  bool is_alone() const override { return m_comm.size() == 1; }
+
+  bool goes_on_treating(bool here) override
   {
     const std::int32_t answer = m_comm.largest(std::int32_t(m_knows_too_little ? 2 : here ? 1 : 0));
     m_has_failed = answer == 2;
@@ -53,15 +56,15 @@ public:
   }
 
   /// Collective. Whether any rank knew too little: then what was done is worth nothing.
-  bool has_failed() const { return m_has_failed || m_comm.any(m_knows_too_little); }
+  bool has_failed() const override { return m_has_failed || m_comm.any(m_knows_too_little); }
 
-  std::size_t largest(std::size_t here) const
+  std::size_t largest_number(std::size_t here) const override
   {
     return static_cast<std::size_t>(m_comm.largest(static_cast<std::int64_t>(here)));
   }
 
   void share_colors(const Editable_triangulation_2& mesh, const std::vector<Index>& candidates,
-                    Greedy_coloring_2& coloring)
+                    Greedy_coloring_2& coloring) override
   {
     if (is_alone())
       return;
@@ -77,7 +80,8 @@ public:
     coloring.forget(foreign);
   }
 
-  void share_moves(Marked_triangulation_2& marked, Bubbles_2& b, const std::vector<Index>& moved, Treatment_log_2& log)
+  void share_moved(Marked_triangulation_2& marked, Bubbles_2& b, const std::vector<Index>& moved,
+                   Undo_log_2& log) override
   {
     if (is_alone())
       return;
@@ -85,7 +89,7 @@ public:
     for (const auto& message : in)
       for (const Move& m : message.second) {
         const Index v = m_piece.received.at(message.first)[m.position];
-        log.note(Treatment_log_2::vertex(b, v));
+        log.note(Undo_log_2::vertex(b, v));
         b.place[v] = m.place;
         b.x[v] = m.x;
         b.y[v] = m.y;
@@ -96,7 +100,7 @@ public:
       }
   }
 
-  void restore_border(Editable_triangulation_2& mesh)
+  void restore_border(Editable_triangulation_2& mesh) override
   {
     follow_flips(mesh);
     if (is_alone())
@@ -109,7 +113,8 @@ public:
       !forget_doubtful(m_piece.mesh.known.bubbles, m_beside_others, m_certificate, mesh) || m_knows_too_little;
   }
 
-  void add_neighbors_of_others(const Editable_triangulation_2& mesh, const Bubbles_2& b, std::vector<Index>& result)
+  void add_neighbors_of_others(const Editable_triangulation_2& mesh, const Bubbles_2& b,
+                               std::vector<Index>& result) override
   {
     if (is_alone())
       return;
@@ -125,7 +130,7 @@ public:
   }
 
   /// the triangles that are not marked as what they are now, and perhaps some more
-  const std::vector<Index>& changed_triangles() const { return m_beside_others; }
+  const std::vector<Index>& changed_triangles() const override { return m_beside_others; }
 
 private:
   struct Color
@@ -140,7 +145,6 @@ private:
     double x, y, s;
   };
 
-  bool is_alone() const { return m_comm.size() == 1; }
 
   /// flipped triangles may have a bubble of another rank now
   void follow_flips(Editable_triangulation_2& mesh)

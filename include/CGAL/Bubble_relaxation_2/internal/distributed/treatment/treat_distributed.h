@@ -19,8 +19,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_inside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/widen_mesh.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Outside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  static constexpr double treated_quality = Defect_treatment_2<Sequential_tag>::treated_quality;
+  static constexpr double treated_quality = Smoothing_sweeps_2::treated_quality;
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
   static constexpr double reach_of_sweeps = 0.5; // of that, once; where it is not enough, it is seen
 
@@ -186,13 +186,12 @@ private:
   }
 
   /// moves vertices, unless the mesh gets worse by that or a rank knows too little
-  template <class Team>
-  Smoothing smooth_with(Team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
+  Smoothing smooth_with(Treating_team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
   {
     Bubbles_2& bubbles = mesh.known.bubbles;
-    Defect_treatment_2<Sequential_tag, Team> treat(m_domain, mesh.triangulation, bubbles, team);
+    Smoothing_sweeps_2 treat(m_domain, mesh.triangulation, bubbles, team);
     std::vector<Index> moved;
-    if constexpr (Team::is_collective)
+    if (team.is_collective())
       moved = treat();
     else
       m_agreement.reach_after([&] { moved = treat(); });
@@ -291,13 +290,12 @@ private:
 };
 
 /// `keep_the_better()` by ranks: given bubbles whose mesh is better than what was made of them are treated instead.
-template <class Cdt, class Sizing>
-void keep_the_better_of_all(const Domain_reading_2<Cdt>& reading, const Sizing& sizing, const Numbered_bubbles_2& points,
-                            bool may_operate, const Communicator& comm, Agreement& agreement,
+inline void keep_the_better_of_all(const Problem_2& problem, const Numbered_bubbles_2& points, bool may_operate,
+                                   const Communicator& comm, Agreement& agreement,
                             Sparse_exchange& exchange, Distributed_mesh_2& mesh, Treatment_counts& counts)
 {
-  const Placed_part_2 given = given_bubbles_distributed(comm, exchange, agreement, reading, sizing, points);
-  const Distributed_treatment_2 treat(reading.domain, given.partition, comm, agreement, exchange);
+  const Placed_part_2 given = given_bubbles_distributed(comm, exchange, agreement, problem, points);
+  const Distributed_treatment_2 treat(problem.domain, given.partition, comm, agreement, exchange);
   const std::int64_t before = comm.sum(static_cast<std::int64_t>(given.bubbles.size()));
   if (!is_about_as_many(static_cast<std::size_t>(before), static_cast<std::size_t>(treat.number_of_bubbles(mesh))))
     return;
@@ -310,21 +308,20 @@ void keep_the_better_of_all(const Domain_reading_2<Cdt>& reading, const Sizing& 
 
 /// Collective. The triangulation of the simulated bubbles of all ranks, as `make_mesh()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
-template <class Cdt, class Sizing, class Report>
-Distributed_mesh_2 treat_distributed(const Domain_reading_2<Cdt>& reading, const Sizing& sizing,
-                                     const Relaxation_options& options, const Numbered_bubbles_2& points,
-                                     const Placed_part_2& part, const Communicator& comm, Agreement& agreement,
-                                     Sparse_exchange& exchange, Report& report)
+inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Numbered_bubbles_2& points,
+                                            const Placed_part_2& part, const Communicator& comm, Agreement& agreement,
+                                            Sparse_exchange& exchange, Report& report)
 {
+  const Relaxation_options& options = problem.options;
   const Phase_timer timer(report.seconds.treatment);
-  const Distributed_treatment_2 treat(reading.domain, part.partition, comm, agreement, exchange);
+  const Distributed_treatment_2 treat(problem.domain, part.partition, comm, agreement, exchange);
   Distributed_mesh_2 mesh = treat.triangulate(part.bubbles);
   if (!is_treatment_due(options, report))
     return mesh;
   const bool may_operate = options.population != Bubble_population::NONE;
   Treatment_counts counts = treat(mesh, may_operate);
   if (keeps_given_bubbles(options))
-    keep_the_better_of_all(reading, sizing, points, may_operate, comm, agreement, exchange, mesh, counts);
+    keep_the_better_of_all(problem, points, may_operate, comm, agreement, exchange, mesh, counts);
   counts.add_to(report);
   return mesh;
 }

@@ -11,9 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_domain.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/with_same_sizing_field.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
@@ -25,6 +23,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 
 #include <CGAL/Bubble_relaxation_enums.h>
@@ -42,8 +41,7 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Collective. Makes of what each rank did in the simulation what all did together.
-template <class Report>
-void add_up_report(const Communicator& comm, Report& report)
+inline void add_up_report(const Communicator& comm, Report& report)
 {
   const std::array<std::size_t*, 4> counts{&report.number_of_moves, &report.number_of_insertions,
                                            &report.number_of_deletions, &report.number_of_returns};
@@ -57,8 +55,7 @@ void add_up_report(const Communicator& comm, Report& report)
 }
 
 /// Collective. Each phase takes as long as on the slowest rank.
-template <class Seconds>
-void find_slowest(const Communicator& comm, Seconds& s)
+inline void find_slowest(const Communicator& comm, Bubble_relaxation_seconds& s)
 {
   const std::array<double*, 8> phases{&s.reading,    &s.placement, &s.renewal, &s.motion,
                                       &s.population, &s.treatment, &s.writing, &s.evaluation};
@@ -84,7 +81,7 @@ struct Relaxed_part_2
 };
 
 /// Collective. What `Distributed::npbs_relax()` and `Distributed::npbs_mesh()` have in common: all but what they
-/// return, which `write(part, sizing, report)` prepares by all ranks. If it throws, it throws on all.
+/// return, which `write(part, sizes, report)` prepares by all ranks. If it throws, it throws on all.
 template <class PointSet, class CDT, class NamedParameters, class Write>
 auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const NamedParameters& np, const Write& write)
 {
@@ -92,45 +89,41 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   Agreement agreement(ranks);
   Sparse_exchange exchange(ranks);
 
-  Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type> report;
+  Report report;
   Phase_timer reading_time(report.seconds.reading);
-  const Relaxation_options options = read_same_options(np, ranks, agreement);
-  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value, options);
-  Progress progress(options.callback, options.number_of_rounds);
-  const Same_domain_2<CDT> same = read_same_domain(domain, np, ranks, agreement);
-  const Domain_reading_2<CDT>& reading = *same.reading;
-  check_same_vertices(ranks, reading);
-  with_same_sizing_field(domain, np, same, options, ranks, agreement, [&](const auto& sizing, const auto& wanted) {
-    Numbered_bubbles_2 given;
-    agreement.reach_after([&] { given = read_bubbles(points, reading.domain, sizing); });
-    reading_time.stop();
-
-    const Placed_part_2 part = simulate_distributed(ranks, exchange, agreement, domain, reading, sizing, options,
-                                                    progress, report, given);
-    agreement.reach(); // the callback may have thrown, or d after the last step
-    add_up_report(ranks, report);
-    if (report.stop_reason == Bubble_stop_reason::STOPPED_BY_CALLBACK)
-      return;
-    Distributed_mesh_2 mesh = treat_distributed(reading, sizing, options, given, part, ranks, agreement, exchange,
-                                                report);
-    evaluate_distributed(mesh, wanted, ranks, agreement, report);
-
+  const auto input = read_same_input(domain, np, ranks, agreement);
+  const Domain_2& read_domain = input->reading.domain;
+  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value,
+                     input->options);
+  Numbered_bubbles_2 given;
+  agreement.reach_after([&] { given = read_bubbles(points, read_domain, input->sizes); });
+  Problem_2 problem = input->problem();
+  problem.sizes = agreed_sizes(input->sizes, agreement, Hilbert_curve_2(read_domain.bbox()).side());
+  reading_time.stop();
+  Progress progress(input->options.callback, input->options.number_of_rounds);
+  const Placed_part_2 part = simulate_distributed(ranks, exchange, agreement, problem, progress, report, given);
+  agreement.reach(); // the callback may have thrown, or d after the last step
+  add_up_report(ranks, report);
+  if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK) {
+    Distributed_mesh_2 mesh = treat_distributed(problem, given, part, ranks, agreement, exchange, report);
+    evaluate_distributed(mesh, input->wanted, ranks, agreement, report);
     const Phase_timer writing_time(report.seconds.writing);
     Point_replacement_2<PointSet> replacement(points);
     Numbered_bubbles_2 bubbles;
     agreement.reach_after([&] {
-      ask_own_sizes(mesh, ranks.rank(), sizing);
+      ask_own_sizes(mesh, ranks.rank(), input->sizes);
       bubbles = own_bubbles(mesh, ranks.rank());
     });
-    write(Relaxed_part_2{mesh, bubbles, part.partition, options, ranks, agreement, exchange}, sizing, report);
+    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks, agreement, exchange}, input->sizes,
+          report);
     agreement.reach_after([&] {
       replacement.prepare(bubbles);
       progress.report(1);
     });
     replacement.finish(); // nothing can fail on any rank from here on
-  });
+  }
   find_slowest(ranks, report.seconds);
-  return report;
+  return Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type>(report);
 }
 
 } // namespace internal

@@ -6,10 +6,10 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_MESH_SURROUNDINGS_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_MESH_SURROUNDINGS_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_GIVEN_MESH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_GIVEN_MESH_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <cmath>
 #include <cstddef>
@@ -48,8 +48,17 @@ inline Mesh_surroundings_2 mesh_surroundings(const Point& p, const std::vector<P
   return Mesh_surroundings_2{sum / static_cast<double>(ring.size()), direction};
 }
 
+/// What a triangulation had inside of its domain before, as far as its vertices are no corners.
+struct Given_mesh_2
+{
+  std::vector<Point> pinned;
+  std::vector<std::vector<Point>> on_edge; ///< those that split an edge of the domain, from source to target
+  std::vector<Point> free;                 ///< along the curve
+  std::vector<Mesh_surroundings_2> around; ///< of the free ones, if that was asked for
+};
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_MESH_SURROUNDINGS_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_GIVEN_MESH_2_H

@@ -6,20 +6,16 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_DOMAIN_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_DOMAIN_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_HASH_OF_DOMAIN_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_HASH_OF_DOMAIN_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
-#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -77,51 +73,22 @@ inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
   check_same(comm, hash_of(domain), "the domain");
 }
 
-/// what all ranks have read from the same domain
-template <class Cdt>
-struct Same_domain_2
-{
-  std::unique_ptr<Domain_marks_2<Cdt>> is_inside;
-  std::unique_ptr<Domain_reading_2<Cdt>> reading;
-};
-
-/// Collective. Reads the domain with what the user pinned.
-/// \throws std::invalid_argument on all ranks if one has no domain, telling which, or if they are not the same
-template <class Cdt, class NamedParameters>
-Same_domain_2<Cdt> read_same_domain(const Cdt& cdt, const NamedParameters& np, const Communicator& comm,
-                                    Agreement& agreement)
-{
-  Same_domain_2<Cdt> result;
-  agreement.reach_after([&] {
-    try {
-      result.is_inside = std::make_unique<Domain_marks_2<Cdt>>(cdt, np);
-      result.reading = read_domain(cdt, np, *result.is_inside);
-    } catch (const std::invalid_argument& e) {
-      throw std::invalid_argument(std::string(e.what()) + " (on rank " + std::to_string(comm.rank()) + ")");
-    }
-  });
-  check_same_domain(comm, result.reading->domain);
-  return result;
-}
-
 /// Collective. \throws std::invalid_argument on all ranks if vertices in the domain, or on its edges, are not the
 /// same on all
-template <class Cdt>
-void check_same_vertices(const Communicator& comm, const Domain_reading_2<Cdt>& reading)
+inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& given)
 {
   Hash_of_numbers hash;
-  const auto add = [&hash](const std::vector<typename Cdt::Vertex_handle>& vertices) {
-    hash.add(vertices.size());
-    for (const auto v : vertices) {
-      const Point p = Constraint_graph_2<Cdt>::to_point(v);
+  const auto add = [&hash](const std::vector<Point>& points) {
+    hash.add(points.size());
+    for (const Point& p : points) {
       hash.add(p.x());
       hash.add(p.y());
     }
   };
-  add(reading.pinned);
-  add(reading.free);
-  for (const auto& chain : reading.graph->chains())
-    add(chain.splits);
+  add(given.pinned);
+  add(given.free);
+  for (const std::vector<Point>& points : given.on_edge)
+    add(points);
   if (comm.smallest(hash.value()) == comm.largest(hash.value()))
     return;
   comm.all_throw();
@@ -133,4 +100,4 @@ void check_same_vertices(const Communicator& comm, const Domain_reading_2<Cdt>& 
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_DOMAIN_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_HASH_OF_DOMAIN_H

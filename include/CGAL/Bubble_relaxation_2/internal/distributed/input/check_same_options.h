@@ -6,12 +6,11 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_OPTIONS_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_OPTIONS_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_CHECK_SAME_OPTIONS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_CHECK_SAME_OPTIONS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 
@@ -20,8 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <functional>
-#include <stdexcept>
 #include <string>
 
 namespace CGAL {
@@ -98,33 +95,8 @@ inline void check_same_options(const Communicator& comm, const Relaxation_option
     parameter_value("exchange_interval", o.exchange_interval)});
 }
 
-/// What the user's callback throws on one rank stops all. It is kept until all ranks can throw it.
-inline std::function<bool(double)> agreed_callback(const std::function<bool(double)>& callback, Agreement& agreement)
-{
-  if (!callback)
-    return callback;
-  return [callback, &agreement](double progress) {
-    bool goes_on = false;
-    agreement.keep([&] { goes_on = callback(progress); });
-    return goes_on;
-  };
-}
-
-/// Collective. Reads the named parameters that steer the simulation.
-/// \throws std::invalid_argument on all ranks if one is out of its range on any rank, is not the same on all, or is
-/// for one rank only
-template <class NamedParameters>
-Relaxation_options read_same_options(const NamedParameters& np, const Communicator& comm, Agreement& agreement)
-{
-  Relaxation_options options;
-  agreement.reach_after([&] { options = read_options(np); });
-  check_same_options(comm, options);
-  agreement.reach_after([&] { options.callback = agreed_callback(options.callback, agreement); });
-  return options;
-}
-
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_OPTIONS_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_CHECK_SAME_OPTIONS_H

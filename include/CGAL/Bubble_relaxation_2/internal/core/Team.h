@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_TEAM_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_TEAM_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/order_independent.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+template <class FT_>
+struct Bubble_relaxation_report_2;
+
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+class Crystal_2;
+class Domain_2;
+class Editable_triangulation_2;
+class Greedy_choice_2;
+class Greedy_coloring_2;
+class Neighbor_sets_2;
+class Simulation_2;
+class Undo_log_2;
+struct Growth_proposal_2;
+struct Growth_proposer;
+struct Marked_triangulation_2;
+
+/// what the stages tell of what they did, for the user
+using Report = Bubble_relaxation_report_2<double>;
+
+/// a place where a bubble is missing
+struct Hole_2
+{
+  double rank; ///< the one with the least is filled first
+  double x, y, d;
+  Index triangle; ///< of the domain
+};
+
+/// a bubble on a corner or on an edge of the domain
+struct Outline_bubble_2
+{
+  double x, y, d, s;
+  Index index; ///< `no_index` if this rank does not know it
+};
+
+/// all bubbles on the outline of the domain
+struct Outline_bubbles_2
+{
+  std::vector<std::vector<Outline_bubble_2>> on_edge; ///< from source to target
+  std::vector<Outline_bubble_2> on_corner;
+};
+
+/// what all ranks together have to know after a step
+struct Step_sums
+{
+  std::size_t restless; ///< bubbles that moved more than the tolerance
+  std::size_t outrun;   ///< bubbles that have used up their skin
+};
+
+/// how much of a disc belongs to a rank
+enum class Share_of_disc { NONE, SOME, ALL };
+
+/// The contract between the stages and the ranks that go through them together, each with its own part of the domain:
+/// what a stage asks for, or tells, wherever that is more than what this rank has. A program without ranks is a team of
+/// one, for whom all this is nothing to do; so a stage has one flow of control, whoever runs it. Ranks override what
+/// concerns the stage at hand, and all of them call the same members in the same order.
+class Team
+{
+public:
+  virtual ~Team() = default;
+
+  /// \name All Stages
+  /// @{
+
+  virtual bool is_alone() const { return true; }
+
+  /// whether it holds on any rank
+  virtual bool any(bool here) const { return here; }
+
+  virtual double smallest(double value) const { return value; } ///< of all ranks
+  virtual double largest(double value) const { return value; }  ///< of all ranks
+
+  /// whether a bubble that comes in there belongs to this rank
+  virtual bool owns_place(const Point&) const { return true; }
+
+  /// Keeps the holes at places of ours, adds those that others found there, and after these those of others that
+  /// are nearer than `reach` times the mean size; returns how many are ours.
+  virtual std::size_t share_holes(std::vector<Hole_2>& holes, double /* reach */) { return holes.size(); }
+
+  /// a choice among holes, or among places that are proposed, becomes that of all ranks
+  virtual void agree_on(Greedy_choice_2&) {}
+
+  /// @}
+  /// \name Placement
+  /// @{
+
+  virtual Share_of_disc share_of(const Point&, double /* radius */) const { return Share_of_disc::ALL; }
+
+  /// divides the domain by bubbles that are some times as large, which all ranks have
+  virtual void divide(const Domain_2&, const Bubbles_2& /* large */) {}
+
+  /// how many of so many bubbles come to this rank, about
+  virtual std::size_t part_of(double number) const { return static_cast<std::size_t>(number); }
+
+  /// The crystal has its first bubbles, which all ranks have or which were given to the team; so many will come.
+  virtual void start_growth(Crystal_2&, std::size_t /* expected */) {}
+
+  /// adds bubbles that this rank has to know of, though they are not new
+  virtual void catch_up(Crystal_2&, std::vector<Growth_proposal_2>&) {}
+
+  /// The smallest key of all fronts; with it the next generation begins.
+  virtual double start_generation(double key) { return key; }
+
+  /// a generation leaves the front
+  virtual void take(const std::vector<Growth_proposer>&) {}
+
+  /// whether this rank says what becomes of a bubble of the crystal
+  virtual bool owns(Index) const { return true; }
+
+  /// adds what others propose and might be in the way of ours
+  virtual void share_proposals(std::vector<Growth_proposal_2>&) {}
+
+  /// keeps of the new bubbles those that this rank has to know, and adds such of others
+  virtual void exchange_new(std::vector<Growth_proposal_2>&) {}
+
+  /// adds bubbles of others, older ones too, that the new ones need around them
+  virtual void complete(Crystal_2&, std::vector<Growth_proposal_2>&) {}
+
+  /// puts in the places of new bubbles that others own
+  virtual void share_settled(std::vector<Point>&) {}
+
+  /// a bubble becomes one of the front
+  virtual void enter_front(const Crystal_2&, Index, double /* key */) {}
+
+  /// @}
+  /// \name Simulation
+  /// @{
+
+  /// brings a simulation to where it was interrupted, if it was; returns how many rounds it had until then
+  virtual std::size_t resume(Simulation_2&, Bubbles_2&, Report&) { return 0; }
+
+  /// looks for the bubbles of other ranks around ours before the first step
+  virtual void surround(Simulation_2&, Bubbles_2&) {}
+
+  /// whether no rank wants to stop
+  virtual bool goes_on(bool here) const { return here; }
+
+  /// whether bubbles have gone so far that those of other ranks around them are to be looked for anew
+  virtual bool is_outgrown() const { return false; }
+  virtual void surround_anew(Simulation_2&, Bubbles_2&) {} ///< looks for them
+
+  virtual std::size_t number_of_all(const Bubbles_2& bubbles) const { return bubbles.size(); } ///< of all ranks
+
+  /// completes the neighbour sets of bubbles that other ranks own
+  virtual void share_sets(const Bubbles_2&, Neighbor_sets_2&) {}
+
+  /// begins to tell other ranks where bubbles are within a step
+  virtual void send_positions(const Neighbor_sets_2&, const std::vector<double>& /* x */,
+                              const std::vector<double>& /* y */)
+  {}
+
+  /// puts in where theirs are
+  virtual void receive_positions(std::vector<double>& /* x */, std::vector<double>& /* y */) {}
+
+  /// whether another rank has to know where a bubble is
+  virtual bool is_at_border(Index) const { return false; }
+
+  /// begins to tell other ranks of the bubbles at the border that were active, and whether they move
+  virtual void send_moves(const Bubbles_2&, const std::vector<Index>& /* active */,
+                          const std::vector<char>& /* is_moving */)
+  {}
+
+  /// takes over what others told: returns their bubbles that were active, and adds whether they move
+  virtual const std::vector<Index>& receive_moves(Bubbles_2&, const std::vector<Index>& /* active */,
+                                                  std::vector<char>& /* is_moving */)
+  {
+    return m_none;
+  }
+
+  /// over all ranks
+  virtual Step_sums sum(const Step_sums& sums) { return sums; }
+
+  /// after the last step of a round
+  virtual void end_steps(Simulation_2&, Bubbles_2&) {}
+
+  /// looks for bubbles of other ranks on the other side of holes that are wider than all is known
+  virtual void look_across_holes(Simulation_2&, Bubbles_2&) {}
+
+  /// tells other ranks of the bubbles from `first` on, which are new, and adds those of others
+  virtual void share_new(Simulation_2&, Bubbles_2&, Index /* first */) {}
+
+  /// keeps where the simulation is now, after a round and its change of the population
+  virtual void end_round(const Simulation_2&, const Bubbles_2&, Report&) {}
+
+  /// @}
+  /// \name Population
+  /// @{
+
+  /// who controls the population together
+  virtual Team& population() { return *this; }
+
+  /// adds bubbles of others that may have moved
+  virtual std::vector<Index> share_touched(const Bubbles_2&, std::vector<Index> touched) { return touched; }
+
+  /// adds triangles that others found around bubbles of ours; what we do not know of their corners is `no_index`
+  virtual void share_triangles(const Bubbles_2&, std::vector<std::array<Index, 3>>&) {}
+
+  /// Puts in the values of bubbles that others own; returns whether any rank got one that it did not have.
+  virtual bool share(std::vector<char>&) { return false; }
+  virtual bool share(std::vector<double>&) { return false; } ///< the same
+
+  /// the bubbles on the outline become those of all ranks
+  virtual void share_outline(const Domain_2&, const Bubbles_2&, Outline_bubbles_2&) const {}
+
+  /// gives new bubbles their numbers
+  virtual void number(Bubbles_2&) {}
+
+  /// @}
+  /// \name Treatment
+  /// @{
+
+  /// whether any rank has vertices to treat, and all know enough to go on
+  virtual bool goes_on_treating(bool here) { return here; }
+
+  /// makes the colours of candidates what they are if those of other ranks are coloured with them
+  virtual void share_colors(const Editable_triangulation_2&, const std::vector<Index>& /* candidates */,
+                            Greedy_coloring_2&)
+  {}
+
+  /// the largest number of colours of all ranks
+  virtual std::size_t largest_number(std::size_t here) const { return here; }
+
+  /// tells other ranks of vertices that were moved, and moves theirs, which the log is told of
+  virtual void share_moved(Marked_triangulation_2&, Bubbles_2&, const std::vector<Index>& /* moved */, Undo_log_2&) {}
+
+  /// makes the mesh around the vertices of other ranks what it is after their moves
+  virtual void restore_border(Editable_triangulation_2&) {}
+
+  /// adds the neighbours of vertices that other ranks moved in this sweep
+  virtual void add_neighbors_of_others(const Editable_triangulation_2&, const Bubbles_2&, std::vector<Index>&) {}
+
+  /// @}
+  /// \name Statistics
+  /// @{
+
+  /// adds up counts of all ranks, so many
+  virtual void add_up(std::size_t* /* counts */, std::size_t) const {}
+
+  /// The values that sorting those of all ranks would bring to some positions, which do not decrease.
+  /// \pre none is negative
+  virtual std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions) const
+  {
+    return internal::sorted_at(values, positions);
+  }
+
+  /// @}
+
+private:
+  const std::vector<Index> m_none;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_TEAM_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_INPUT_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_INPUT_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// whether the user pinned a vertex, as a function object
+template <class Cdt, class NamedParameters>
+auto is_pinned(const NamedParameters& np)
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  const auto pinned = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_is_constrained),
+    Static_boolean_property_map<Vertex_handle, false>());
+  return [pinned](Vertex_handle v) { return static_cast<bool>(get(pinned, v)); };
+}
+
+/// The sizes that the user wants: the sizing function, checked, or by default those of the mesh that is there, or else
+/// what the outline asks for.
+template <class Cdt, class NamedParameters>
+Sizes_2 wanted_sizes(const Cdt& cdt, const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
+                     const Domain_reading_2<Cdt>& reading)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
+    using Point_2 = typename Cdt::Geom_traits::Point_2;
+    return Sizes_2(
+      checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
+  } else if (reading.free.empty()) { // no mesh yet
+    return sizes_of_outline(reading.domain, reading.given);
+  } else {
+    return Sizes_2(mean_edge_length_field(cdt, marks));
+  }
+}
+
+/// Counts the bubbles that wanted sizes ask for, and limits them by the outline as far as the user leaves them to that.
+/// \throws std::length_error if they ask for too many bubbles
+template <class NamedParameters>
+Sizes_2 sizes_to_follow(const Domain_2& domain, const Given_mesh_2& given, Sizes_2 wanted,
+                        const Relaxation_options& options)
+{
+  count_bubbles(domain, options.maximum_number_of_bubbles, "the domain and the sizing function", wanted);
+  if (Is_given<NamedParameters, internal_np::sizing_function_t>::value && options.limit_by_outline)
+    return limited_by_outline(domain, given, wanted, options.maximum_number_of_bubbles);
+  return wanted;
+}
+
+/// What all entry points begin with. It refers to the user's triangulation and parameters.
+template <class Cdt>
+struct Input_2
+{
+  Relaxation_options options;
+  Domain_marks_2<Cdt> marks;
+  Domain_reading_2<Cdt> reading;
+  Sizes_2 wanted; ///< by the user
+  Sizes_2 sizes;  ///< that the simulation follows
+
+  template <class NamedParameters>
+  Input_2(const Cdt& cdt, const NamedParameters& np)
+    : options(read_options(np)), marks(cdt, np), reading(cdt, marks, is_pinned<Cdt>(np)),
+      wanted(wanted_sizes(cdt, np, marks, reading)),
+      sizes(sizes_to_follow<NamedParameters>(reading.domain, reading.given, wanted, options))
+  {
+    options.threads = threads_of<Concurrency<NamedParameters>>();
+    if (!options.placement_is_given) // then what fits of a mesh is kept
+      reading.look_around(cdt, 0, reading.free.size());
+  }
+
+  Problem_2 problem() const { return Problem_2{reading.domain, reading.given, options, wanted, sizes}; }
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_INPUT_H
