@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_EXAMPLES_LOG_LOG_PLOT_H
 #define BUBBLE_RELAXATION_2_EXAMPLES_LOG_LOG_PLOT_H
 
-#include "write_svg.h"
+#include "svg_picture.h"
 
 #include <algorithm>
 #include <cmath>
