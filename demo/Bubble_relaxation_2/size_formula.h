@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_SIZE_FORMULA_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_SIZE_FORMULA_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_SIZE_FORMULA_H
+#define BUBBLE_RELAXATION_2_DEMO_SIZE_FORMULA_H
 
 #include <muParser.h>
 
@@ -97,4 +97,4 @@ private:
   std::shared_ptr<const std::string> m_text;
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_SIZE_FORMULA_H
+#endif // BUBBLE_RELAXATION_2_DEMO_SIZE_FORMULA_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_CORNER_SOLVERS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_CORNER_SOLVERS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_CORNER_SOLVERS_H
+#define BUBBLE_RELAXATION_2_DEMO_CORNER_SOLVERS_H
 
 #include "adaptive_solution.h"
 #include "corner_singularity.h"
@@ -62,4 +62,4 @@ Solved by_element_free_galerkin(const CDT& cdt, const Triangle_arrays<CDT>& mesh
   }};
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_CORNER_SOLVERS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_CORNER_SOLVERS_H

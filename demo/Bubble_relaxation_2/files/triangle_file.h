@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_TRIANGLE_FILE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_TRIANGLE_FILE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_TRIANGLE_FILE_H
+#define BUBBLE_RELAXATION_2_DEMO_TRIANGLE_FILE_H
 
 #include "domain.h"
 #include "file_names.h"
@@ -293,4 +293,4 @@ inline Domain read_triangle_mesh(const std::string& name)
   return domain;
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_TRIANGLE_FILE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_TRIANGLE_FILE_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_MPI_SESSION_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_MPI_SESSION_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_MPI_SESSION_H
+#define BUBBLE_RELAXATION_2_DEMO_MPI_SESSION_H
 
 #include <mpi.h>
 
@@ -94,4 +94,4 @@ int run_with_mpi(int& argc, char**& argv, const char* program, const Run& run)
   }
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_MPI_SESSION_H
+#endif // BUBBLE_RELAXATION_2_DEMO_MPI_SESSION_H

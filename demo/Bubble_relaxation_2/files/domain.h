@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_DOMAIN_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_DOMAIN_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_DOMAIN_H
+#define BUBBLE_RELAXATION_2_DEMO_DOMAIN_H
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -195,4 +195,4 @@ inline void pin_lonely_points(Domain& domain)
       domain.pinned.insert(v);
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_DOMAIN_H
+#endif // BUBBLE_RELAXATION_2_DEMO_DOMAIN_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_ERROR_NORMS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_ERROR_NORMS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_ERROR_NORMS_H
+#define BUBBLE_RELAXATION_2_DEMO_ERROR_NORMS_H
 
 #include "linear_finite_elements.h"
 
@@ -133,4 +133,4 @@ Error_norms error_of_linear_elements(const Triangle_arrays<CDT>& mesh, const Eig
   });
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_ERROR_NORMS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_ERROR_NORMS_H

@@ -6,11 +6,11 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_LOOSE_ENDS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_LOOSE_ENDS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_LOOSE_ENDS_H
+#define BUBBLE_RELAXATION_2_DEMO_LOOSE_ENDS_H
 
 #include "bad_triangles.h"
-#include "domain.h"
+#include "files/domain.h"
 
 #include <algorithm>
 #include <string>
@@ -43,4 +43,4 @@ inline std::string loose_ends_message(const std::vector<Point>& ends)
          " loosely outside of the mesh, such as at " + in_words(ends.front()) + ": is an outline not closed?";
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_LOOSE_ENDS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_LOOSE_ENDS_H

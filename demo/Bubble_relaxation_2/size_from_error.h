@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_SIZE_FROM_ERROR_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_SIZE_FROM_ERROR_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_SIZE_FROM_ERROR_H
+#define BUBBLE_RELAXATION_2_DEMO_SIZE_FROM_ERROR_H
 
 #include "linear_finite_elements.h"
 
@@ -116,4 +116,4 @@ private:
   std::vector<double> m_wanted; ///< the next ones, up to a common factor
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_SIZE_FROM_ERROR_H
+#endif // BUBBLE_RELAXATION_2_DEMO_SIZE_FROM_ERROR_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_ERROR_ESTIMATE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_ERROR_ESTIMATE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_ERROR_ESTIMATE_H
+#define BUBBLE_RELAXATION_2_DEMO_ERROR_ESTIMATE_H
 
 #include "linear_finite_elements.h"
 
@@ -128,4 +128,4 @@ private:
   std::vector<double> m_errors;             // per triangle
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_ERROR_ESTIMATE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_ERROR_ESTIMATE_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_PAPER_DOMAINS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_PAPER_DOMAINS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_PAPER_DOMAINS_H
+#define BUBBLE_RELAXATION_2_DEMO_PAPER_DOMAINS_H
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -182,4 +182,4 @@ inline std::vector<Domain> all_domains(double f)
 
 } // namespace paper
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_PAPER_DOMAINS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_PAPER_DOMAINS_H

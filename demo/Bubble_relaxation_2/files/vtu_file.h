@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_VTU_FILE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_VTU_FILE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_VTU_FILE_H
+#define BUBBLE_RELAXATION_2_DEMO_VTU_FILE_H
 
 #include "mesh_arrays.h"
 
@@ -141,4 +141,4 @@ private:
   const Mesh_arrays& m_mesh;
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_VTU_FILE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_VTU_FILE_H

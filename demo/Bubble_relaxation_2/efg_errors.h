@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_EFG_ERRORS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_EFG_ERRORS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_EFG_ERRORS_H
+#define BUBBLE_RELAXATION_2_DEMO_EFG_ERRORS_H
 
 #include "efg_node_sets.h"
 
@@ -123,4 +123,4 @@ inline void print_row(std::ostream& out, const std::string& name, const Error_sa
 
 } // namespace efg
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_EFG_ERRORS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_EFG_ERRORS_H

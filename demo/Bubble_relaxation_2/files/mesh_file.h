@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_MESH_FILE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_MESH_FILE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_MESH_FILE_H
+#define BUBBLE_RELAXATION_2_DEMO_MESH_FILE_H
 
 #include "file_names.h"
 #include "mesh_arrays.h"
@@ -119,4 +119,4 @@ inline void write_mesh_file(const std::string& name, const Mesh_arrays& mesh)
     });
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_MESH_FILE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_MESH_FILE_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_WKT_FILE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_WKT_FILE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_WKT_FILE_H
+#define BUBBLE_RELAXATION_2_DEMO_WKT_FILE_H
 
 #include "domain.h"
 
@@ -201,4 +201,4 @@ private:
   Domain m_domain;
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_WKT_FILE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_WKT_FILE_H

@@ -6,10 +6,10 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_BAD_TRIANGLES_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_BAD_TRIANGLES_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_BAD_TRIANGLES_H
+#define BUBBLE_RELAXATION_2_DEMO_BAD_TRIANGLES_H
 
-#include "domain.h"
+#include "files/domain.h"
 
 #include <CGAL/radius_ratio_2.h>
 
@@ -129,4 +129,4 @@ private:
   double m_angle = 180, m_smallest_quality = 1;
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_BAD_TRIANGLES_H
+#endif // BUBBLE_RELAXATION_2_DEMO_BAD_TRIANGLES_H

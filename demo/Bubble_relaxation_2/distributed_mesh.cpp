@@ -11,8 +11,8 @@
 // Meshes a domain from a file by several ranks, each of which writes its part:
 //   mpirun -n 4 distributed_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.pvtu
 
-#include "domain_file.h"
-#include "file_names.h"
+#include "files/domain_file.h"
+#include "files/file_names.h"
 #include "mpi_session.h"
 #include "size_formula.h"
 

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_LINEAR_FINITE_ELEMENTS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_LINEAR_FINITE_ELEMENTS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_LINEAR_FINITE_ELEMENTS_H
+#define BUBBLE_RELAXATION_2_DEMO_LINEAR_FINITE_ELEMENTS_H
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/squared_distance_2.h>
@@ -154,4 +154,4 @@ Eigen::VectorXd solve_by_linear_elements(const Triangle_arrays<CDT>& mesh, const
   return u;
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_LINEAR_FINITE_ELEMENTS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_LINEAR_FINITE_ELEMENTS_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_FILE_NAMES_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_FILE_NAMES_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_FILE_NAMES_H
+#define BUBBLE_RELAXATION_2_DEMO_FILE_NAMES_H
 
 #include <algorithm>
 #include <cctype>
@@ -78,4 +78,4 @@ void write_file(const std::string& name, const Write& write)
     throw_not_written(name);
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_FILE_NAMES_H
+#endif // BUBBLE_RELAXATION_2_DEMO_FILE_NAMES_H

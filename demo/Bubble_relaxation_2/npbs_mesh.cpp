@@ -12,10 +12,10 @@
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
 #include "bad_triangles.h"
-#include "domain_file.h"
-#include "file_names.h"
+#include "files/domain_file.h"
+#include "files/file_names.h"
 #include "loose_ends.h"
-#include "mesh_file.h"
+#include "files/mesh_file.h"
 #include "size_formula.h"
 #include "svg_picture.h"
 

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_DOMAIN_FILE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_DOMAIN_FILE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_DOMAIN_FILE_H
+#define BUBBLE_RELAXATION_2_DEMO_DOMAIN_FILE_H
 
 #include "domain.h"
 #include "file_names.h"
@@ -55,4 +55,4 @@ inline Domain read_domain_file(const std::string& name, const std::string& forma
   }
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_DOMAIN_FILE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_DOMAIN_FILE_H

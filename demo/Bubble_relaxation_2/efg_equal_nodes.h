@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_EFG_EQUAL_NODES_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_EFG_EQUAL_NODES_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_EFG_EQUAL_NODES_H
+#define BUBBLE_RELAXATION_2_DEMO_EFG_EQUAL_NODES_H
 
 #include "efg_node_sets.h"
 
@@ -167,4 +167,4 @@ inline CDT square_mesh(std::size_t n)
 
 } // namespace efg
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_EFG_EQUAL_NODES_H
+#endif // BUBBLE_RELAXATION_2_DEMO_EFG_EQUAL_NODES_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_ADAPTIVE_SOLUTION_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_ADAPTIVE_SOLUTION_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_ADAPTIVE_SOLUTION_H
+#define BUBBLE_RELAXATION_2_DEMO_ADAPTIVE_SOLUTION_H
 
 #include "error_estimate.h"
 #include "error_norms.h"
@@ -167,4 +167,4 @@ private:
   Adaptive_step m_step; ///< the one that is under way
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_ADAPTIVE_SOLUTION_H
+#endif // BUBBLE_RELAXATION_2_DEMO_ADAPTIVE_SOLUTION_H

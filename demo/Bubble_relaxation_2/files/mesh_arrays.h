@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_MESH_ARRAYS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_MESH_ARRAYS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_MESH_ARRAYS_H
+#define BUBBLE_RELAXATION_2_DEMO_MESH_ARRAYS_H
 
 #include "domain.h"
 
@@ -178,4 +178,4 @@ inline Mesh_arrays make_mesh_arrays(const Domain& domain, const Segment_markers&
   return mesh;
 }
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_MESH_ARRAYS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_MESH_ARRAYS_H

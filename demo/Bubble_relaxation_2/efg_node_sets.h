@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_EFG_NODE_SETS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_EFG_NODE_SETS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_EFG_NODE_SETS_H
+#define BUBBLE_RELAXATION_2_DEMO_EFG_NODE_SETS_H
 
 #include "paper_domains.h"
 
@@ -167,4 +167,4 @@ inline Nodes grid_nodes(int on_a_side)
 
 } // namespace efg
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_EFG_NODE_SETS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_EFG_NODE_SETS_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_EFG_CONVERGENCE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_EFG_CONVERGENCE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_EFG_CONVERGENCE_H
+#define BUBBLE_RELAXATION_2_DEMO_EFG_CONVERGENCE_H
 
 #include "efg_errors.h"
 #include "log_log_plot.h"
@@ -105,4 +105,4 @@ inline void show_convergence(int levels)
 
 } // namespace efg
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_EFG_CONVERGENCE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_EFG_CONVERGENCE_H

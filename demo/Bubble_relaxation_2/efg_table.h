@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_EFG_TABLE_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_EFG_TABLE_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_EFG_TABLE_H
+#define BUBBLE_RELAXATION_2_DEMO_EFG_TABLE_H
 
 #include "efg_errors.h"
 
@@ -191,4 +191,4 @@ inline void show_other_seeds(std::size_t seeds)
 
 } // namespace efg
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_EFG_TABLE_H
+#endif // BUBBLE_RELAXATION_2_DEMO_EFG_TABLE_H

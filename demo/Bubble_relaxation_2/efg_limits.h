@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_EFG_LIMITS_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_EFG_LIMITS_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_EFG_LIMITS_H
+#define BUBBLE_RELAXATION_2_DEMO_EFG_LIMITS_H
 
 #include "efg_node_sets.h"
 
@@ -72,4 +72,4 @@ inline void show_limits(std::size_t seeds)
 
 } // namespace efg
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_EFG_LIMITS_H
+#endif // BUBBLE_RELAXATION_2_DEMO_EFG_LIMITS_H

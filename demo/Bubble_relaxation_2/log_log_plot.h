@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_EXAMPLES_LOG_LOG_PLOT_H
-#define BUBBLE_RELAXATION_2_EXAMPLES_LOG_LOG_PLOT_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_LOG_LOG_PLOT_H
+#define BUBBLE_RELAXATION_2_DEMO_LOG_LOG_PLOT_H
 
 #include "svg_picture.h"
 
@@ -255,4 +255,4 @@ private:
   std::ostringstream m_body;
 };
 
-#endif // BUBBLE_RELAXATION_2_EXAMPLES_LOG_LOG_PLOT_H
+#endif // BUBBLE_RELAXATION_2_DEMO_LOG_LOG_PLOT_H
