@@ -11,11 +11,18 @@
 
 #include "efg_convergence.h"
 #include "efg_equal_nodes.h"
-#include "efg_limits.h"
 #include "efg_table.h"
 #include "svg_picture.h"
 
+#include <CGAL/Influence_domain_2.h>
+#include <CGAL/Moving_least_squares_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <iomanip>
 #include <iostream>
 #include <map>
 #include <set>
@@ -75,6 +82,53 @@ void show_equal_nodes(std::size_t seeds)
   show_equal_nodes("the trunk of Fig. 9", trunk.outlines, mesh, seeds);
 }
 
+/// What a limit of the condition number lets pass.
+struct Limit_effect
+{
+  std::size_t over_the_limit = 0;
+  double largest_sum = 0; ///< of the magnitudes of shape functions, at the other points
+};
+
+/// adds a grid of points in the unit square, among nodes with the paper's radius
+void add_points(const efg::Nodes& nodes, double limit, int on_a_side, Limit_effect& effect)
+{
+  using Influence = CGAL::Influence_domain_2<paper::K>;
+  using Moving_least_squares = CGAL::Moving_least_squares_2<paper::K>;
+  const Influence influence(nodes, 0.15);
+  const Moving_least_squares mls(influence, CGAL::parameters::maximum_condition_number(limit));
+  Moving_least_squares::Shape_functions shapes;
+  for (int i = 0; i < on_a_side; ++i)
+    for (int j = 0; j < on_a_side; ++j) {
+      mls(paper::Point((i + 0.5) / on_a_side, (j + 0.5) / on_a_side), 0, shapes);
+      if (shapes.enlargement > 1) {
+        ++effect.over_the_limit;
+        continue;
+      }
+      double sum = 0;
+      for (double value : shapes.values)
+        sum += std::abs(value);
+      effect.largest_sum = (std::max)(effect.largest_sum, sum);
+    }
+}
+
+/// where the limit of the condition number belongs: twice as many sets of random nodes as asked for
+void show_limits(std::size_t seeds)
+{
+  constexpr int on_a_side = 24;
+  const std::size_t sets = 2 * seeds, points = sets * on_a_side * on_a_side;
+  std::cout << "\nLimits of the condition number: " << sets << " sets of 144 random nodes, radius 0.15, linear basis\n"
+            << "  limit  points over it  largest sum of |shape functions| at the others of " << points << " points\n";
+  for (double limit : {1e3, 1e4, 1e6, 1e8}) {
+    Limit_effect effect;
+    for (std::uint64_t seed = 0; seed < sets; ++seed)
+      add_points(efg::random_nodes(seed, 144), limit, on_a_side, effect);
+    std::cout << std::right << std::setw(7) << limit << std::setw(14) << std::fixed << std::setprecision(2)
+              << 100. * static_cast<double>(effect.over_the_limit) / static_cast<double>(points) << " %"
+              << std::setw(12) << std::setprecision(0) << effect.largest_sum << std::endl
+              << std::defaultfloat << std::setprecision(6);
+  }
+}
+
 using Parts = std::map<std::string, std::function<void(std::size_t seeds)>>;
 
 Parts all_parts()
@@ -83,7 +137,7 @@ Parts all_parts()
           {"random", efg::show_row_a},
           {"settings", efg::show_settings},
           {"others", efg::show_other_seeds},
-          {"limits", efg::show_limits},
+          {"limits", show_limits},
           {"equal", [](std::size_t seeds) { show_equal_nodes(seeds); }},
           {"convergence", [](std::size_t) { efg::show_convergence(4); }},
           {"pictures", [](std::size_t) { draw_figure_17(); }}};

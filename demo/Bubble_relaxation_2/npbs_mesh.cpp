@@ -11,11 +11,10 @@
 // A mesher for the command line:
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
-#include "bad_triangles.h"
 #include "files/domain_file.h"
 #include "files/file_names.h"
-#include "loose_ends.h"
 #include "files/mesh_file.h"
+#include "mesh_warnings.h"
 #include "size_formula.h"
 #include "svg_picture.h"
 

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_DEMO_BAD_TRIANGLES_H
-#define BUBBLE_RELAXATION_2_DEMO_BAD_TRIANGLES_H
+#ifndef BUBBLE_RELAXATION_2_DEMO_MESH_WARNINGS_H
+#define BUBBLE_RELAXATION_2_DEMO_MESH_WARNINGS_H
 
 #include "files/domain.h"
 
@@ -17,6 +17,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// What npbs_mesh warns of when it has made a mesh.
 
 inline double distance(const Point& p, const Point& q) { return std::hypot(q.x() - p.x(), q.y() - p.y()); }
 
@@ -129,4 +134,31 @@ private:
   double m_angle = 180, m_smallest_quality = 1;
 };
 
-#endif // BUBBLE_RELAXATION_2_DEMO_BAD_TRIANGLES_H
+/// Ends of segments where no other segment begins, outside of the mesh. Inside they are cracks; outside, the
+/// outline that they belong to was perhaps meant to be closed, and bounds nothing as it is.
+inline std::vector<Point> loose_ends(const CDT& meshed)
+{
+  std::vector<Point> ends;
+  for (CDT::Vertex_handle v : meshed.finite_vertex_handles()) {
+    int segments = 0;
+    bool is_in_domain = false;
+    CDT::Face_circulator f = meshed.incident_faces(v), begin = f;
+    do {
+      segments += f->is_constrained(CDT::ccw(f->index(v))); // each edge from one of its sides
+      is_in_domain = is_in_domain || f->is_in_domain();
+    } while (++f != begin);
+    if (segments == 1 && !is_in_domain)
+      ends.push_back(v->point());
+  }
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+/// what to say about them
+inline std::string loose_ends_message(const std::vector<Point>& ends)
+{
+  return std::to_string(ends.size()) + (ends.size() == 1 ? " segment ends" : " segments end") +
+         " loosely outside of the mesh, such as at " + in_words(ends.front()) + ": is an outline not closed?";
+}
+
+#endif // BUBBLE_RELAXATION_2_DEMO_MESH_WARNINGS_H
