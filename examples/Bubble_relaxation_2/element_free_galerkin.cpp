@@ -12,7 +12,8 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Element_free_Galerkin_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/npbs_place_nodes.h>
+#include <CGAL/node_set_2.h>
+#include <CGAL/npbs_relax.h>
 
 #include <cmath>
 #include <iostream>
@@ -37,8 +38,9 @@ int main()
   problem.dirichlet = u;
 
   for (double d : {0.1, 0.05, 0.025}) {
-    const auto nodes = CGAL::npbs_place_nodes(cdt, CGAL::parameters::sizing_function(d));
-    const CGAL::Element_free_Galerkin_2<CDT> method(cdt, nodes);
+    CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
+    const auto nodes = CGAL::node_set_2(cdt);
+    const CGAL::Element_free_Galerkin_2<CDT> method(cdt, nodes); // integrates over the triangles
     const auto solution = method.solve(problem);
 
     const auto error = solution.error(u, gradient_of_u);
