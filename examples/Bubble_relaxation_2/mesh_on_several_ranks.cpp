@@ -36,14 +36,14 @@ int main(int argc, char** argv)
   std::vector<Point> hole;
   for (int i = 0; i < 50; ++i)
     hole.push_back(Point(0.5 * std::cos(2 * CGAL_PI * i / 50), 0.5 * std::sin(2 * CGAL_PI * i / 50)));
-  CDT domain;
-  domain.insert_constraint(square.begin(), square.end(), true);
-  domain.insert_constraint(hole.begin(), hole.end(), true);
+  CDT cdt;
+  cdt.insert_constraint(square.begin(), square.end(), true);
+  cdt.insert_constraint(hole.begin(), hole.end(), true);
   const auto d = [](const Point& p) { return std::hypot(p.x(), p.y()) / 8; };
 
   CGAL::Point_set_3<Point, K::Vector_2> points; // gets those of this rank
-  const auto result =
-    CGAL::Distributed::npbs_mesh(points, domain, MPI_COMM_WORLD, CGAL::parameters::sizing_function(d));
+  const auto np = CGAL::parameters::sizing_function(d);
+  const auto result = CGAL::Distributed::npbs_mesh(points, cdt, MPI_COMM_WORLD, np);
   result.mesh.write_pvtu("square_with_hole.pvtu");
 
   if (result.mesh.rank() == 0)
