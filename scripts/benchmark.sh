@@ -25,7 +25,7 @@ if [ "$benchmark" = influence ]; then
   benchmark=influence_search
 fi
 cmake -S . -B build/benchmark -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXATION_2_TESTS=OFF \
-  -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_BENCHMARKS=ON > /dev/null
+  -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF -DBUBBLE_RELAXATION_2_BENCHMARKS=ON > /dev/null
 cmake --build build/benchmark --target "$benchmark"
 mkdir -p output
 cd output

@@ -15,12 +15,12 @@ for example in relax_a_square_with_hole refine_an_existing_mesh node_placement a
   ../release/examples/Bubble_relaxation_2/$example
 done
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe \
-  ../release/examples/Bubble_relaxation_2/distributed_ring
+  ../release/demo/Bubble_relaxation_2/distributed_ring
 figures=$here/doc/Bubble_relaxation_2/fig
-../release/examples/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
-../release/examples/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
-../release/examples/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
-../release/examples/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
+../release/demo/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
+../release/demo/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
+../release/demo/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
+../release/demo/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .

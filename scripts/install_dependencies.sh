@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing of the given packages, on Debian; without arguments, of those that the package,
-# its examples and its tests need:
+# its examples, its demos and its tests need:
 #   install_dependencies.sh [PACKAGE ...]
 set -euo pipefail
 

@@ -10,7 +10,7 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXAT
   { cat build/configure.log; exit 1; }
 cmake --build build/release --target npbs_mesh
 mkdir -p output
-build/release/examples/Bubble_relaxation_2/npbs_mesh examples/Bubble_relaxation_2/data/lake.poly \
+build/release/demo/Bubble_relaxation_2/npbs_mesh demo/Bubble_relaxation_2/data/lake.poly \
   --size "min(0.03, 0.008+0.06*abs(sqrt((x-0.25)^2+(y-0.08)^2)-0.3))" --output output/lake.vtu --picture output/lake.svg
 echo "the mesh:    output/lake.vtu (for ParaView)"
 echo "its picture: output/lake.svg"

@@ -24,7 +24,7 @@ build_and_test test -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1"
 # what reads and writes the most, with sanitizers: without optimisation, since the compiler takes far
 # longer with both
 build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" \
-  -DBUBBLE_RELAXATION_2_SANITIZE=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF \
+  -DBUBBLE_RELAXATION_2_SANITIZE=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF \
   -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(bad_input|domain|write_back|influence_expansion|element_free_galerkin_units)"
 
 # newer versions of CGAL, where they can be had: what meets their triangulations and named parameters, and with
@@ -38,7 +38,7 @@ if [ "$status" -eq 0 ]; then
     tests='named_parameters'
     [ "$version" != "$newest" ] || tests="$tests|write_back|mesh_criteria|place_nodes|parameters_|influence_domain|element_free_galerkin_units"
     build_and_test "cgal-$version" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-      -DBUBBLE_RELAXATION_2_EXAMPLES=OFF \
+      -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF \
       -DCGAL_DIR="$(dirname "$(find "$path" -name CGALConfig.cmake | head -n 1)")" \
       -DBUBBLE_RELAXATION_2_TEST_FILTER="test_($tests)" < /dev/null
   done

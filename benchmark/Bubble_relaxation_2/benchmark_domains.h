@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_BENCHMARK_BENCHMARK_DOMAINS_H
 #define BUBBLE_RELAXATION_2_BENCHMARK_BENCHMARK_DOMAINS_H
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/npbs_relax.h>
 

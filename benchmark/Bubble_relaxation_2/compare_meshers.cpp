@@ -26,7 +26,7 @@
 #include "gmsh_mesher.h"
 #endif
 
-#include "../../examples/Bubble_relaxation_2/file_names.h"
+#include "../../demo/Bubble_relaxation_2/files/file_names.h"
 
 #include <cstdlib>
 #include <exception>

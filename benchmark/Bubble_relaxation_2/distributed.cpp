@@ -18,7 +18,7 @@
 //       bubbles, ghosts, neighbours, messages and bytes of a rank, on 2, 4, 8, 16, 64 of the ranks, whose number may
 //       be larger than that of cores; and from them a model of the efficiency on up to 1e5 ranks
 
-#include "../../examples/Bubble_relaxation_2/mpi_session.h"
+#include "../../demo/Bubble_relaxation_2/mpi_session.h"
 #include "rank_counts.h"
 #include "rank_speed_up.h"
 #include "scaling_model.h"

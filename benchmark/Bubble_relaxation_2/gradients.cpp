@@ -14,7 +14,7 @@
 //   gradients            g = 0.05 to 2
 //   gradients 0.25 0.3   these
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/npbs_relax.h>
 

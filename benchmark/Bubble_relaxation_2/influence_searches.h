@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_BENCHMARK_INFLUENCE_SEARCHES_H
 #define BUBBLE_RELAXATION_2_BENCHMARK_INFLUENCE_SEARCHES_H
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fuzzy_sphere.h>

@@ -12,7 +12,7 @@
 //
 //   sizing_fields [threads]
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/Gradation_limited_sizing_field_2.h>
 #include <CGAL/Interpolated_sizing_field_2.h>

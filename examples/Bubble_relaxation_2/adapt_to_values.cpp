@@ -9,25 +9,32 @@
 // A mesh that follows a solution: sizes at the vertices of a mesh, as an indicator of errors would give them,
 // and the same mesh relaxed with these, several times.
 
-#include "paper_domains.h"
 #include "svg_picture.h"
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interpolated_sizing_field_2.h>
 #include <CGAL/npbs_relax.h>
-
 #include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <string>
+#include <vector>
 
-using paper::CDT;
-using paper::Point;
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_2;
+using Vb = CGAL::Triangulation_vertex_base_2<K>;
+using Fb = CGAL::Delaunay_mesh_face_base_2<K>;
+using CDT =
+  CGAL::Constrained_Delaunay_triangulation_2<K, CGAL::Triangulation_data_structure_2<Vb, Fb>>;
 using Sizes = std::map<CDT::Vertex_handle, double>;
 
 /// a front along a circle, which stands for a solution
-double solution(const Point& p) { return std::tanh(20 * (paper::distance(p, 0.2, 0.1) - 0.7)); }
+double solution(const Point& p) { return std::tanh(20 * (std::hypot(p.x() - 0.2, p.y() - 0.1) - 0.7)); }
 
 /// At each vertex the length at which a linear interpolation misses the solution by `error`: an edge of
 /// length L misses it in its middle by about c L^2, and the largest c around the vertex counts.
@@ -50,7 +57,14 @@ Sizes wanted_sizes(const CDT& cdt, double error, double smallest, double largest
 
 int main()
 {
-  CDT cdt = paper::triangulate(paper::square_with_hole(1));
+  const std::vector<Point> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  std::vector<Point> hole;
+  for (int i = 0; i < 50; ++i)
+    hole.push_back(Point(0.5 * std::cos(2 * CGAL_PI * i / 50), 0.5 * std::sin(2 * CGAL_PI * i / 50)));
+  CDT cdt;
+  cdt.insert_constraint(square.begin(), square.end(), true);
+  cdt.insert_constraint(hole.begin(), hole.end(), true);
+
   Svg_picture picture;
   auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(0.06));
   picture.add_mesh(cdt, "d = 0.06");

@@ -9,26 +9,42 @@
 // The parameters of the simulation: the integrator, its step, mass, damping and force, placement and
 // population control, on the circle of Fig. 10 (eq. 4). One row each, and a picture of the last.
 
-#include "paper_domains.h"
 #include "svg_picture.h"
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/npbs_relax.h>
 
+#include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <vector>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_2;
+using Vb = CGAL::Triangulation_vertex_base_2<K>;
+using Fb = CGAL::Delaunay_mesh_face_base_2<K>;
+using CDT =
+  CGAL::Constrained_Delaunay_triangulation_2<K, CGAL::Triangulation_data_structure_2<Vb, Fb>>;
+
+double d(const Point& p) { return 0.04 * std::abs(std::hypot(p.x(), p.y()) - 0.3) / 0.3 + 0.02; }
 
 int main()
 {
   // all names start from here, so that they can be chained in any order
   namespace P = CGAL::Bubble_relaxation_parameters;
-  const paper::Domain domain = paper::graded_circle(1);
+  std::vector<Point> circle;
+  for (int i = 0; i < 63; ++i)
+    circle.push_back(Point(0.6 * std::cos(2 * CGAL_PI * i / 63), 0.6 * std::sin(2 * CGAL_PI * i / 63)));
   Svg_picture picture;
 
   std::cout << std::setw(44) << std::left << "parameters" << std::right
             << "  vertices  evaluations  mean q  min q\n" << std::fixed << std::setprecision(3);
   const auto run = [&](const char* what, const auto& parameters) {
-    paper::CDT cdt = paper::triangulate(domain);
-    const auto report = CGAL::npbs_relax(cdt, parameters.sizing_function(domain.d));
+    CDT cdt;
+    cdt.insert_constraint(circle.begin(), circle.end(), true);
+    const auto report = CGAL::npbs_relax(cdt, parameters.sizing_function(d));
     std::cout << std::setw(44) << std::left << what << std::right << std::setw(10)
               << report.number_of_vertices << std::setw(13) << report.number_of_force_evaluations
               << std::setw(8) << report.quality.mean_quality() << std::setw(7)

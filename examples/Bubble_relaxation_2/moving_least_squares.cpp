@@ -9,28 +9,47 @@
 // A function from its values at the nodes, without a mesh: the errors of value and gradient for the three bases,
 // as nodes get closer.
 
-#include "paper_domains.h"
-
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Moving_least_squares_2.h>
 #include <CGAL/npbs_place_nodes.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iomanip>
 #include <iostream>
 #include <random>
 #include <vector>
 
-using paper::Point;
-using Influence = CGAL::Influence_domain_2<paper::K>;
-using Mls = CGAL::Moving_least_squares_2<paper::K>;
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_2;
+using CDT = CGAL::Constrained_Delaunay_triangulation_2<K>;
+using Influence = CGAL::Influence_domain_2<K>;
+using Mls = CGAL::Moving_least_squares_2<K>;
 using Basis = CGAL::Moving_least_squares_basis;
 
 double u(const Point& p) { return std::sin(3 * p.x()) * std::exp(p.y()); }
 double u_x(const Point& p) { return 3 * std::cos(3 * p.x()) * std::exp(p.y()); }
 double u_y(const Point& p) { return u(p); }
 
-/// points of the domain between the nodes, the square without the disc
+double distance_from_center(const Point& p) { return std::hypot(p.x(), p.y()); }
+
+/// a square with a round hole, whose edges are as long as d is there
+CDT domain(double f)
+{
+  const int corners = static_cast<int>(std::lround(16 * CGAL_PI / f));
+  const std::vector<Point> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  std::vector<Point> hole;
+  for (int i = 0; i < corners; ++i)
+    hole.push_back(Point(0.5 * std::cos(2 * CGAL_PI * i / corners), 0.5 * std::sin(2 * CGAL_PI * i / corners)));
+  CDT cdt;
+  cdt.insert_constraint(square.begin(), square.end(), true);
+  cdt.insert_constraint(hole.begin(), hole.end(), true);
+  return cdt;
+}
+
+/// points of the domain between the nodes
 std::vector<Point> points_in_domain(std::size_t n)
 {
   std::mt19937 random(1);
@@ -38,7 +57,7 @@ std::vector<Point> points_in_domain(std::size_t n)
   std::vector<Point> points;
   while (points.size() < n) {
     const double x = coordinate(), y = coordinate();
-    if (paper::distance(Point(x, y), 0) > 0.5)
+    if (distance_from_center(Point(x, y)) > 0.5)
       points.push_back(Point(x, y));
   }
   return points;
@@ -51,9 +70,8 @@ int main()
                "            constant basis         linear basis           quadratic basis\n"
                "   nodes    value      gradient    value      gradient    value      gradient   enlarged supports\n";
   for (double f : {1., 0.5, 0.25}) {
-    const paper::Domain domain = paper::square_with_hole(f);
-    const auto nodes = CGAL::npbs_place_nodes(paper::triangulate(domain),
-                                              CGAL::parameters::sizing_function(domain.d));
+    const auto d = [f](const Point& p) { return f * distance_from_center(p) / 8; };
+    const auto nodes = CGAL::npbs_place_nodes(domain(f), CGAL::parameters::sizing_function(d));
     std::vector<double> values;
     for (const Point& p : nodes.points)
       values.push_back(u(p));

@@ -9,18 +9,34 @@
 #ifndef BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
 #define BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H
 
-#include "write_svg.h"
-
 #include <CGAL/Mesh_quality_2.h>
 
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+/// Writes elements of SVG as a picture on a white ground.
+/// \throws std::runtime_error with the name and the system's reason
+inline void write_svg(const std::string& file_name, double width, double height, const std::string& elements)
+{
+  errno = 0;
+  std::ofstream out(file_name);
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height << "\" width=\"" << width
+      << "\" height=\"" << height << "\" font-family=\"sans-serif\">\n"
+      << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      << elements << "</svg>\n";
+  if (!out.flush())
+    throw std::runtime_error(file_name + ": cannot be written: " + std::strerror(errno));
+}
 
 /// A picture of panels side by side: meshes, nodes, bubbles, histograms, parts of ranks.
 class Svg_picture

@@ -8,9 +8,9 @@
 
 // Relaxation in a loop with a solver: sizes from the estimated error of the last solution, on an existing mesh.
 
-#include "../../examples/Bubble_relaxation_2/adaptive_solution.h"
-#include "../../examples/Bubble_relaxation_2/corner_singularity.h"
-#include "../../examples/Bubble_relaxation_2/corner_solvers.h"
+#include "../../demo/Bubble_relaxation_2/adaptive_solution.h"
+#include "../../demo/Bubble_relaxation_2/corner_singularity.h"
+#include "../../demo/Bubble_relaxation_2/corner_solvers.h"
 #include "domains.h"
 #include "validation.h"
 

@@ -8,7 +8,7 @@
 
 // Threads do not change a bit.
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>

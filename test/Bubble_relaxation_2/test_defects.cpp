@@ -8,7 +8,7 @@
 
 // The treatment of the last defects, and sizes that follow the outline where it is finer than d.
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "distributed/bubbles.h"
 #include "domains.h"
 #include "validation.h"

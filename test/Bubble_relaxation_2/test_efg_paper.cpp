@@ -9,7 +9,7 @@
 // The errors of the element-free Galerkin method on the paper's node sets (its Table 1), in the median of some seeds:
 // one set of 144 random nodes may always be a bad one.
 
-#include "../../examples/Bubble_relaxation_2/efg_table.h"
+#include "../../demo/Bubble_relaxation_2/efg_table.h"
 
 #include <gtest/gtest.h>
 

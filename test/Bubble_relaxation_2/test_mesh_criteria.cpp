@@ -8,7 +8,7 @@
 
 // The same d for CGAL's Delaunay refinement, and its mesh as input of the relaxation.
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_mesh_criteria_2.h>

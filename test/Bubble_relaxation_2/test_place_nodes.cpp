@@ -8,7 +8,7 @@
 
 // Nodes and their neighbour sets, and threads.
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>

@@ -9,7 +9,7 @@
 // The paper's domains, meshed with the defaults and with the paper's parameters: invariants, and bounds
 // of quality with a margin to what paper_figures prints.
 
-#include "../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "validation.h"
 
 #include <CGAL/npbs_relax.h>

@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_BUBBLES_H
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_BUBBLES_H
 
-#include "../../../examples/Bubble_relaxation_2/paper_domains.h"
+#include "../../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>

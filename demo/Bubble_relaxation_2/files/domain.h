@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_DEMO_DOMAIN_H
+#define BUBBLE_RELAXATION_2_DEMO_DOMAIN_H
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using CDT = CGAL::Constrained_Delaunay_triangulation_2<
+  Kernel,
+  CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>,
+                                       CGAL::Delaunay_mesh_face_base_2<Kernel>>,
+  CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+/// A point in a region that segments bound, and the number that its triangles get.
+struct Region
+{
+  Point point;
+  double attribute;
+};
+
+/// A domain as files give it.
+struct Domain
+{
+  CDT cdt; ///< its faces are marked, unless the domain is told by nesting
+  std::set<CDT::Vertex_handle> pinned;
+  std::map<Point, int> point_markers;                      ///< those that are not 0
+  std::map<std::pair<Point, Point>, int> segment_markers; ///< of edges of `cdt`, those that are not 0
+  std::vector<Region> regions;
+  std::vector<std::string> warnings; ///< what the user should know, without the name of the file
+};
+
+inline std::string to_string(const Point& p)
+{
+  std::ostringstream text;
+  text << '(' << p.x() << ", " << p.y() << ')';
+  return text.str();
+}
+
+inline std::pair<Point, Point> sorted(const Point& p, const Point& q)
+{
+  return p < q ? std::make_pair(p, q) : std::make_pair(q, p);
+}
+
+/// the end of an edge that is not `v`
+inline CDT::Vertex_handle other_end(const CDT::Edge& e, CDT::Vertex_handle v)
+{
+  const CDT::Vertex_handle a = e.first->vertex(CDT::cw(e.second));
+  return a == v ? e.first->vertex(CDT::ccw(e.second)) : a;
+}
+
+/// the neighbour of `u` on the way to `v`, along constraints
+inline CDT::Vertex_handle next_on_segment(const CDT& cdt, CDT::Vertex_handle u, CDT::Vertex_handle v)
+{
+  CDT::Edge_circulator e = cdt.incident_edges(u), start = e;
+  do {
+    const CDT::Vertex_handle w = other_end(*e, u);
+    if (w == v || (!cdt.is_infinite(w) && cdt.is_constrained(*e) &&
+                   CGAL::collinear(u->point(), w->point(), v->point()) &&
+                   CGAL::collinear_are_ordered_along_line(u->point(), w->point(), v->point())))
+      return w;
+  } while (++e != start);
+  return v;
+}
+
+/// Inserts a segment with its marker.
+/// \throws std::runtime_error if it crosses another one
+inline void insert_segment(Domain& domain, CDT::Vertex_handle u, CDT::Vertex_handle v, int marker = 0)
+{
+  if (u == v)
+    return;
+  try {
+    domain.cdt.insert_constraint(u, v);
+  } catch (const CDT::Intersection_of_constraints_exception&) {
+    throw std::runtime_error("the segment from " + to_string(u->point()) + " to " +
+                             to_string(v->point()) + " crosses another");
+  }
+  while (marker != 0 && u != v) { // vertices on the segment cut it
+    const CDT::Vertex_handle w = next_on_segment(domain.cdt, u, v);
+    domain.segment_markers[sorted(u->point(), w->point())] = marker;
+    u = w;
+  }
+}
+
+/// Calls `visit(f)` for the faces from `f` to the next constraints, as long as it returns that `f` is new.
+template <class Visit>
+void flood(CDT::Face_handle f, const Visit& visit)
+{
+  std::vector<CDT::Face_handle> stack;
+  if (visit(f))
+    stack.push_back(f);
+  while (!stack.empty()) {
+    const CDT::Face_handle g = stack.back();
+    stack.pop_back();
+    for (int i = 0; i < 3; ++i)
+      if (!g->is_constrained(i) && visit(g->neighbor(i)))
+        stack.push_back(g->neighbor(i));
+  }
+}
+
+/// Marks the faces that are reached neither from outside nor from holes.
+inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
+{
+  if (domain.cdt.dimension() < 2)
+    return;
+  CGAL::Unique_hash_map<CDT::Face_handle, bool> is_outside(false), is_hole(false);
+  const auto mark_in = [](auto& map) {
+    return [&map](CDT::Face_handle f) { return !std::exchange(map[f], true); };
+  };
+  flood(domain.cdt.infinite_face(), mark_in(is_outside));
+  for (const Point& hole : holes) {
+    const CDT::Face_handle f = domain.cdt.locate(hole);
+    if (is_outside[f])
+      domain.warnings.push_back("the hole " + to_string(hole) +
+                                " lies outside of all outlines and is none");
+    flood(f, mark_in(is_hole));
+  }
+  bool is_empty = true;
+  for (CDT::Face_handle f : domain.cdt.finite_face_handles()) {
+    f->set_in_domain(!is_outside[f] && !is_hole[f]);
+    is_empty = is_empty && !f->is_in_domain();
+  }
+  if (is_empty)
+    throw std::runtime_error(
+      "no face lies in the domain: the segments close no region, or all regions are holes");
+}
+
+/// the marker of a constrained edge of `domain.cdt`
+inline int segment_marker(const Domain& domain, const Point& p, const Point& q)
+{
+  const auto found = domain.segment_markers.find(sorted(p, q));
+  return found == domain.segment_markers.end() ? 0 : found->second;
+}
+
+inline int point_marker(const Domain& domain, const Point& p)
+{
+  const auto found = domain.point_markers.find(p);
+  return found == domain.point_markers.end() ? 0 : found->second;
+}
+
+/// whether a vertex that only splits a straight line means something: the marker changes there, or it has
+/// one that neither its segments nor its neighbours have
+inline bool is_meant(const Domain& domain, CDT::Vertex_handle v)
+{
+  std::vector<int> segments, neighbors;
+  CDT::Edge_circulator e = domain.cdt.incident_edges(v), start = e;
+  do {
+    if (!domain.cdt.is_constrained(*e))
+      continue;
+    const CDT::Vertex_handle w = other_end(*e, v);
+    segments.push_back(segment_marker(domain, v->point(), w->point()));
+    neighbors.push_back(point_marker(domain, w->point()));
+  } while (++e != start);
+  if (segments.size() != 2)
+    return false;
+  const int marker = point_marker(domain, v->point());
+  const auto is_one_of = [marker](const std::vector<int>& m) { return m[0] == marker || m[1] == marker; };
+  return segments[0] != segments[1] ||
+         (marker != 0 && !is_one_of(segments) && !is_one_of(neighbors));
+}
+
+/// Pins what the relaxation would take away although it carries a marker.
+inline void pin_changes_of_markers(Domain& domain)
+{
+  if (domain.cdt.dimension() < 2 || (domain.point_markers.empty() && domain.segment_markers.empty()))
+    return;
+  for (CDT::Vertex_handle v : domain.cdt.finite_vertex_handles())
+    if (domain.cdt.are_there_incident_constraints(v) && is_meant(domain, v))
+      domain.pinned.insert(v);
+}
+
+/// Pins points that are no ends of segments.
+inline void pin_lonely_points(Domain& domain)
+{
+  for (CDT::Vertex_handle v : domain.cdt.finite_vertex_handles())
+    if (domain.cdt.dimension() < 1 || !domain.cdt.are_there_incident_constraints(v))
+      domain.pinned.insert(v);
+}
+
+#endif // BUBBLE_RELAXATION_2_DEMO_DOMAIN_H
