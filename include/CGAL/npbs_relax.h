@@ -217,7 +217,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   reading_time.stop();
   Progress progress(input.options.callback, input.options.number_of_rounds);
   const Bubble_mesh_2 mesh = make_mesh(problem, relax_bubbles(problem, progress, report), report);
-  evaluate(mesh.triangulation, problem.wanted, input.options.threads, report);
+  evaluate(mesh, problem.wanted, input.options.threads, report);
   progress.report(1);
   // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
   Restore_on_throw<CDT> guard(cdt);

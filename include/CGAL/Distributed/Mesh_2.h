@@ -71,7 +71,7 @@ public:
     : Mesh_2(comm)
   {
     m_quality = quality;
-    std::vector<Index> local(mesh.known.size(), -1);
+    std::vector<Index> local(mesh.bubbles.size(), -1);
     add_owned_points(mesh, local);
     m_owned_points = m_points.size();
     add_ghosts(mesh, local);
@@ -175,19 +175,19 @@ private:
   void add_owned_points(const Part& mesh, std::vector<Index>& local)
   {
     make_room_for_points(
-      static_cast<std::size_t>(std::count(mesh.known.owners.begin(), mesh.known.owners.end(), m_rank)));
-    for (std::size_t i = 0; i < mesh.known.size(); ++i)
-      if (mesh.known.owners[i] == m_rank)
+      static_cast<std::size_t>(std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_rank)));
+    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
+      if (mesh.bubbles.owner[i] == m_rank)
         add_point(mesh, i, local);
   }
 
   void add_point(const Part& mesh, std::size_t i, std::vector<Index>& local)
   {
-    const auto& b = mesh.known.bubbles;
+    const auto& b = mesh.bubbles;
     local[i] = static_cast<Index>(m_points.size());
     m_points.push_back(Point_2(b.x[i], b.y[i]));
-    m_ids.push_back(mesh.known.numbers[i]);
-    m_owners.push_back(mesh.known.owners[i]);
+    m_ids.push_back(mesh.bubbles.id[i]);
+    m_owners.push_back(mesh.bubbles.owner[i]);
     m_sizes.push_back(b.d[i]);
     m_dimensions.push_back(b.dimension[i]);
   }
@@ -197,7 +197,7 @@ private:
     std::vector<Index> ghosts;
     for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
       if (mesh.is_final[t])
-        for (Index v : mesh.triangulation.tr.vertices[t])
+        for (Index v : mesh.triangles.vertices[t])
           if (local[v] == -1) {
             ghosts.push_back(v);
             local[v] = 0; // is set when all are known
@@ -210,11 +210,11 @@ private:
 
   void add_triangles(const Part& mesh, bool are_owned, const std::vector<Index>& local)
   {
-    const auto& marked = mesh.triangulation;
+    const auto& marked = mesh.triangles;
     for (std::size_t t = 0; t < mesh.is_final.size(); ++t) {
       if (!mesh.is_final[t] || (mesh.is_owned[t] != 0) != are_owned)
         continue;
-      const auto& v = marked.tr.vertices[t];
+      const auto& v = marked.vertices[t];
       const auto& e = marked.edges[t];
       m_vertices.push_back({local[v[0]], local[v[1]], local[v[2]]});
       m_is_constrained.push_back({e[0] != -1, e[1] != -1, e[2] != -1});

@@ -125,7 +125,7 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   if constexpr (has_sizes)
     sizes = Sizes_2(checked_sizing_field<typename CDT::Geom_traits::Point_2>(
       parameters::get_parameter_reference(np, internal_np::sizing_function)));
-  Numbered_bubbles_2 own;
+  Bubbles_2 own;
   agreement.reach_after([&] { own = read_bubbles(points, reading->domain, sizes); });
   Point_distribution_2 distribute(reading->domain, ranks, agreement, exchange);
   own = distribute(own, points.template has_property_map<std::int64_t>("global_id"));

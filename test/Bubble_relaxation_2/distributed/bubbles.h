@@ -11,7 +11,7 @@
 
 #include "../../../demo/Bubble_relaxation_2/paper_domains.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/npbs_relax.h>

@@ -11,16 +11,29 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The bubbles as a structure of arrays. A bubble's index is its identity: neighbours are summed in
-/// the order of indices, and indices follow space.
+/// Sorts a sequence whose first elements are sorted, so many of them: mostly few came after these.
+template <class T, class Is_before = std::less<T>>
+void merge_tail(std::vector<T>& sequence, std::size_t sorted, const Is_before& is_before = Is_before())
+{
+  const auto middle = sequence.begin() + static_cast<std::ptrdiff_t>(sorted);
+  std::sort(middle, sequence.end(), is_before);
+  std::inplace_merge(sequence.begin(), middle, sequence.end(), is_before);
+}
+
+/// The bubbles as a structure of arrays: all that is known of a bubble is kept here, once. Where all bubbles are here a
+/// bubble's index is its identity: neighbours are summed in the order of indices, and indices follow space. On one of
+/// several ranks it has its index among all, and an owner.
 struct Bubbles_2
 {
   enum Dimension : unsigned char { CORNER = 0, EDGE = 1, FACE = 2, GONE = 3 };
@@ -31,22 +44,23 @@ struct Bubbles_2
   std::vector<unsigned char> dimension;
   /// what the bubble belongs to: the corner, the edge, or the domain's triangle that contains it;
   /// `no_index` for a pinned vertex off the domain's edges
-  std::vector<Index> place;
+  std::vector<Index> host;
   std::vector<double> s;      ///< position on its edge in (0,1); edge bubbles only
-  std::vector<Index> tag;     ///< index of the user's pinned vertex; `no_index` for all others
+  std::vector<Index> pin;     ///< index of the user's pinned vertex; `no_index` for all others
 
   /// \name Part of All
   /// What a rank holds of bubbles that are distributed over several; empty where all are here.
   /// @{
-  std::vector<std::int64_t> number; ///< its index among all
-  std::vector<char> is_foreign;     ///< whether another rank owns it
+  std::vector<std::int64_t> id;     ///< its index among all
+  std::vector<std::int32_t> owner;  ///< the rank that says what becomes of it; empty as well if all are ours
+  std::int32_t rank = 0;            ///< this one
   /// @}
 
   /// whether bubble `i` comes before bubble `j` among all
-  bool is_before(std::size_t i, std::size_t j) const { return number.empty() ? i < j : number[i] < number[j]; }
+  bool is_before(std::size_t i, std::size_t j) const { return id.empty() ? i < j : id[i] < id[j]; }
 
   /// whether this rank says what becomes of a bubble
-  bool is_ours(std::size_t i) const { return is_foreign.empty() || !is_foreign[i]; }
+  bool is_ours(std::size_t i) const { return owner.empty() || owner[i] == rank; }
 
   std::size_t size() const { return x.size(); }
   Point point(std::size_t i) const { return Point(x[i], y[i]); }
@@ -66,8 +80,12 @@ struct Bubbles_2
     for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
       internal::make_room_for(n, *a);
     internal::make_room_for(n, dimension);
-    internal::make_room_for(n, place);
-    internal::make_room_for(n, tag);
+    internal::make_room_for(n, host);
+    internal::make_room_for(n, pin);
+    if (!id.empty())
+      internal::make_room_for(n, id);
+    if (!owner.empty())
+      internal::make_room_for(n, owner);
   }
 
   void add(const Point& p, double size, Dimension dim, Index at, double on_edge = 0,
@@ -79,9 +97,9 @@ struct Bubbles_2
     vx.push_back(0);
     vy.push_back(0);
     dimension.push_back(dim);
-    place.push_back(at);
+    host.push_back(at);
     s.push_back(on_edge);
-    tag.push_back(pinned);
+    pin.push_back(pinned);
   }
 
   /// deletes a bubble; the others keep their indices until `forget_gone()`
@@ -123,26 +141,38 @@ struct Bubbles_2
     for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
       select(*a, order, in_place);
     select(dimension, order, in_place);
-    select(place, order, in_place);
-    select(tag, order, in_place);
-    if (!number.empty())
-      select(number, order, in_place);
-    if (!is_foreign.empty())
-      select(is_foreign, order, in_place);
+    select(host, order, in_place);
+    select(pin, order, in_place);
+    if (!id.empty())
+      select(id, order, in_place);
+    if (!owner.empty())
+      select(owner, order, in_place);
   }
 
   /// all are here now
   void forget_parts()
   {
-    number.clear();
-    is_foreign.clear();
+    id.clear();
+    owner.clear();
   }
 
-  /// the same, of what is known of bubbles beside this
-  template <class T>
-  static void select(std::vector<T>& array, const std::vector<Index>& order)
+  /// Orders them by their identities. Mostly few were added to those that ascend.
+  void sort_by_id()
   {
-    select(array, order, is_in_place(order));
+    const auto sorted_end = std::is_sorted_until(id.begin(), id.end());
+    if (sorted_end == id.end())
+      return;
+    std::vector<Index> order(size());
+    std::iota(order.begin(), order.end(), Index(0));
+    merge_tail(order, static_cast<std::size_t>(sorted_end - id.begin()), [this](Index i, Index j) { return id[i] < id[j]; });
+    select(order);
+  }
+
+  /// of a bubble with an identity, `no_index` if there is none \pre they are sorted by it
+  Index index_of(std::int64_t identity) const
+  {
+    const auto found = std::lower_bound(id.begin(), id.end(), identity);
+    return found != id.end() && *found == identity ? static_cast<Index>(found - id.begin()) : no_index;
   }
 
   void stop(std::size_t i) { vx[i] = vy[i] = 0; }

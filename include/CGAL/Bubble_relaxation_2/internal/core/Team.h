@@ -34,8 +34,8 @@ class Neighbor_sets_2;
 class Simulation_2;
 class Undo_log_2;
 struct Growth_proposal_2;
+struct Bubble_mesh_2;
 struct Growth_proposer;
-struct Marked_triangulation_2;
 
 /// what the stages tell of what they did, for the user
 using Report = Bubble_relaxation_report_2<double>;
@@ -243,13 +243,13 @@ public:
   virtual std::size_t largest_number(std::size_t here) const { return here; }
 
   /// tells other ranks of vertices that were moved, and moves theirs, which the log is told of
-  virtual void share_moved(Marked_triangulation_2&, Bubbles_2&, const std::vector<Index>& /* moved */, Undo_log_2&) {}
+  virtual void share_moved(Bubble_mesh_2&, const std::vector<Index>& /* moved */, Undo_log_2&) {}
 
   /// makes the mesh around the vertices of other ranks what it is after their moves
   virtual void restore_border(Editable_triangulation_2&) {}
 
   /// adds the neighbours of vertices that other ranks moved in this sweep
-  virtual void add_neighbors_of_others(const Editable_triangulation_2&, const Bubbles_2&, std::vector<Index>&) {}
+  virtual void add_neighbors_of_others(const Editable_triangulation_2&, std::vector<Index>&) {}
 
   /// @}
   /// \name Statistics

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_REMOVE_COINCIDENT_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
 #include <algorithm>

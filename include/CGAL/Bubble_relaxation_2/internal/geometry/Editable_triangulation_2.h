@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EDITABLE_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -31,38 +31,39 @@ public:
   /// where a bubble was, for `note()`
   struct Vertex
   {
-    Index bubble, place;
+    Index bubble, host;
     double x, y, s;
   };
 
   /// where a bubble is
-  static Vertex vertex(const Bubbles_2& b, Index v) { return Vertex{v, b.place[v], b.x[v], b.y[v], b.s[v]}; }
+  static Vertex vertex(const Bubbles_2& b, Index v) { return Vertex{v, b.host[v], b.x[v], b.y[v], b.s[v]}; }
 
   /// a bubble was moved, or is going to be
   void note(const Vertex& before) { m_vertices.push_back(before); }
 
   /// a triangle, or what it knows of its neighbours, is going to be changed
-  void note(const Marked_triangulation_2& mesh, Index t)
+  void note(const Marked_triangles_2& triangles, Index t)
   {
     m_triangles.push_back(
-      Triangle{t, mesh.inside[t] != 0, mesh.tr.vertices[t], mesh.tr.neighbors[t], mesh.edges[t]});
+      Triangle{t, triangles.inside[t] != 0, triangles.vertices[t], triangles.neighbors[t], triangles.edges[t]});
   }
 
   /// makes all what it was when the log was empty, and empties it
-  void undo(Marked_triangulation_2& mesh, Bubbles_2& b)
+  void undo(Bubble_mesh_2& mesh)
   {
+    Bubbles_2& b = mesh.bubbles;
+    Marked_triangles_2& triangles = mesh.triangles;
     for (auto v = m_vertices.rbegin(); v != m_vertices.rend(); ++v) {
-      b.place[v->bubble] = v->place;
+      b.host[v->bubble] = v->host;
       b.x[v->bubble] = v->x;
       b.y[v->bubble] = v->y;
       b.s[v->bubble] = v->s;
-      mesh.tr.points[v->bubble] = b.point(v->bubble);
     }
     for (auto t = m_triangles.rbegin(); t != m_triangles.rend(); ++t) {
-      mesh.inside[t->triangle] = t->is_inside;
-      mesh.tr.vertices[t->triangle] = t->vertices;
-      mesh.tr.neighbors[t->triangle] = t->neighbors;
-      mesh.edges[t->triangle] = t->edges;
+      triangles.inside[t->triangle] = t->is_inside;
+      triangles.vertices[t->triangle] = t->vertices;
+      triangles.neighbors[t->triangle] = t->neighbors;
+      triangles.edges[t->triangle] = t->edges;
     }
     m_vertices.clear();
     m_triangles.clear();
@@ -89,22 +90,23 @@ struct Corner_2
 
 using Star_2 = boost::container::small_vector<Corner_2, 10>;
 
-/// A marked triangulation whose vertices move and whose edges are flipped, as far as it is inside of the domain.
+/// A mesh of bubbles whose edges are flipped, as far as it is inside of the domain.
 class Editable_triangulation_2
 {
 public:
   /// `log`: told of all triangles that are changed; not of vertices that are moved
-  explicit Editable_triangulation_2(Marked_triangulation_2& mesh, Undo_log_2* log = nullptr)
-    : m_mesh(mesh), m_log(log), m_triangle_of(mesh.tr.points.size(), no_index)
+  explicit Editable_triangulation_2(Bubble_mesh_2& mesh, Undo_log_2* log = nullptr)
+    : m_mesh(mesh), m_triangles(mesh.triangles), m_log(log), m_triangle_of(mesh.bubbles.size(), no_index)
   {
-    for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
-      for (Index v : mesh.tr.vertices[t])
-        if (mesh.inside[t] || m_triangle_of[v] == no_index)
+    for (std::size_t t = 0; t < m_triangles.number_of_triangles(); ++t)
+      for (Index v : m_triangles.vertices[t])
+        if (m_triangles.inside[t] || m_triangle_of[v] == no_index)
           m_triangle_of[v] = static_cast<Index>(t);
   }
 
-  const Flat_triangulation_2& triangulation() const { return m_mesh.tr; }
-  bool is_inside(Index t) const { return m_mesh.inside[t] != 0; }
+  const Bubble_mesh_2& mesh() const { return m_mesh; }
+  const std::array<Index, 3>& vertices(Index t) const { return m_triangles.vertices[t]; }
+  bool is_inside(Index t) const { return m_triangles.inside[t] != 0; }
 
   /// all triangles around a vertex, counterclockwise; on the convex hull from one end to the other
   Star_2 star(Index v) const
@@ -113,7 +115,7 @@ public:
     const Corner_2 start = corner(m_triangle_of[v], v);
     Corner_2 c = start;
     do { // clockwise to the hull or once around
-      const Index next = m_mesh.tr.neighbors[c.triangle][cw(c.index)];
+      const Index next = m_triangles.neighbors[c.triangle][cw(c.index)];
       if (next == no_index)
         break;
       c = corner(next, v);
@@ -121,7 +123,7 @@ public:
     const Index first = c.triangle;
     do {
       corners.push_back(c);
-      const Index next = m_mesh.tr.neighbors[c.triangle][ccw(c.index)];
+      const Index next = m_triangles.neighbors[c.triangle][ccw(c.index)];
       if (next == no_index)
         break;
       c = corner(next, v);
@@ -132,16 +134,13 @@ public:
   /// whether all triangles of the domain around a vertex stay counterclockwise when it moves to `p`
   bool stays_valid(Index v, const Point& p) const
   {
-    const Flat_triangulation_2& tr = m_mesh.tr;
     for (const Corner_2& c : star(v)) {
-      const Point &a = tr.point(c.triangle, ccw(c.index)), &b = tr.point(c.triangle, cw(c.index));
+      const Point a = m_mesh.point(c.triangle, ccw(c.index)), b = m_mesh.point(c.triangle, cw(c.index));
       if (is_inside(c.triangle) && CGAL::orientation(p, a, b) != LEFT_TURN)
         return false;
     }
     return true;
   }
-
-  void move(Index v, const Point& p) { m_mesh.tr.points[v] = p; }
 
   /// flips edges until the domain has a constrained Delaunay triangulation again, after some vertices were moved
   /// so little that all its triangles are still counterclockwise; returns the number of flips
@@ -170,8 +169,8 @@ public:
   void cut_off(Index t)
   {
     note(t);
-    m_mesh.inside[t] = 0;
-    for (Index& n : m_mesh.tr.neighbors[t]) {
+    m_triangles.inside[t] = 0;
+    for (Index& n : m_triangles.neighbors[t]) {
       note(n);
       replace_neighbor(std::exchange(n, no_index), t, no_index);
     }
@@ -194,16 +193,16 @@ private:
 
   Corner_2 corner(Index t, Index v) const
   {
-    const auto& vertices = m_mesh.tr.vertices[t];
+    const auto& vertices = m_triangles.vertices[t];
     return Corner_2{t, vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2};
   }
 
   bool flip_unless_delaunay(Index t, int i)
   {
-    const Index n = m_mesh.tr.neighbors[t][i];
-    if (n == no_index || m_mesh.edges[t][i] != no_index || !is_inside(t))
+    const Index n = m_triangles.neighbors[t][i];
+    if (n == no_index || m_triangles.edges[t][i] != no_index || !is_inside(t))
       return false;
-    const int j = m_mesh.tr.index_of_neighbor(n, t);
+    const int j = m_triangles.index_of_neighbor(n, t);
     if (is_delaunay(t, i, n, j))
       return false;
     flip(t, i, n, j);
@@ -219,8 +218,7 @@ private:
   /// were a little outside. This is how CGAL's triangulations have it: the order of flips does not matter.
   bool is_delaunay(Index t, int i, Index n, int j) const
   {
-    const Flat_triangulation_2& tr = m_mesh.tr;
-    const Point &a = tr.point(t, i), &b = tr.point(t, ccw(i)), &c = tr.point(t, cw(i)), &d = tr.point(n, j);
+    const Point a = m_mesh.point(t, i), b = m_mesh.point(t, ccw(i)), c = m_mesh.point(t, cw(i)), d = m_mesh.point(n, j);
     const Oriented_side side = CGAL::side_of_oriented_circle(a, b, c, d);
     if (side != ON_ORIENTED_BOUNDARY)
       return side == ON_NEGATIVE_SIDE;
@@ -233,9 +231,9 @@ private:
   /// vertices `i` (a) and `j` (d), by the edge between a and d
   void flip(Index t, int i, Index n, int j)
   {
-    auto &vt = m_mesh.tr.vertices[t], &vn = m_mesh.tr.vertices[n];
-    auto &nt = m_mesh.tr.neighbors[t], &nn = m_mesh.tr.neighbors[n];
-    auto &et = m_mesh.edges[t], &en = m_mesh.edges[n];
+    auto &vt = m_triangles.vertices[t], &vn = m_triangles.vertices[n];
+    auto &nt = m_triangles.neighbors[t], &nn = m_triangles.neighbors[n];
+    auto &et = m_triangles.edges[t], &en = m_triangles.edges[n];
     const Index a = vt[i], b = vt[ccw(i)], c = vt[cw(i)], d = vn[j];
     const Index beyond_ab = nt[cw(i)], beyond_ca = nt[ccw(i)], beyond_bd = nn[ccw(j)], beyond_dc = nn[cw(j)];
     for (Index changed : {t, n, beyond_ab, beyond_ca, beyond_bd, beyond_dc})
@@ -256,16 +254,17 @@ private:
   void note(Index t)
   {
     if (m_log && t != no_index)
-      m_log->note(m_mesh, t);
+      m_log->note(m_triangles, t);
   }
 
   void replace_neighbor(Index t, Index old_neighbor, Index neighbor)
   {
     if (t != no_index)
-      m_mesh.tr.neighbors[t][m_mesh.tr.index_of_neighbor(t, old_neighbor)] = neighbor;
+      m_triangles.neighbors[t][m_triangles.index_of_neighbor(t, old_neighbor)] = neighbor;
   }
 
-  Marked_triangulation_2& m_mesh;
+  const Bubble_mesh_2& m_mesh;
+  Marked_triangles_2& m_triangles; // of it
   Undo_log_2* m_log;
   std::vector<Index> m_triangle_of; // one of each vertex
   std::vector<Corner_2> m_doubtful; // edges, each opposite to a vertex of a triangle

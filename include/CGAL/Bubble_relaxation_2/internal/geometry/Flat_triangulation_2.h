@@ -20,16 +20,26 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A triangulation in arrays, for walks that many bubbles do at once: triangle `t` has the vertices
-/// `vertices[t]` in counterclockwise order, and across the edge opposite to its vertex `i` lies
-/// `neighbors[t][i]`, `no_index` beyond the convex hull.
-struct Flat_triangulation_2
+/// Triangles in arrays: triangle `t` has the vertices `vertices[t]` in counterclockwise order, which are indices of
+/// points or of bubbles, and across the edge opposite to its vertex `i` lies `neighbors[t][i]`, `no_index` beyond the
+/// convex hull.
+struct Triangles_2
 {
-  std::vector<Point> points;
   std::vector<std::array<Index, 3>> vertices;
   std::vector<std::array<Index, 3>> neighbors;
 
   std::size_t number_of_triangles() const { return vertices.size(); }
+
+  int index_of_neighbor(Index t, Index neighbor) const
+  {
+    return neighbors[t][0] == neighbor ? 0 : neighbors[t][1] == neighbor ? 1 : 2;
+  }
+};
+
+/// A triangulation in arrays, for walks that many bubbles do at once.
+struct Flat_triangulation_2 : Triangles_2
+{
+  std::vector<Point> points;
 
   const Point& point(Index t, int i) const { return points[vertices[t][i]]; }
 
@@ -37,11 +47,6 @@ struct Flat_triangulation_2
   bool is_beyond(Index t, int i, const Point& q) const
   {
     return CGAL::orientation(point(t, ccw(i)), point(t, cw(i)), q) == RIGHT_TURN;
-  }
-
-  int index_of_neighbor(Index t, Index neighbor) const
-  {
-    return neighbors[t][0] == neighbor ? 0 : neighbors[t][1] == neighbor ? 1 : 2;
   }
 };
 

@@ -33,8 +33,15 @@ struct Domain_edge_2
   bool inside_right;
 };
 
-/// The constrained Delaunay triangulation of points with indices and of edges between them, in
-/// arrays, with the index of the edge behind each constrained side and the domain marked.
+/// The triangles of a constrained Delaunay triangulation, with the index of the edge behind each constrained side and
+/// the domain marked.
+struct Marked_triangles_2 : Triangles_2
+{
+  std::vector<std::array<Index, 3>> edges; ///< per triangle and side: index of the edge or `no_index`
+  std::vector<char> inside;                ///< per triangle: whether it belongs to the domain
+};
+
+/// The same with the points.
 struct Marked_triangulation_2
 {
   Flat_triangulation_2 tr;
@@ -45,9 +52,8 @@ struct Marked_triangulation_2
 /// What `mark_triangulation()` found wrong with its edges.
 enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE };
 
-/// Makes a `Marked_triangulation_2` of points and of edges between them: triangulates, copies to arrays,
+/// Makes triangles of points and of edges between them: triangulates, copies to arrays,
 /// enters the edges, and floods the marks of their sides.
-template <class Edge_range>
 class Marking_2
 {
   using Vb = Triangulation_vertex_base_with_info_2<Index, Kernel>;
@@ -56,11 +62,11 @@ class Marking_2
   using Tds = Triangulation_data_structure_2<Vb, Fb>;
   using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds,
                 No_constraint_intersection_requiring_constructions_tag>;
-  using Vertex_handle = typename Cdt::Vertex_handle;
-  using Face_handle = typename Cdt::Face_handle;
+  using Vertex_handle = Cdt::Vertex_handle;
+  using Face_handle = Cdt::Face_handle;
 
 public:
-  Marking_2(const std::vector<Point>& points, const Edge_range& edges, Marked_triangulation_2& result)
+  Marking_2(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges, Marked_triangles_2& result)
     : m_points(points), m_edges(edges), m_result(result)
   {}
 
@@ -96,7 +102,7 @@ private:
     try {
       for (const auto& e : m_edges)
         m_cdt.insert_constraint(m_handles[e.source], m_handles[e.target]);
-    } catch (const typename Cdt::Intersection_of_constraints_exception&) {
+    } catch (const Cdt::Intersection_of_constraints_exception&) {
       return Marking_error::EDGES_CROSS;
     }
     return Marking_error::NONE;
@@ -105,9 +111,8 @@ private:
   void copy_to_arrays()
   {
     const std::size_t n = m_cdt.number_of_faces();
-    m_result.tr.points = m_points;
-    m_result.tr.vertices.resize(n);
-    m_result.tr.neighbors.resize(n);
+    m_result.vertices.resize(n);
+    m_result.neighbors.resize(n);
     m_result.edges.assign(n, {no_index, no_index, no_index});
     m_result.inside.assign(n, 0);
     m_seen.assign(n, 0);
@@ -116,8 +121,8 @@ private:
       f->info() = m_cdt.is_infinite(f) ? no_index : number++;
     for (Face_handle f : m_cdt.finite_face_handles())
       for (int i = 0; i < 3; ++i) {
-        m_result.tr.vertices[f->info()][i] = f->vertex(i)->info();
-        m_result.tr.neighbors[f->info()][i] = f->neighbor(i)->info();
+        m_result.vertices[f->info()][i] = f->vertex(i)->info();
+        m_result.neighbors[f->info()][i] = f->neighbor(i)->info();
       }
   }
 
@@ -167,13 +172,13 @@ private:
       m_stack.pop_back();
       for (int i = 0; i < 3; ++i)
         if (m_result.edges[t][i] == no_index)
-          mark(m_result.tr.neighbors[t][i], m_result.inside[t] != 0);
+          mark(m_result.neighbors[t][i], m_result.inside[t] != 0);
     }
   }
 
   const std::vector<Point>& m_points;
-  const Edge_range& m_edges;
-  Marked_triangulation_2& m_result;
+  const std::vector<Domain_edge_2>& m_edges;
+  Marked_triangles_2& m_result;
   Cdt m_cdt;
   std::vector<Vertex_handle> m_handles; // by index of the point
   std::vector<char> m_seen;             // triangles that have their mark
@@ -182,11 +187,24 @@ private:
 
 /// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
 /// edge gets the side's mark, and marks spread until the next edge.
-template <class Edge_range>
-Marking_error mark_triangulation(const std::vector<Point>& points, const Edge_range& edges,
-                                 Marked_triangulation_2& result)
+inline Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
+                                        Marked_triangles_2& result)
 {
-  return Marking_2<Edge_range>(points, edges, result)();
+  return Marking_2(points, edges, result)();
+}
+
+/// the same, with the points
+inline Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
+                                        Marked_triangulation_2& result)
+{
+  Marked_triangles_2 triangles;
+  const Marking_error error = mark_triangulation(points, edges, triangles);
+  result.tr.points = points;
+  result.tr.vertices = std::move(triangles.vertices);
+  result.tr.neighbors = std::move(triangles.neighbors);
+  result.edges = std::move(triangles.edges);
+  result.inside = std::move(triangles.inside);
+  return error;
 }
 
 /// What `Marked_triangulation_2::edges` says of sides on edges of the domain while defects are treated: unlike an index,
@@ -194,14 +212,14 @@ Marking_error mark_triangulation(const std::vector<Point>& points, const Edge_ra
 enum Edge_label : Index { OUTLINE = 0, INNER = 1 };
 
 /// whether the domain ends or goes on beyond a side on an edge of the domain
-inline Edge_label edge_label(const Marked_triangulation_2& m, Index t, int i)
+inline Edge_label edge_label(const Marked_triangles_2& m, Index t, int i)
 {
-  const Index n = m.tr.neighbors[t][i];
+  const Index n = m.neighbors[t][i];
   return n != no_index && m.inside[n] ? INNER : OUTLINE;
 }
 
 /// makes indices of edges labels
-inline void label_edges(Marked_triangulation_2& m)
+inline void label_edges(Marked_triangles_2& m)
 {
   for (std::size_t t = 0; t < m.edges.size(); ++t)
     for (int i = 0; i < 3; ++i)

@@ -33,7 +33,9 @@ struct New_triangle_2
 class Mesh_stitching_2
 {
 public:
-  explicit Mesh_stitching_2(Marked_triangulation_2& mesh) : m_mesh(mesh), m_is_gone(mesh.inside.size(), 0) {}
+  explicit Mesh_stitching_2(Bubble_mesh_2& mesh)
+    : m_mesh(mesh), m_triangles(mesh.triangles), m_is_gone(mesh.triangles.inside.size(), 0)
+  {}
 
   /// replaces the triangles `old` by `made`, as long as `finish()` was not called
   void replace(const std::vector<Index>& old, const std::vector<New_triangle_2>& made)
@@ -59,11 +61,11 @@ public:
   /// the triangles of `made` in all calls of `replace()`; numbers change in `finish()`
   const std::vector<Index>& made() const { return m_made; }
 
-  /// `number`: of each vertex the one that it shall have, in the same order, `no_index` for those that no triangle has.
-  /// Returns the mesh, for more changes.
-  Editable_triangulation_2 finish(const std::vector<Index>& number)
+  /// Forgets the bubbles that are gone, which no triangle has any more. Returns the mesh, for more changes.
+  Editable_triangulation_2 finish()
   {
-    forget_vertices(number);
+    forget_vertices(m_mesh.bubbles.indices_left());
+    m_mesh.bubbles.forget_gone();
     forget_triangles();
     Editable_triangulation_2 mesh(m_mesh);
     for (Index t : m_made)
@@ -86,38 +88,38 @@ private:
 
   Side side(Index t, int i) const
   {
-    const std::array<Index, 3>& v = m_mesh.tr.vertices[t];
+    const std::array<Index, 3>& v = m_triangles.vertices[t];
     return Side{v[ccw(i)], v[cw(i)], t, i};
   }
 
   void cut_out(Index t)
   {
     for (int i = 0; i < 3; ++i) {
-      const Index n = m_mesh.tr.neighbors[t][i];
+      const Index n = m_triangles.neighbors[t][i];
       if (n == no_index || m_is_gone[n])
         continue;
       const Side s = side(t, i);
-      const int j = m_mesh.tr.index_of_neighbor(n, t);
+      const int j = m_triangles.index_of_neighbor(n, t);
       m_rim.push_back(Side{s.source, s.target, n, j});
-      m_mesh.tr.neighbors[n][j] = no_index;
+      m_triangles.neighbors[n][j] = no_index;
     }
   }
 
   Index append()
   {
-    m_mesh.tr.vertices.emplace_back();
-    m_mesh.tr.neighbors.emplace_back();
-    m_mesh.edges.emplace_back();
-    m_mesh.inside.push_back(1);
+    m_triangles.vertices.emplace_back();
+    m_triangles.neighbors.emplace_back();
+    m_triangles.edges.emplace_back();
+    m_triangles.inside.push_back(1);
     m_is_gone.push_back(0);
     return static_cast<Index>(m_is_gone.size() - 1);
   }
 
   void put(const New_triangle_2& triangle, Index t)
   {
-    m_mesh.tr.vertices[t] = triangle.vertices;
-    m_mesh.tr.neighbors[t] = {no_index, no_index, no_index};
-    m_mesh.edges[t] = triangle.edges;
+    m_triangles.vertices[t] = triangle.vertices;
+    m_triangles.neighbors[t] = {no_index, no_index, no_index};
+    m_triangles.edges[t] = triangle.edges;
     m_is_gone[t] = 0;
     m_made.push_back(t);
   }
@@ -131,27 +133,21 @@ private:
 
   void link(const Side& s, const std::vector<Side>& sides)
   {
-    Index& neighbor = m_mesh.tr.neighbors[s.triangle][s.index];
+    Index& neighbor = m_triangles.neighbors[s.triangle][s.index];
     if (const Side* twin = find(sides, s.target, s.source))
       neighbor = twin->triangle;
     else if (const Side* rim = find(m_rim, s.source, s.target)) {
       neighbor = rim->triangle;
-      m_mesh.tr.neighbors[rim->triangle][rim->index] = s.triangle;
+      m_triangles.neighbors[rim->triangle][rim->index] = s.triangle;
     }
   }
 
   void forget_vertices(const std::vector<Index>& number)
   {
-    std::vector<Point>& points = m_mesh.tr.points;
-    std::size_t left = 0;
-    for (std::size_t v = 0; v < points.size(); ++v)
-      if (number[v] != no_index)
-        points[left++] = points[v];
-    points.resize(left);
     for (std::size_t t = 0; t < m_is_gone.size(); ++t) {
       if (m_is_gone[t])
         continue;
-      for (Index& v : m_mesh.tr.vertices[t]) {
+      for (Index& v : m_triangles.vertices[t]) {
         v = number[v];
         if (v == no_index) // of the old outline: a triangle outside, which is to be made anew
           m_is_gone[t] = 1;
@@ -169,23 +165,24 @@ private:
     for (std::size_t t = 0; t < m_is_gone.size(); ++t) {
       if (m_is_gone[t])
         continue;
-      m_mesh.tr.vertices[number[t]] = m_mesh.tr.vertices[t];
-      m_mesh.edges[number[t]] = m_mesh.edges[t];
-      m_mesh.inside[number[t]] = m_mesh.inside[t];
+      m_triangles.vertices[number[t]] = m_triangles.vertices[t];
+      m_triangles.edges[number[t]] = m_triangles.edges[t];
+      m_triangles.inside[number[t]] = m_triangles.inside[t];
       for (int i = 0; i < 3; ++i) {
-        const Index n = m_mesh.tr.neighbors[t][i];
-        m_mesh.tr.neighbors[number[t]][i] = n == no_index ? no_index : number[n];
+        const Index n = m_triangles.neighbors[t][i];
+        m_triangles.neighbors[number[t]][i] = n == no_index ? no_index : number[n];
       }
     }
-    m_mesh.tr.vertices.resize(static_cast<std::size_t>(left));
-    m_mesh.tr.neighbors.resize(static_cast<std::size_t>(left));
-    m_mesh.edges.resize(static_cast<std::size_t>(left));
-    m_mesh.inside.resize(static_cast<std::size_t>(left));
+    m_triangles.vertices.resize(static_cast<std::size_t>(left));
+    m_triangles.neighbors.resize(static_cast<std::size_t>(left));
+    m_triangles.edges.resize(static_cast<std::size_t>(left));
+    m_triangles.inside.resize(static_cast<std::size_t>(left));
     for (Index& t : m_made)
       t = number[t];
   }
 
-  Marked_triangulation_2& m_mesh;
+  Bubble_mesh_2& m_mesh;
+  Marked_triangles_2& m_triangles; // of it
   std::vector<char> m_is_gone; // of each triangle
   std::vector<Side> m_rim;     // of what is replaced now, each with the triangle beyond
   std::vector<Index> m_made;

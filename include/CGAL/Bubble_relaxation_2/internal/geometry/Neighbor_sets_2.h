@@ -303,7 +303,7 @@ private:
   /// puts the bubbles of this rank into the sets of their neighbours that others own, which are empty
   void tell_others(const Bubbles_2& bubbles)
   {
-    if (bubbles.is_foreign.empty())
+    if (bubbles.owner.empty())
       return;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       for (std::size_t k = 0; bubbles.is_ours(i) && k < m_sets.size_of(i); ++k) {
@@ -320,7 +320,7 @@ private:
     m_sets.start(n);
     for (std::vector<double>* a : {&m_x, &m_y, &m_d})
       a->reserve(n);
-    m_numbers = &bubbles.number;
+    m_numbers = &bubbles.id;
     m_x = references.x;
     m_y = references.y;
     m_d = references.d;

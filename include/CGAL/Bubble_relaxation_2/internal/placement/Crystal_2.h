@@ -131,12 +131,12 @@ public:
   void finish(const Domain_2& domain, const Sizes_2& sizing, std::size_t i)
   {
     const Point p = m_buckets.point(i), q = m_bubbles.point(i);
-    const Walk_end end = domain.walk(m_bubbles.place[i], p, q);
+    const Walk_end end = domain.walk(m_bubbles.host[i], p, q);
     if (end.is_blocked()) {
       set_point(i, p);
       return;
     }
-    m_bubbles.place[i] = end.triangle;
+    m_bubbles.host[i] = end.triangle;
     m_bubbles.d[i] = sizing(q);
   }
 

@@ -66,7 +66,7 @@ public:
   /// an edge gets that of the edge.
   void add(const Bubbles_2& bubbles, std::size_t i, double key, Direction& direction)
   {
-    const Index index = static_cast<Index>(i), place = bubbles.place[i];
+    const Index index = static_cast<Index>(i), place = bubbles.host[i];
     if (bubbles.is_on_edge(i))
       m_queue.push(Growth_proposer{key, index, direction = m_domain.direction(place)});
     else if (bubbles.is_in_face(i) || place == no_index)
@@ -253,7 +253,7 @@ private:
   /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, else `no_index`
   Index visible_triangle(std::size_t i, const Point& p) const
   {
-    const Index place = m_bubbles.place[i];
+    const Index place = m_bubbles.host[i];
     if (m_bubbles.is_on_edge(i))
       return m_domain.walk_from_edge(place, m_bubbles.point(i), p);
     if (m_bubbles.is_in_face(i) || place == no_index) {

@@ -46,10 +46,10 @@ inline void grow_from_all(const Domain_2& domain, const Sizes_2& sizing, const s
 inline bool touches_edge(const Domain_2& domain, const Bubbles_2& b, std::size_t i, Index e)
 {
   if (b.is_on_edge(i))
-    return b.place[i] == e;
+    return b.host[i] == e;
   const Domain_edge_2& edge = domain.edges()[e];
-  return b.is_corner(i) && b.place[i] != no_index &&
-         (b.place[i] == edge.source || b.place[i] == edge.target);
+  return b.is_corner(i) && b.host[i] != no_index &&
+         (b.host[i] == edge.source || b.host[i] == edge.target);
 }
 
 /// Initial bubbles of the faces as a single crystal as far as possible: it grows from the longest edge
@@ -107,8 +107,8 @@ inline Bubbles_2 enlarge(const Domain_2& domain, const Bubbles_2& b, double fact
     if (!buckets.is_free(b.x[i], b.y[i], d))
       continue;
     buckets.insert(static_cast<Index>(large.size()), b.x[i], b.y[i], d);
-    large.add(b.point(i), d, static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.place[i], b.s[i],
-              b.tag[i]);
+    large.add(b.point(i), d, static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.host[i], b.s[i],
+              b.pin[i]);
   }
   return large;
 }

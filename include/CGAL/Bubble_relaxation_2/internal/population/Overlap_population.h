@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
@@ -153,13 +153,13 @@ private:
     constexpr double largest_ratio_of_sizes = 4; // where d jumps, others are looked for no farther than this allows
     const double angle = middle_of_largest_gap(b, neighbors, i);
     const Point p(b.x[i] + b.d[i] * std::cos(angle), b.y[i] + b.d[i] * std::sin(angle));
-    const Walk_end end = m_domain.walk(b.place[i], b.point(i), p);
+    const Walk_end end = m_domain.walk(b.host[i], b.point(i), p);
     if (end.is_blocked())
       return;
     const double d = m_sizing(p);
     if (!buckets.is_free(p.x(), p.y(), (std::min)(d, largest_ratio_of_sizes * b.d[i])))
       return;
-    const double number = static_cast<double>(b.number.empty() ? i : b.number[i]);
+    const double number = static_cast<double>(b.id.empty() ? i : b.id[i]);
     holes.push_back(Hole_2{number, p.x(), p.y(), d, end.triangle});
   }
 

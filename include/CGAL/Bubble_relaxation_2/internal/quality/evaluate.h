@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -30,18 +31,18 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// d at the vertices of a mesh that belong to its domain; others are not the business of d
-inline std::vector<double> sizes_at_vertices(const Marked_triangulation_2& mesh, const Sizes_2& sizing,
+inline std::vector<double> sizes_at_vertices(const Bubble_mesh_2& mesh, const Sizes_2& sizing,
                                              const Threads& threads)
 {
-  std::vector<char> is_in_domain(mesh.tr.points.size(), 0);
-  for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
-    for (Index v : mesh.tr.vertices[t])
-      if (mesh.inside[t])
+  std::vector<char> is_in_domain(mesh.bubbles.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
+    for (Index v : mesh.triangles.vertices[t])
+      if (mesh.triangles.inside[t])
         is_in_domain[v] = 1;
-  std::vector<double> sizes(mesh.tr.points.size(), 0);
+  std::vector<double> sizes(mesh.bubbles.size(), 0);
   parallel_for(threads, sizes.size(), [&](std::size_t v) {
     if (is_in_domain[v])
-      sizes[v] = sizing(mesh.tr.points[v]);
+      sizes[v] = sizing(mesh.bubbles.x[v], mesh.bubbles.y[v]);
   });
   return sizes;
 }
@@ -98,18 +99,18 @@ private:
 
 /// Tells how much d changes from one vertex of a mesh to the next, which is what the mesh can see of its
 /// gradient, kinks and jumps included.
-inline void evaluate_size_gradient(const Marked_triangulation_2& mesh, const Sizes_2& sizing, const Threads& threads,
+inline void evaluate_size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Threads& threads,
                                    Report& report)
 {
   const std::vector<double> sizes = sizes_at_vertices(mesh, sizing, threads);
-  const Flat_triangulation_2& tr = mesh.tr;
+  const Marked_triangles_2& tr = mesh.triangles;
   Size_gradient_2 gradient(Report::steep_size_gradient);
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-    for (int i = 0; i < 3 && mesh.inside[t]; ++i) {
+    for (int i = 0; i < 3 && mesh.triangles.inside[t]; ++i) {
       const Index n = tr.neighbors[t][i], a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
-      if (n != no_index && mesh.inside[n] && static_cast<std::size_t>(n) < t)
+      if (n != no_index && mesh.triangles.inside[n] && static_cast<std::size_t>(n) < t)
         continue; // seen from the other side
-      gradient.add(tr.points[a], sizes[a], tr.points[b], sizes[b]);
+      gradient.add(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
     }
   gradient.tell(report);
 }
@@ -126,52 +127,52 @@ inline void add_length(const Point& p, const Point& q, const Sizes_2& sizing, Me
 
 /// Adds the triangles of a domain from `first` to `last`, without, and the lengths of their edges over d in
 /// the midpoints.
-inline void add_triangles(const Marked_triangulation_2& mesh, std::size_t first, std::size_t last,
+inline void add_triangles(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last,
                           const Sizes_2& sizing, Mesh_quality_accumulator_2& accumulator)
 {
-  const Flat_triangulation_2& tr = mesh.tr;
+  const Marked_triangles_2& tr = mesh.triangles;
   for (std::size_t t = first; t < last; ++t) {
-    if (!mesh.inside[t])
+    if (!mesh.triangles.inside[t])
       continue;
     const Index f = static_cast<Index>(t);
-    accumulator.add_triangle(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2));
+    accumulator.add_triangle(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2));
     for (int i = 0; i < 3; ++i) {
       const Index n = tr.neighbors[t][i];
-      if (n != no_index && mesh.inside[n] && n < f)
+      if (n != no_index && mesh.triangles.inside[n] && n < f)
         continue; // seen from the other side
-      add_length(tr.point(f, ccw(i)), tr.point(f, cw(i)), sizing, accumulator);
+      add_length(mesh.point(f, ccw(i)), mesh.point(f, cw(i)), sizing, accumulator);
     }
   }
 }
 
 /// adds the vertices of a domain
-inline void add_vertices(const Marked_triangulation_2& mesh, Mesh_quality_accumulator_2& accumulator)
+inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& accumulator)
 {
-  const Flat_triangulation_2& tr = mesh.tr;
-  std::vector<char> is_in_domain(tr.points.size(), 0), is_interior(tr.points.size(), 1);
-  std::vector<std::size_t> degrees(tr.points.size(), 0);
+  const Marked_triangles_2& tr = mesh.triangles;
+  std::vector<char> is_in_domain(mesh.bubbles.size(), 0), is_interior(mesh.bubbles.size(), 1);
+  std::vector<std::size_t> degrees(mesh.bubbles.size(), 0);
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
     const auto& v = tr.vertices[t];
     for (int i = 0; i < 3; ++i) {
       ++degrees[v[i]];
-      if (mesh.inside[t])
+      if (mesh.triangles.inside[t])
         is_in_domain[v[i]] = 1;
-      if (mesh.edges[t][i] != no_index) // all ways out of the domain lead across edges
+      if (mesh.triangles.edges[t][i] != no_index) // all ways out of the domain lead across edges
         is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;
     }
   }
-  for (std::size_t v = 0; v < tr.points.size(); ++v)
+  for (std::size_t v = 0; v < mesh.bubbles.size(); ++v)
     if (is_in_domain[v])
       accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
 }
 
 /// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
 /// then the user's triangulation must not have been changed yet.
-inline void evaluate(const Marked_triangulation_2& mesh, const Sizes_2& sizing, const Threads& threads, Report& report)
+inline void evaluate(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Threads& threads, Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
   constexpr std::size_t block_size = 4096;
-  const std::size_t n = mesh.tr.number_of_triangles();
+  const std::size_t n = mesh.triangles.number_of_triangles();
   std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);
   parallel_for(
     threads, blocks.size(),

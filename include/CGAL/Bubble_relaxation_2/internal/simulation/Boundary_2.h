@@ -55,7 +55,7 @@ public:
       return f;
     if (bubbles.is_corner(i))
       return Force{0, 0};
-    const Direction& u = m_directions[bubbles.place[i]];
+    const Direction& u = m_directions[bubbles.host[i]];
     const double along = f.x * u.x + f.y * u.y;
     return Force{along * u.x, along * u.y};
   }
@@ -83,8 +83,8 @@ public:
 private:
   void slide(Bubbles_2& bubbles, std::size_t i, double dx, double dy) const
   {
-    const Direction& u = m_directions[bubbles.place[i]];
-    const double length = m_lengths[bubbles.place[i]];
+    const Direction& u = m_directions[bubbles.host[i]];
+    const double length = m_lengths[bubbles.host[i]];
     const double wanted = bubbles.s[i] + (dx * u.x + dy * u.y) / length;
     // half a bubble from the ends, but never more than a third of the edge
     const double margin = (std::min)(0.5 * bubbles.d[i] / length, 1. / 3);
@@ -92,7 +92,7 @@ private:
     if (s != wanted)
       bubbles.vx[i] = bubbles.vy[i] = 0;
     bubbles.s[i] = s;
-    const Point p = m_domain.point_on_edge(bubbles.place[i], s);
+    const Point p = m_domain.point_on_edge(bubbles.host[i], s);
     bubbles.x[i] = p.x();
     bubbles.y[i] = p.y();
   }
@@ -100,7 +100,7 @@ private:
   bool move_in_face(Bubbles_2& bubbles, std::size_t i, const Point& target) const
   {
     const Point from = bubbles.point(i);
-    Walk_end end = m_domain.walk(bubbles.place[i], from, target);
+    Walk_end end = m_domain.walk(bubbles.host[i], from, target);
     if (!end.is_blocked()) {
       settle(bubbles, i, target, end.triangle);
       return false;
@@ -116,7 +116,7 @@ private:
     const double v = bubbles.vx[i] * u.x + bubbles.vy[i] * u.y;
     bubbles.vx[i] = v * u.x;
     bubbles.vy[i] = v * u.y;
-    end = m_domain.walk(bubbles.place[i], from, back);
+    end = m_domain.walk(bubbles.host[i], from, back);
     if (!end.is_blocked()) // else there is no room, and the bubble stays where it was
       settle(bubbles, i, back, end.triangle);
     return true;
@@ -126,7 +126,7 @@ private:
   {
     bubbles.x[i] = p.x();
     bubbles.y[i] = p.y();
-    bubbles.place[i] = triangle;
+    bubbles.host[i] = triangle;
   }
 
   const Domain_2& m_domain;

@@ -263,10 +263,10 @@ public:
     for (std::size_t k = 0; k < in.size(); ++k) {
       const Index i = static_cast<Index>(m_bubbles.size());
       m_bubbles.add(in.point(k), in.d[k], static_cast<Bubbles_2::Dimension>(in.dimension[k]),
-                    in.place[k], in.s[k]);
-      if (!in.number.empty()) {
-        m_bubbles.number.push_back(in.number[k]);
-        m_bubbles.is_foreign.push_back(0);
+                    in.host[k], in.s[k]);
+      if (!in.id.empty()) {
+        m_bubbles.id.push_back(in.id[k]);
+        m_bubbles.owner.push_back(m_bubbles.rank);
       }
       m_neighbors.add(m_bubbles, i);
       m_update_size.add(m_bubbles, i);

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
@@ -145,7 +145,7 @@ private:
       }
   }
 
-  static bool is_pin(const Bubbles_2& nodes, Index i) { return nodes.place[i] == no_index; }
+  static bool is_pin(const Bubbles_2& nodes, Index i) { return nodes.host[i] == no_index; }
 
   /// the distance of a pinned vertex from another one or from a corner
   void add_distance(const Bubbles_2& nodes, Index i, Index j, const Sizes_2& field)
@@ -178,8 +178,8 @@ private:
     if (m_wanted != nullptr)
       return 0;
     if (nodes.is_corner(i))
-      return least_share * m_corner_sizes[nodes.place[i]];
-    const Domain_edge_2& e = m_domain.edges()[nodes.place[i]];
+      return least_share * m_corner_sizes[nodes.host[i]];
+    const Domain_edge_2& e = m_domain.edges()[nodes.host[i]];
     return least_share * (std::min)(m_corner_sizes[e.source], m_corner_sizes[e.target]);
   }
 
@@ -201,8 +201,8 @@ private:
   std::array<Index, 2> ends(const Bubbles_2& nodes, Index i) const
   {
     if (nodes.is_corner(i))
-      return {nodes.place[i], nodes.place[i]};
-    const Domain_edge_2& e = m_domain.edges()[nodes.place[i]];
+      return {nodes.host[i], nodes.host[i]};
+    const Domain_edge_2& e = m_domain.edges()[nodes.host[i]];
     return {e.source, e.target};
   }
 
@@ -210,7 +210,7 @@ private:
   {
     if (!nodes.is_corner(p))
       return ends(nodes, p);
-    return nodes.is_corner(q) ? std::array<Index, 2>{nodes.place[p], nodes.place[q]} : ends(nodes, q);
+    return nodes.is_corner(q) ? std::array<Index, 2>{nodes.host[p], nodes.host[q]} : ends(nodes, q);
   }
 
   /// the distance of the vertex `i` of a triangle from the constraint opposite to it

@@ -48,14 +48,14 @@ inline double quality_of_isosceles(double half)
 }
 
 /// what q can be at most where the input fixes angles between two edges, which one triangle has or two share
-inline double best_quality(const Marked_triangulation_2& m, Index t)
+inline double best_quality(const Bubble_mesh_2& mesh, Index t)
 {
   double best = 1;
   for (int i = 0; i < 3; ++i) {
-    if (m.edges[t][ccw(i)] == no_index || m.edges[t][cw(i)] == no_index)
+    if (mesh.triangles.edges[t][ccw(i)] == no_index || mesh.triangles.edges[t][cw(i)] == no_index)
       continue;
-    const Kernel::Vector_2 u = m.tr.point(t, ccw(i)) - m.tr.point(t, i),
-                           v = m.tr.point(t, cw(i)) - m.tr.point(t, i);
+    const Kernel::Vector_2 u = mesh.point(t, ccw(i)) - mesh.point(t, i),
+                           v = mesh.point(t, cw(i)) - mesh.point(t, i);
     const double half = 0.5 * std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v);
     best = (std::min)(best, (std::max)(quality_of_isosceles(half), quality_of_isosceles(half / 2)));
   }
@@ -63,19 +63,20 @@ inline double best_quality(const Marked_triangulation_2& m, Index t)
 }
 
 /// The triangles with q less than `bad_quality`, unless the input does not allow for more; the worst first.
-inline std::vector<Bad_triangle_2> bad_triangles(const Bubbles_2& b, const Marked_triangulation_2& m,
-                                                 double bad_quality)
+inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, double bad_quality)
 {
+  const Bubbles_2& b = mesh.bubbles;
+  const Marked_triangles_2& m = mesh.triangles;
   std::vector<Bad_triangle_2> result;
   for (std::size_t k = 0; k < m.inside.size(); ++k) {
     const Index t = static_cast<Index>(k);
-    const double q = m.inside[k] ? quality(m.tr, t) : 1.;
-    if (!(q < bad_quality && q < 0.9 * best_quality(m, t)))
+    const double q = m.inside[k] ? quality(mesh, t) : 1.;
+    if (!(q < bad_quality && q < 0.9 * best_quality(mesh, t)))
       continue;
     Bad_triangle_2 bad{q, {}, t};
     for (int i = 0; i < 3; ++i) {
-      const Index v = m.tr.vertices[k][i];
-      bad.vertices[i] = b.number.empty() ? v : b.number[v];
+      const Index v = m.vertices[k][i];
+      bad.vertices[i] = b.id.empty() ? v : b.id[v];
     }
     std::sort(bad.vertices.begin(), bad.vertices.end());
     result.push_back(bad);
@@ -105,13 +106,12 @@ public:
     if (operations.empty())
       return {};
     Bubble_mesh_2 result = m_mesh;
-    Mesh_stitching_2 stitching(result.triangulation);
+    Mesh_stitching_2 stitching(result);
     for (const Operation& operation : operations) {
       const std::vector<Index> number = replace_bubbles(operation, result);
       stitching.replace(operation.patch.triangles(), operation.outcome.triangles(operation.patch, number));
     }
-    stitching.finish(result.bubbles.indices_left());
-    result.bubbles.forget_gone();
+    stitching.finish();
     return result;
   }
 
@@ -124,16 +124,16 @@ private:
 
   std::vector<Operation> operate(std::size_t most) const
   {
-    std::vector<char> is_taken(m_mesh.triangulation.tr.number_of_triangles(), 0);
+    std::vector<char> is_taken(m_mesh.triangles.number_of_triangles(), 0);
     std::vector<Operation> result;
-    std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh.bubbles, m_mesh.triangulation, m_bad_quality);
+    std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, m_bad_quality);
     worst.resize((std::min)(most, worst.size()));
     for (const Bad_triangle_2& bad : worst) {
-      Mesh_patch_2 patch(m_mesh.bubbles, m_mesh.triangulation, bad.triangle);
+      Mesh_patch_2 patch(m_mesh, bad.triangle);
       if (std::any_of(patch.triangles().begin(), patch.triangles().end(),
                       [&](Index n) { return is_taken[n] != 0; }))
         continue;
-      Patch_operation_2 operate(m_domain, m_mesh.bubbles, m_mesh.triangulation, patch);
+      Patch_operation_2 operate(m_domain, m_mesh, patch);
       if (!operate(bad.triangle))
         continue;
       for (Index n : patch.triangles())
@@ -147,7 +147,7 @@ private:
   std::vector<Index> replace_bubbles(const Operation& operation, Bubble_mesh_2& mesh)
   {
     const std::vector<Index>& indices = operation.patch.indices();
-    const Bubbles_2& b = operation.outcome.bubbles;
+    const Bubbles_2& b = operation.outcome.mesh.bubbles;
     std::vector<char> is_left(indices.size(), 0);
     std::vector<Index> number;
     for (std::size_t k = 0; k < b.size(); ++k) {
@@ -170,8 +170,7 @@ private:
   {
     ++number_of_insertions;
     has_changed_outline = has_changed_outline || b.is_on_edge(k);
-    mesh.bubbles.add(b.point(k), b.d[k], static_cast<Bubbles_2::Dimension>(b.dimension[k]), b.place[k], b.s[k]);
-    mesh.triangulation.tr.points.push_back(b.point(k));
+    mesh.bubbles.add(b.point(k), b.d[k], static_cast<Bubbles_2::Dimension>(b.dimension[k]), b.host[k], b.s[k]);
     return static_cast<Index>(mesh.bubbles.size() - 1);
   }
 
@@ -183,8 +182,7 @@ private:
     all.y[i] = b.y[k];
     all.s[i] = b.s[k];
     if (b.is_in_face(k))
-      all.place[i] = b.place[k];
-    mesh.triangulation.tr.points[i] = b.point(k);
+      all.host[i] = b.host[k];
   }
 
   void remove(Index i, Bubble_mesh_2& mesh)

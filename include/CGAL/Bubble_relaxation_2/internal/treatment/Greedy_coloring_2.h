@@ -74,7 +74,7 @@ private:
   {
     std::uint64_t taken = 0;
     for (const Corner_2& c : mesh.star(v))
-      for (Index w : mesh.triangulation().vertices[c.triangle])
+      for (Index w : mesh.vertices(c.triangle))
         if (w < v && m_color[w] != none && mesh.is_inside(c.triangle))
           taken |= std::uint64_t(1) << m_color[w];
     unsigned char color = 0;

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_OUTSIDE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
 #include <array>
@@ -25,12 +25,12 @@ namespace internal {
 
 /// Makes the triangulation of the bubbles on the outline of a domain, whose vertices are numbered as the bubbles
 /// are; returns whether it can be made.
-inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Marked_triangulation_2& outline)
+inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Marked_triangles_2& outline)
 {
   std::vector<Index> number(b.size(), no_index), vertices;
   std::vector<Point> points;
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index)) {
+    if (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index)) {
       number[i] = static_cast<Index>(points.size());
       points.push_back(b.point(i));
       vertices.push_back(static_cast<Index>(i));
@@ -42,7 +42,7 @@ inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Mark
   }
   if (mark_triangulation(points, edges, outline) != Marking_error::NONE)
     return false;
-  for (auto& triangle : outline.tr.vertices)
+  for (auto& triangle : outline.vertices)
     for (Index& v : triangle)
       v = vertices[v];
   return true;
@@ -54,8 +54,8 @@ inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Mark
 class Outside_2
 {
 public:
-  Outside_2(const Domain_2& domain, const Bubbles_2& bubbles, Marked_triangulation_2& mesh)
-    : m_domain(domain), m_bubbles(bubbles), m_mesh(mesh)
+  Outside_2(const Domain_2& domain, Bubble_mesh_2& mesh)
+    : m_domain(domain), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles)
   {}
 
   /// returns whether it could be made; if not, the mesh is as it was
@@ -63,8 +63,7 @@ public:
   {
     if (!triangulate_outline(m_domain, m_bubbles, m_outline))
       return false;
-    Marked_triangulation_2 result;
-    result.tr.points.swap(m_mesh.tr.points);
+    Marked_triangles_2 result;
     const std::vector<Index> inside = take(m_mesh, 1, result), outside = take(m_outline, 0, result);
     link(m_mesh, inside, result);
     link(m_outline, outside, result);
@@ -75,14 +74,14 @@ public:
 
 private:
   /// adds the triangles of one mark; returns their new numbers
-  static std::vector<Index> take(const Marked_triangulation_2& from, char mark, Marked_triangulation_2& result)
+  static std::vector<Index> take(const Marked_triangles_2& from, char mark, Marked_triangles_2& result)
   {
     std::vector<Index> number(from.inside.size(), no_index);
     for (std::size_t t = 0; t < from.inside.size(); ++t)
       if ((from.inside[t] != 0) == (mark != 0)) {
         number[t] = static_cast<Index>(result.inside.size());
-        result.tr.vertices.push_back(from.tr.vertices[t]);
-        result.tr.neighbors.push_back({no_index, no_index, no_index});
+        result.vertices.push_back(from.vertices[t]);
+        result.neighbors.push_back({no_index, no_index, no_index});
         result.edges.push_back(from.edges[t]);
         result.inside.push_back(mark);
       }
@@ -90,40 +89,40 @@ private:
   }
 
   /// neighbours with the same mark
-  static void link(const Marked_triangulation_2& from, const std::vector<Index>& number,
-                   Marked_triangulation_2& result)
+  static void link(const Marked_triangles_2& from, const std::vector<Index>& number,
+                   Marked_triangles_2& result)
   {
     for (std::size_t t = 0; t < number.size(); ++t)
       for (int i = 0; i < 3 && number[t] != no_index; ++i) {
-        const Index n = from.tr.neighbors[t][i];
+        const Index n = from.neighbors[t][i];
         if (n != no_index)
-          result.tr.neighbors[number[t]][i] = number[n];
+          result.neighbors[number[t]][i] = number[n];
       }
   }
 
   /// neighbours across the edges of the domain, one of them outside
-  static void link_across_edges(Marked_triangulation_2& result)
+  static void link_across_edges(Marked_triangles_2& result)
   {
     std::map<std::pair<Index, Index>, std::pair<Index, int>> sides; // from vertex to vertex
     for (std::size_t t = 0; t < result.inside.size(); ++t)
       for (int i = 0; i < 3; ++i) {
-        const auto& v = result.tr.vertices[t];
-        if (result.edges[t][i] == no_index || result.tr.neighbors[t][i] != no_index)
+        const auto& v = result.vertices[t];
+        if (result.edges[t][i] == no_index || result.neighbors[t][i] != no_index)
           continue;
         const auto other = sides.find({v[cw(i)], v[ccw(i)]});
         if (other == sides.end()) {
           sides[{v[ccw(i)], v[cw(i)]}] = {static_cast<Index>(t), i};
           continue;
         }
-        result.tr.neighbors[t][i] = other->second.first;
-        result.tr.neighbors[other->second.first][other->second.second] = static_cast<Index>(t);
+        result.neighbors[t][i] = other->second.first;
+        result.neighbors[other->second.first][other->second.second] = static_cast<Index>(t);
       }
   }
 
   const Domain_2& m_domain;
   const Bubbles_2& m_bubbles;
-  Marked_triangulation_2& m_mesh;
-  Marked_triangulation_2 m_outline;
+  Marked_triangles_2& m_mesh;
+  Marked_triangles_2 m_outline;
 };
 
 } // namespace internal

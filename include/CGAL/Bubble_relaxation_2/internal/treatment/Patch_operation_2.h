@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_PATCH_OPERATION_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_PATCH_OPERATION_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
@@ -32,8 +32,8 @@ class Mesh_patch_2
 {
 public:
   /// all triangles of the domain that can be reached from `triangle` in some steps across sides
-  Mesh_patch_2(const Bubbles_2& bubbles, const Marked_triangulation_2& mesh, Index triangle)
-    : m_all_bubbles(bubbles), m_mesh(mesh)
+  Mesh_patch_2(const Bubble_mesh_2& mesh, Index triangle)
+    : m_all_bubbles(mesh.bubbles), m_triangles_of_mesh(mesh.triangles)
   {
     collect_triangles(triangle);
     collect_bubbles();
@@ -65,7 +65,7 @@ public:
   {
     for (Index t : m_triangles)
       for (int i = 0; i < 3; ++i)
-        if (m_mesh.tr.neighbors[t][i] == no_index && m_mesh.edges[t][i] != OUTLINE)
+        if (m_triangles_of_mesh.neighbors[t][i] == no_index && m_triangles_of_mesh.edges[t][i] != OUTLINE)
           return true;
     return false;
   }
@@ -81,13 +81,13 @@ private:
 
   void collect_triangles(Index triangle)
   {
-    const Marked_triangulation_2& m = m_mesh;
+    const Marked_triangles_2& m = m_triangles_of_mesh;
     std::vector<Index> front(1, triangle);
     m_triangles = front;
     for (int step = 0; step < reach; ++step) {
       std::vector<Index> next;
       for (Index t : front)
-        for (Index n : m.tr.neighbors[t])
+        for (Index n : m.neighbors[t])
           if (n != no_index && m.inside[n] && !contains(n))
             next.push_back(n);
       std::sort(next.begin(), next.end());
@@ -100,22 +100,22 @@ private:
 
   void collect_bubbles()
   {
-    const Marked_triangulation_2& m = m_mesh;
+    const Marked_triangles_2& m = m_triangles_of_mesh;
     for (Index t : m_triangles)
-      m_indices.insert(m_indices.end(), m.tr.vertices[t].begin(), m.tr.vertices[t].end());
+      m_indices.insert(m_indices.end(), m.vertices[t].begin(), m.vertices[t].end());
     std::sort(m_indices.begin(), m_indices.end());
     m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
     const Bubbles_2& b = m_all_bubbles;
     for (Index i : m_indices)
-      m_bubbles.add(b.point(i), b.d[i], static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.place[i],
-                    b.s[i], b.tag[i]);
+      m_bubbles.add(b.point(i), b.d[i], static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.host[i],
+                    b.s[i], b.pin[i]);
     // on the rim: where the domain goes on
     for (Index t : m_triangles)
       for (int i = 0; i < 3; ++i) {
-        const Index n = m.tr.neighbors[t][i];
+        const Index n = m.neighbors[t][i];
         if (n == no_index || !m.inside[n] || contains(n))
           continue;
-        const Index source = local(m.tr.vertices[t][ccw(i)]), target = local(m.tr.vertices[t][cw(i)]);
+        const Index source = local(m.vertices[t][ccw(i)]), target = local(m.vertices[t][cw(i)]);
         m_rim[{source, target}] = m.edges[t][i];
         m_bubbles.dimension[source] = m_bubbles.dimension[target] = Bubbles_2::CORNER;
       }
@@ -124,20 +124,20 @@ private:
   /// the rim and the constraints inside
   void collect_edges()
   {
-    const Marked_triangulation_2& m = m_mesh;
+    const Marked_triangles_2& m = m_triangles_of_mesh;
     for (Index t : m_triangles)
       for (int i = 0; i < 3; ++i) {
-        const Index n = m.tr.neighbors[t][i];
+        const Index n = m.neighbors[t][i];
         const bool goes_on = contains(n);
         if (goes_on && (m.edges[t][i] == no_index || n < t))
           continue;
-        m_edges.push_back(Domain_edge_2{local(m.tr.vertices[t][ccw(i)]), local(m.tr.vertices[t][cw(i)]),
+        m_edges.push_back(Domain_edge_2{local(m.vertices[t][ccw(i)]), local(m.vertices[t][cw(i)]),
                                         true, goes_on});
       }
   }
 
   const Bubbles_2& m_all_bubbles;
-  const Marked_triangulation_2& m_mesh;
+  const Marked_triangles_2& m_triangles_of_mesh;
   std::vector<Index> m_triangles, m_indices;
   Bubbles_2 m_bubbles;
   std::vector<Domain_edge_2> m_edges;
@@ -147,23 +147,22 @@ private:
 /// What an operation made of a patch.
 struct Patch_outcome_2
 {
-  Bubbles_2 bubbles;
+  Bubble_mesh_2 mesh;
   std::vector<Index> original; ///< of each bubble its number in the patch; inserted ones come after the last
-  Marked_triangulation_2 triangulation; ///< of these bubbles
 
   /// The triangles that take the place of those of the patch, with labels of edges. `number[k]`: what bubble `k` is
   /// called there.
   std::vector<New_triangle_2> triangles(const Mesh_patch_2& patch, const std::vector<Index>& number) const
   {
     std::vector<New_triangle_2> result;
-    const Marked_triangulation_2& m = triangulation;
+    const Marked_triangles_2& m = mesh.triangles;
     for (std::size_t k = 0; k < m.inside.size(); ++k) {
       if (!m.inside[k])
         continue;
       const Index t = static_cast<Index>(k);
       New_triangle_2 triangle;
       for (int i = 0; i < 3; ++i) {
-        triangle.vertices[i] = number[m.tr.vertices[t][i]];
+        triangle.vertices[i] = number[m.vertices[t][i]];
         triangle.edges[i] = label(patch, t, i);
       }
       result.push_back(triangle);
@@ -175,10 +174,10 @@ private:
   /// the rim of a patch is an edge there, but not where the patch is put
   Index label(const Mesh_patch_2& patch, Index t, int i) const
   {
-    const Marked_triangulation_2& m = triangulation;
+    const Marked_triangles_2& m = mesh.triangles;
     if (m.edges[t][i] == no_index)
       return no_index;
-    return patch.edge_on_rim(original[m.tr.vertices[t][ccw(i)]], original[m.tr.vertices[t][cw(i)]],
+    return patch.edge_on_rim(original[m.vertices[t][ccw(i)]], original[m.vertices[t][cw(i)]],
                              edge_label(m, t, i));
   }
 };
@@ -189,9 +188,8 @@ private:
 class Patch_operation_2
 {
 public:
-  Patch_operation_2(const Domain_2& domain, const Bubbles_2& bubbles, const Marked_triangulation_2& mesh,
-                    const Mesh_patch_2& patch)
-    : m_domain(domain), m_bubbles(bubbles), m_mesh(mesh), m_patch(patch)
+  Patch_operation_2(const Domain_2& domain, const Bubble_mesh_2& mesh, const Mesh_patch_2& patch)
+    : m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_triangles(mesh.triangles), m_patch(patch)
   {}
 
   /// tries what could help triangle `t`; returns whether anything did
@@ -199,19 +197,18 @@ public:
   {
     double smallest = 1;
     for (Index n : m_patch.triangles())
-      smallest = (std::min)(smallest, quality(m_mesh.tr, n));
+      smallest = (std::min)(smallest, quality(m_mesh, n));
     m_smallest = smallest + least_gain;
-    const Flat_triangulation_2& tr = m_mesh.tr;
     const std::array<int, 3> corners = corners_in_order(t); // among equal outcomes the first counts
     m_mean_size = mean_size(t, corners);
     for (int i : corners) {
-      try_without(tr.vertices[t][i]);
-      const Index n = tr.neighbors[t][i];
-      if (n != no_index && m_mesh.inside[n])
-        try_without(tr.vertices[n][tr.index_of_neighbor(n, t)]);
+      try_without(m_triangles.vertices[t][i]);
+      const Index n = m_triangles.neighbors[t][i];
+      if (n != no_index && m_triangles.inside[n])
+        try_without(m_triangles.vertices[n][m_triangles.index_of_neighbor(n, t)]);
       try_with_on_side(t, i);
     }
-    try_with(CGAL::centroid(tr.point(t, corners[0]), tr.point(t, corners[1]), tr.point(t, corners[2])),
+    try_with(CGAL::centroid(m_mesh.point(t, corners[0]), m_mesh.point(t, corners[1]), m_mesh.point(t, corners[2])),
              m_mean_size);
     return m_is_better;
   }
@@ -225,7 +222,7 @@ private:
   /// from the vertex with the smallest index on
   std::array<int, 3> corners_in_order(Index t) const
   {
-    const std::array<Index, 3>& v = m_mesh.tr.vertices[t];
+    const std::array<Index, 3>& v = m_triangles.vertices[t];
     const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
     return {first, ccw(first), cw(first)};
   }
@@ -234,7 +231,7 @@ private:
   {
     double sum = 0;
     for (int i : corners)
-      sum += m_bubbles.d[m_mesh.tr.vertices[t][i]];
+      sum += m_bubbles.d[m_triangles.vertices[t][i]];
     return sum / 3;
   }
 
@@ -292,13 +289,12 @@ private:
 
   void try_with_on_side(Index t, int i)
   {
-    const Flat_triangulation_2& tr = m_mesh.tr;
-    const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
-    if (m_mesh.edges[t][i] == no_index) {
+    const Point p = m_mesh.point(t, ccw(i)), q = m_mesh.point(t, cw(i));
+    if (m_triangles.edges[t][i] == no_index) {
       try_with(CGAL::midpoint(p, q), m_mean_size);
       return;
     }
-    const Index u = tr.vertices[t][ccw(i)], v = tr.vertices[t][cw(i)];
+    const Index u = m_triangles.vertices[t][ccw(i)], v = m_triangles.vertices[t][cw(i)];
     const Index e = common_edge(u, v);
     if (e == no_index)
       return;
@@ -323,13 +319,13 @@ private:
   {
     const Bubbles_2& b = m_bubbles;
     if (b.is_on_edge(u))
-      return b.place[u];
+      return b.host[u];
     if (b.is_on_edge(v))
-      return b.place[v];
+      return b.host[v];
     for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
       const Domain_edge_2& edge = m_domain.edges()[e];
-      if ((edge.source == b.place[u] && edge.target == b.place[v]) ||
-          (edge.source == b.place[v] && edge.target == b.place[u]))
+      if ((edge.source == b.host[u] && edge.target == b.host[v]) ||
+          (edge.source == b.host[v] && edge.target == b.host[u]))
         return static_cast<Index>(e);
     }
     return no_index;
@@ -338,7 +334,7 @@ private:
   double position(Index i, Index e) const
   {
     const Bubbles_2& b = m_bubbles;
-    return b.is_on_edge(i) ? b.s[i] : b.place[i] == m_domain.edges()[e].source ? 0. : 1.;
+    return b.is_on_edge(i) ? b.s[i] : b.host[i] == m_domain.edges()[e].source ? 0. : 1.;
   }
 
   void try_patch(Bubbles_2 bubbles, std::vector<Domain_edge_2> edges)
@@ -354,25 +350,23 @@ private:
       e.source = number[e.source];
       e.target = number[e.target];
     }
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      points.push_back(bubbles.point(i));
-    Marked_triangulation_2 triangulation;
-    if (mark_triangulation(points, edges, triangulation) != Marking_error::NONE)
+    Bubble_mesh_2 mesh{std::move(bubbles), {}};
+    if (!try_to_triangulate(edges, mesh))
       return;
     Team alone;
-    Smoothing_sweeps_2(m_domain, triangulation, bubbles, alone)();
-    const double smallest = smallest_quality(triangulation);
+    Smoothing_sweeps_2(m_domain, mesh, alone)();
+    const double smallest = smallest_quality(mesh);
     if (smallest > m_smallest) {
       m_smallest = smallest;
       m_is_better = true;
-      m_best = Patch_outcome_2{std::move(bubbles), std::move(original), std::move(triangulation)};
+      m_best = Patch_outcome_2{std::move(mesh), std::move(original)};
     }
   }
 
   const Domain_2& m_domain;
-  const Bubbles_2& m_bubbles;
-  const Marked_triangulation_2& m_mesh;
+  const Bubble_mesh_2& m_mesh;
+  const Bubbles_2& m_bubbles;            // of it
+  const Marked_triangles_2& m_triangles; // of it
   const Mesh_patch_2& m_patch;
   bool m_is_better = false;
   double m_mean_size = 0;

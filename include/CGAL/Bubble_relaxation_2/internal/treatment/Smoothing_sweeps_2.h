@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Greedy_coloring_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_smoothing_2.h>
@@ -26,24 +26,24 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-inline double quality(const Flat_triangulation_2& tr, Index t)
+inline double quality(const Bubble_mesh_2& mesh, Index t)
 {
-  return radius_ratio(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2));
+  return radius_ratio(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2));
 }
 
 /// q of each triangle of the domain, 1 outside
-inline std::vector<double> qualities(const Marked_triangulation_2& mesh, const Threads& threads)
+inline std::vector<double> qualities(const Bubble_mesh_2& mesh, const Threads& threads)
 {
-  std::vector<double> result(mesh.tr.number_of_triangles());
+  std::vector<double> result(mesh.triangles.number_of_triangles());
   parallel_for(threads, result.size(), [&](std::size_t t) {
     const Index i = static_cast<Index>(t);
-    result[t] = mesh.inside[t] != 0 ? quality(mesh.tr, i) : 1.;
+    result[t] = mesh.triangles.inside[t] != 0 ? quality(mesh, i) : 1.;
   });
   return result;
 }
 
 /// the smallest q of the triangles of the domain
-inline double smallest_quality(const Marked_triangulation_2& mesh, const Threads& threads = Threads())
+inline double smallest_quality(const Bubble_mesh_2& mesh, const Threads& threads = Threads())
 {
   const std::vector<double> q = qualities(mesh, threads);
   return q.empty() ? 1. : *std::min_element(q.begin(), q.end());
@@ -60,9 +60,9 @@ public:
   static constexpr double treated_quality = 0.95;
   static constexpr int number_of_sweeps = 4;
 
-  Smoothing_sweeps_2(const Domain_2& domain, Marked_triangulation_2& mesh, Bubbles_2& bubbles, Team& team,
-                     const Threads& threads = Threads())
-    : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(bubbles), m_team(team), m_coloring(bubbles.size())
+  Smoothing_sweeps_2(const Domain_2& domain, Bubble_mesh_2& mesh, Team& team, const Threads& threads = Threads())
+    : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_team(team),
+      m_coloring(mesh.bubbles.size())
   {}
 
   /// returns the vertices that were moved
@@ -83,19 +83,18 @@ public:
   }
 
   /// takes back all moves and flips \pre nobody else has changed the mesh since
-  void undo() { m_log.undo(m_mesh, m_bubbles); }
+  void undo() { m_log.undo(m_mesh); }
 
 private:
   bool may_be_moved(Index v) const { return m_bubbles.can_move(v) && m_bubbles.is_ours(v); }
 
   std::vector<Index> vertices_of_bad_triangles() const
   {
-    const Flat_triangulation_2& tr = m_mesh.tr;
     const std::vector<double> q = qualities(m_mesh, m_threads);
     std::vector<char> marks(m_bubbles.size(), 0);
     for (std::size_t t = 0; t < q.size(); ++t)
       if (q[t] < treated_quality)
-        for (Index v : tr.vertices[t])
+        for (Index v : m_mesh.triangles.vertices[t])
           marks[v] = may_be_moved(v);
     return marked(marks);
   }
@@ -132,7 +131,7 @@ private:
           moved.push_back(set[k]);
           m_log.note(before[k]);
         }
-      m_team.share_moved(m_mesh, m_bubbles, moved, m_log);
+      m_team.share_moved(m_mesh, moved, m_log);
       result.insert(result.end(), moved.begin(), moved.end());
     }
     return result;
@@ -154,10 +153,10 @@ private:
     std::vector<Index> result;
     for (Index v : moved)
       for (const Corner_2& c : mesh.star(v))
-        for (Index w : m_mesh.tr.vertices[c.triangle])
+        for (Index w : mesh.vertices(c.triangle))
           if (may_be_moved(w) && mesh.is_inside(c.triangle))
             result.push_back(w);
-    m_team.add_neighbors_of_others(mesh, m_bubbles, result);
+    m_team.add_neighbors_of_others(mesh, result);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -165,7 +164,7 @@ private:
 
   const Threads m_threads;
   const Domain_2& m_domain;
-  Marked_triangulation_2& m_mesh;
+  Bubble_mesh_2& m_mesh;
   Bubbles_2& m_bubbles;
   Team& m_team;
   Greedy_coloring_2 m_coloring;

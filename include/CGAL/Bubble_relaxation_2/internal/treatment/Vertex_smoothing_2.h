@@ -137,14 +137,14 @@ public:
   {}
 
   /// returns whether the vertex moved
-  bool operator()(Editable_triangulation_2& mesh, Bubbles_2& bubbles, Index v) const
+  bool operator()(const Editable_triangulation_2& mesh, Bubbles_2& bubbles, Index v) const
   {
     const Star_quality_2 star = quality_around(mesh, bubbles, v);
     const Vector here{0, 0};
     const double smallest = star.smallest(here);
     if (smallest >= m_treated_quality)
       return false;
-    const Vector step = bubbles.is_on_edge(v) ? step_along(star, bubbles.place[v]) : step_in_face(star);
+    const Vector step = bubbles.is_on_edge(v) ? step_along(star, bubbles.host[v]) : step_in_face(star);
     const double length = std::sqrt(step.x * step.x + step.y * step.y);
     if (!(length > least_step))
       return false;
@@ -170,14 +170,13 @@ private:
   static Star_quality_2 quality_around(const Editable_triangulation_2& mesh, const Bubbles_2& bubbles,
                                        Index v)
   {
-    const Flat_triangulation_2& tr = mesh.triangulation();
-    Star_quality_2 star(tr.points[v], bubbles.d[v]);
+    Star_quality_2 star(bubbles.point(v), bubbles.d[v]);
     const Star_2 corners = mesh.star(v);
     const std::size_t first = first_corner(mesh, corners);
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Corner_2& c = corners[(first + k) % corners.size()];
       if (mesh.is_inside(c.triangle))
-        star.add(tr.point(c.triangle, ccw(c.index)), tr.point(c.triangle, cw(c.index)));
+        star.add(mesh.mesh().point(c.triangle, ccw(c.index)), mesh.mesh().point(c.triangle, cw(c.index)));
     }
     return star;
   }
@@ -188,7 +187,7 @@ private:
     std::size_t first = 0;
     Index least = no_index;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Index w = mesh.triangulation().vertices[corners[k].triangle][ccw(corners[k].index)];
+      const Index w = mesh.vertices(corners[k].triangle)[ccw(corners[k].index)];
       if (mesh.is_inside(corners[k].triangle) && (least == no_index || w < least)) {
         least = w;
         first = k;
@@ -228,22 +227,21 @@ private:
 
   /// moves a vertex to `p`, which is `step` away, unless a triangle of the domain around it would be turned
   /// over; returns whether it did
-  bool try_to_move(Editable_triangulation_2& mesh, Bubbles_2& b, Index v, Point p, Vector step) const
+  bool try_to_move(const Editable_triangulation_2& mesh, Bubbles_2& b, Index v, Point p, Vector step) const
   {
     double s = b.s[v];
     if (b.is_on_edge(v)) {
-      const Direction u = m_domain.direction(b.place[v]);
-      s += b.d[v] / m_domain.length(b.place[v]) * (step.x * u.x + step.y * u.y);
-      p = m_domain.point_on_edge(b.place[v], s);
+      const Direction u = m_domain.direction(b.host[v]);
+      s += b.d[v] / m_domain.length(b.host[v]) * (step.x * u.x + step.y * u.y);
+      p = m_domain.point_on_edge(b.host[v], s);
     }
     if (!mesh.stays_valid(v, p))
       return false;
     if (b.is_in_face(v))
-      b.place[v] = m_domain.walk(b.place[v], b.point(v), p).triangle;
+      b.host[v] = m_domain.walk(b.host[v], b.point(v), p).triangle;
     b.s[v] = s;
     b.x[v] = p.x();
     b.y[v] = p.y();
-    mesh.move(v, p);
     return true;
   }
 

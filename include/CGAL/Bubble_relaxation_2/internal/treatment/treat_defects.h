@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
@@ -63,14 +63,14 @@ inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads
                                   double& smallest)
 {
   Team alone;
-  Smoothing_sweeps_2 treat(domain, mesh.triangulation, mesh.bubbles, alone, threads);
+  Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
   const std::vector<Index> moved = treat();
-  const double smallest_now = smallest_quality(mesh.triangulation, threads);
+  const double smallest_now = smallest_quality(mesh, threads);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
   // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
   if (smallest_now < smallest ||
-      (moves_outline && !Outside_2(domain, mesh.bubbles, mesh.triangulation).rebuild())) {
+      (moves_outline && !Outside_2(domain, mesh).rebuild())) {
     treat.undo();
     return 0;
   }
@@ -87,15 +87,15 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
   for (double bad_quality : bad_qualities) {
     if (smallest >= bad_quality)
       break;
-    label_edges(mesh.triangulation);
+    label_edges(mesh.triangles);
     Defect_surgery_2 surgery(domain, mesh, bad_quality);
     Bubble_mesh_2 changed = surgery(most);
     if (changed.bubbles.size() == 0)
       break;
     // rounding can make a mess of a change; then what was there is good
-    if (surgery.has_changed_outline && !Outside_2(domain, changed.bubbles, changed.triangulation).rebuild())
+    if (surgery.has_changed_outline && !Outside_2(domain, changed).rebuild())
       break;
-    double smallest_now = smallest_quality(changed.triangulation, threads);
+    double smallest_now = smallest_quality(changed, threads);
     const std::size_t moved = smooth_defects(domain, threads, changed, smallest_now);
     if (smallest_now < smallest)
       break;
@@ -111,7 +111,7 @@ inline Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_o
 {
   const Threads& threads = options.threads;
   Treatment_counts counts;
-  double smallest = smallest_quality(mesh.triangulation, threads);
+  double smallest = smallest_quality(mesh, threads);
   counts.treated = smooth_defects(domain, threads, mesh, smallest);
   if (options.population != Bubble_population::NONE)
     operate_on_defects(domain, threads, mesh, smallest, counts);
@@ -134,8 +134,8 @@ inline void keep_the_better(const Problem_2& problem, Bubble_mesh_2& mesh, Treat
   given.bubbles = given_bubbles(problem);
   if (!is_about_as_many(given.bubbles.size(), mesh.bubbles.size()))
     return;
-  given.triangulation = triangulate(problem.domain, given.bubbles);
-  if (smallest_quality(given.triangulation, threads) <= smallest_quality(mesh.triangulation, threads))
+  triangulate(problem.domain, given);
+  if (smallest_quality(given, threads) <= smallest_quality(mesh, threads))
     return;
   counts = treat_defects(problem.domain, problem.options, given);
   mesh = std::move(given);
@@ -153,7 +153,7 @@ inline Bubble_mesh_2 make_mesh(const Problem_2& problem, Bubbles_2 bubbles, Repo
 {
   const Phase_timer timer(report.seconds.treatment);
   Bubble_mesh_2 mesh{std::move(bubbles), {}};
-  mesh.triangulation = triangulate(problem.domain, mesh.bubbles);
+  triangulate(problem.domain, mesh);
   if (!is_treatment_due(problem.options, report))
     return mesh;
   Treatment_counts counts = treat_defects(problem.domain, problem.options, mesh);

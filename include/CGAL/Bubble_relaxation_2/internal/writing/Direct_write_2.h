@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
@@ -51,7 +51,7 @@ class Direct_write_2
 
 public:
   Direct_write_2(Cdt& cdt, const Reading& reading, const Bubble_mesh_2& mesh)
-    : m_cdt(cdt), m_reading(reading), m_bubbles(mesh.bubbles), m_mesh(mesh.triangulation)
+    : m_cdt(cdt), m_reading(reading), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles)
   {}
 
   /// whether the triangulation holds nothing but the domain
@@ -82,8 +82,8 @@ private:
     m_vertices.reserve(m_bubbles.size());
     for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
       if (m_bubbles.is_corner(i))
-        m_vertices.push_back(m_bubbles.place[i] != no_index ? m_reading.graph->corners()[m_bubbles.place[i]]
-                                                            : m_reading.pinned[m_bubbles.tag[i]]);
+        m_vertices.push_back(m_bubbles.host[i] != no_index ? m_reading.graph->corners()[m_bubbles.host[i]]
+                                                            : m_reading.pinned[m_bubbles.pin[i]]);
       else {
         m_vertices.push_back(m_cdt.tds().create_vertex());
         m_vertices.back()->set_point(typename Cdt::Point(m_bubbles.x[i], m_bubbles.y[i]));
@@ -93,7 +93,7 @@ private:
 
   void make_triangles()
   {
-    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Marked_triangles_2& tr = m_mesh;
     m_faces.reserve(tr.number_of_triangles());
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
       const auto& v = tr.vertices[t];
@@ -113,9 +113,9 @@ private:
   /// the infinite faces, one beyond each side of the hull
   void surround_hull()
   {
-    const Flat_triangulation_2& tr = m_mesh.tr;
+    const Marked_triangles_2& tr = m_mesh;
     const Vertex_handle infinite = m_cdt.infinite_vertex();
-    std::vector<Face_handle> hull, ending_at(tr.points.size()); // hull sides run clockwise, seen from outside
+    std::vector<Face_handle> hull, ending_at(m_bubbles.size()); // hull sides run clockwise, seen from outside
     std::vector<Index> sources;
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
       for (int i = 0; i < 3; ++i) {
@@ -144,7 +144,7 @@ private:
   Cdt& m_cdt;
   const Reading& m_reading;
   const Bubbles_2& m_bubbles;
-  const Marked_triangulation_2& m_mesh;
+  const Marked_triangles_2& m_mesh;
   std::vector<Vertex_handle> m_vertices; // of the bubbles
   std::vector<Face_handle> m_faces;      // of the triangles
 };

@@ -32,8 +32,8 @@ struct Checkpoint_record_2
 {
   double x, y, d, vx, vy, s;
   double reference_x, reference_y, reference_d, asked_x, asked_y;
-  std::int64_t number;
-  std::int32_t place, tag, dimension;
+  std::int64_t id;
+  std::int32_t host, pin, dimension;
   std::int16_t is_active, is_touched;
 };
 
@@ -44,13 +44,13 @@ inline Checkpoint_record_2 checkpoint_record(const Bubble_state_2& state)
   const Bubble_record_2& b = state.bubble;
   const Bubble_memory_2& m = state.memory;
   return Checkpoint_record_2{b.x, b.y, b.d, b.vx, b.vy, b.s, m.reference_x, m.reference_y, m.reference_d,
-                             m.asked_x, m.asked_y, b.number, b.place, b.tag, b.dimension,
+                             m.asked_x, m.asked_y, b.id, b.host, b.pin, b.dimension,
                              m.is_active, m.is_touched};
 }
 
 inline Bubble_state_2 bubble_state(const Checkpoint_record_2& r)
 {
-  return Bubble_state_2{{r.x, r.y, r.d, r.vx, r.vy, r.s, r.number, r.place, r.tag, r.dimension},
+  return Bubble_state_2{{r.x, r.y, r.d, r.vx, r.vy, r.s, r.id, r.host, r.pin, r.dimension},
                         {r.reference_x, r.reference_y, r.reference_d, r.asked_x, r.asked_y,
                          static_cast<char>(r.is_active), static_cast<char>(r.is_touched)}};
 }
@@ -63,7 +63,7 @@ struct Keyed_checkpoint_record_2
 
   bool operator<(const Keyed_checkpoint_record_2& r) const
   {
-    return std::tie(key, record.x, record.y, record.number) < std::tie(r.key, r.record.x, r.record.y, r.record.number);
+    return std::tie(key, record.x, record.y, record.id) < std::tie(r.key, r.record.x, r.record.y, r.record.id);
   }
 };
 

@@ -151,7 +151,7 @@ public:
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
         keyed.push_back(Keyed_checkpoint_record_2{
           partition.curve().key(bubbles.x[i], bubbles.y[i]),
-          checkpoint_record(Bubble_state_2{record(bubbles, i, bubbles.number[i]),
+          checkpoint_record(Bubble_state_2{record(bubbles, i),
                                            simulation.memory(static_cast<Index>(i))})});
     std::vector<Checkpoint_record_2> records;
     const auto home = bring_home(partition, m_exchange, m_comm.rank(), places_on_curve(keyed));

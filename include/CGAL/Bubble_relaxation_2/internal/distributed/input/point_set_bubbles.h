@@ -13,7 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 
@@ -172,12 +172,12 @@ public:
   bool has_numbers() const { return m_number.is_there(); }
 
   template <class Sizing>
-  Numbered_bubbles_2 operator()(const Sizing& sizing)
+  Bubbles_2 operator()(const Sizing& sizing)
   {
-    Numbered_bubbles_2 result;
-    result.bubbles.make_room_for(m_points.size());
+    Bubbles_2 result;
+    result.make_room_for(m_points.size());
     for (const Index_in_set& i : m_points)
-      result.add(read(i, sizing));
+      add_own(result, read(i, sizing));
     return result;
   }
 
@@ -197,12 +197,12 @@ private:
       r.vx = CGAL::to_double(m_points.normal(i).x());
       r.vy = CGAL::to_double(m_points.normal(i).y());
     }
-    r.number = m_number.is_there() ? m_number[i] : no_index;
-    if (m_number.is_there() && r.number < 0)
-      throw_property("global_id", double(r.number), p, "must not be negative");
+    r.id = m_number.is_there() ? m_number[i] : no_index;
+    if (m_number.is_there() && r.id < 0)
+      throw_property("global_id", double(r.id), p, "must not be negative");
     r.s = location.s;
-    r.place = location.place;
-    r.tag = no_index;
+    r.host = location.place;
+    r.pin = no_index;
     r.dimension = location.dimension;
     return r;
   }
@@ -255,7 +255,7 @@ private:
 /// what of the domain a point lies on it is found. Normals are velocities.
 /// \throws std::invalid_argument if a point is not finite or not in the domain, or has a property out of range
 template <class Point_set, class Sizing>
-Numbered_bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)
+Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)
 {
   return Point_set_reader_2<Point_set>(points, domain)(sizing);
 }

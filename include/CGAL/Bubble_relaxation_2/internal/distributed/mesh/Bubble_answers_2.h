@@ -9,9 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/order_in_space.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
@@ -79,17 +80,16 @@ inline double reach_beyond_side(const Point& p, const Point& q, const Point& r)
 }
 
 /// The part of the plane that matters for the triangle `t`, in a box.
-inline Bbox_2 box_that_matters(const Marked_triangulation_2& mesh, Index t, const Bbox_2& domain_box)
+inline Bbox_2 box_that_matters(const Bubble_mesh_2& mesh, Index t, const Bbox_2& domain_box)
 {
-  const Flat_triangulation_2& tr = mesh.tr;
-  Bbox_2 box = tr.point(t, 0).bbox() + tr.point(t, 1).bbox() + tr.point(t, 2).bbox();
+  Bbox_2 box = mesh.point(t, 0).bbox() + mesh.point(t, 1).bbox() + mesh.point(t, 2).bbox();
   const double largest = (std::max)((std::max)(std::abs(box.xmin()), std::abs(box.xmax())),
                                     (std::max)(std::abs(box.ymin()), std::abs(box.ymax())));
   for (int i = 0; i < 3; ++i) {
-    if (mesh.edges[t][i] != no_index)
+    if (mesh.triangles.edges[t][i] != no_index)
       continue;
-    const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
-    const double radius = reach_beyond_side(p, q, tr.point(t, i)) +
+    const Point p = mesh.point(t, ccw(i)), q = mesh.point(t, cw(i));
+    const double radius = reach_beyond_side(p, q, mesh.point(t, i)) +
                           4 * std::numeric_limits<double>::epsilon() * largest;
     if (!std::isfinite(radius))
       return domain_box;
@@ -100,14 +100,14 @@ inline Bbox_2 box_that_matters(const Marked_triangulation_2& mesh, Index t, cons
                 (std::min)(box.xmax(), domain_box.xmax()), (std::min)(box.ymax(), domain_box.ymax()));
 }
 
-inline Triangle_question_2 make_question(const Marked_triangulation_2& mesh, Index t, const Bbox_2& box,
+inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, const Bbox_2& box,
                                          int vertex, std::int32_t number)
 {
   Triangle_question_2 question{};
   for (int i = 0; i < 3; ++i) {
-    question.x[i] = mesh.tr.point(t, i).x();
-    question.y[i] = mesh.tr.point(t, i).y();
-    question.is_hidden[i] = mesh.edges[t][i] != no_index;
+    question.x[i] = mesh.point(t, i).x();
+    question.y[i] = mesh.point(t, i).y();
+    question.is_hidden[i] = mesh.triangles.edges[t][i] != no_index;
   }
   question.xmin = box.xmin();
   question.ymin = box.ymin();
@@ -174,7 +174,7 @@ private:
 /// whether all ranks know a bubble: those on the edges of the domain and its corners
 inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
 {
-  return b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index);
+  return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
 }
 
 /// a bubble that the asker of a question did not know
@@ -193,7 +193,7 @@ public:
   static constexpr std::size_t most_bubbles = 12; ///< in one answer: about two stars
 
   /// keeps references; `own`: this rank's bubbles
-  Bubble_answers_2(const Numbered_bubbles_2& own, const Hilbert_curve_2& curve)
+  Bubble_answers_2(const Bubbles_2& own, const Hilbert_curve_2& curve)
     : m_own(own), m_curve(curve)
   {}
 
@@ -215,7 +215,7 @@ public:
                       });
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = static_cast<std::size_t>(m_found[k].i);
-      answers.push_back({record(m_own.bubbles, i, m_own.numbers[i]), question.number});
+      answers.push_back({record(m_own, i), question.number});
       sent.insert(m_found[k].i);
     }
   }
@@ -229,7 +229,7 @@ private:
 
   void collect()
   {
-    const Bubbles_2& b = m_own.bubbles;
+    const Bubbles_2& b = m_own;
     std::vector<Point> points;
     for (Index i : order_in_space(m_curve, b))
       if (!is_on_outline(b, static_cast<std::size_t>(i))) {
@@ -242,14 +242,14 @@ private:
 
   void test(const Triangle_question_2& question, Index i, const std::unordered_set<Index>& sent)
   {
-    const Point p = m_own.bubbles.point(static_cast<std::size_t>(i));
+    const Point p = m_own.point(static_cast<std::size_t>(i));
     if (sent.count(i) != 0 || !question.concerns(p))
       return;
     const double dx = p.x() - question.x[question.vertex], dy = p.y() - question.y[question.vertex];
     m_found.push_back(Found{dx * dx + dy * dy, i});
   }
 
-  const Numbered_bubbles_2& m_own;
+  const Bubbles_2& m_own;
   const Hilbert_curve_2& m_curve;
   bool m_is_collected = false;
   std::vector<Index> m_inner; // those that others may not know

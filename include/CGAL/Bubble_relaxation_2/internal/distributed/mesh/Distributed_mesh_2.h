@@ -10,8 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_MESH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 
 #include <algorithm>
 #include <array>
@@ -27,10 +28,10 @@ namespace internal {
 /// domain with a vertex that this rank owns are the same as on one rank; all others are only what its
 /// bubbles, the ghosts that it happens to know and the outline look like from here. When ranks have treated defects,
 /// bubbles of others that no final triangle has may not be where they are here.
-struct Distributed_mesh_2
+///
+/// Its bubbles are own ones, ghosts, and all of the outline, in the order of their identities.
+struct Distributed_mesh_2 : Bubble_mesh_2
 {
-  Known_bubbles_2 known;               ///< own bubbles, ghosts, and all bubbles of the outline
-  Marked_triangulation_2 triangulation; ///< of these, with the same indices
   std::vector<char> is_final;          ///< per triangle: in the domain, with an own vertex
   std::vector<char> is_owned;          ///< per triangle: each one of the domain on one rank only
 
@@ -43,13 +44,13 @@ struct Distributed_mesh_2
   /// the vertex of a triangle that decides who owns it: the one with the smallest number
   Index first_vertex(std::size_t t) const
   {
-    const std::array<Index, 3>& v = triangulation.tr.vertices[t];
+    const std::array<Index, 3>& v = triangles.vertices[t];
     return (std::min)((std::min)(v[0], v[1]), v[2]); // indices follow numbers
   }
 
   void mark_triangles(int rank)
   {
-    const std::size_t n = triangulation.tr.number_of_triangles();
+    const std::size_t n = triangles.number_of_triangles();
     is_final.resize(n);
     is_owned.resize(n);
     for (std::size_t t = 0; t < n; ++t)
@@ -57,18 +58,18 @@ struct Distributed_mesh_2
   }
 
   /// those that were changed
-  void mark_triangles(const std::vector<Index>& triangles, int rank)
+  void mark_triangles(const std::vector<Index>& changed, int rank)
   {
-    for (Index t : triangles)
+    for (Index t : changed)
       mark_triangle(static_cast<std::size_t>(t), rank);
   }
 
 private:
   void mark_triangle(std::size_t t, int rank)
   {
-    const auto is_own = [&](Index v) { return known.owners[v] == rank; };
-    const std::array<Index, 3>& v = triangulation.tr.vertices[t];
-    is_final[t] = triangulation.inside[t] && (is_own(v[0]) || is_own(v[1]) || is_own(v[2]));
+    const auto is_own = [&](Index v) { return bubbles.owner[v] == rank; };
+    const std::array<Index, 3>& v = triangles.vertices[t];
+    is_final[t] = triangles.inside[t] && (is_own(v[0]) || is_own(v[1]) || is_own(v[2]));
     is_owned[t] = is_final[t] && is_own(first_vertex(t));
   }
 };
@@ -77,36 +78,36 @@ private:
 /// displacement.
 inline void ask_own_sizes(Distributed_mesh_2& mesh, int rank, const Sizes_2& sizing)
 {
-  Known_bubbles_2& known = mesh.known;
+  Bubbles_2& known = mesh.bubbles;
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (known.owners[i] == rank)
-      known.bubbles.d[i] = sizing(known.bubbles.point(i));
+    if (known.owner[i] == rank)
+      known.d[i] = sizing(known.point(i));
 }
 
 /// The same of others' bubbles that triangles with own ones have.
 inline void ask_ghost_sizes(Distributed_mesh_2& mesh, int rank, const Sizes_2& sizing)
 {
-  Known_bubbles_2& known = mesh.known;
+  Bubbles_2& known = mesh.bubbles;
   std::vector<char> is_asked(known.size(), 0);
   for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
     for (int i = 0; i < 3 && mesh.is_final[t]; ++i) {
-      const Index v = mesh.triangulation.tr.vertices[t][i];
-      if (known.owners[v] == rank || is_asked[v])
+      const Index v = mesh.triangles.vertices[t][i];
+      if (known.owner[v] == rank || is_asked[v])
         continue;
       is_asked[v] = 1;
-      known.bubbles.d[v] = sizing(known.bubbles.point(static_cast<std::size_t>(v)));
+      known.d[v] = sizing(known.point(static_cast<std::size_t>(v)));
     }
 }
 
 /// The bubbles of a mesh that a rank owns, in the order of their numbers.
-inline Numbered_bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank)
+inline Bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank)
 {
-  const Known_bubbles_2& known = mesh.known;
-  Numbered_bubbles_2 result;
+  const Bubbles_2& known = mesh.bubbles;
+  Bubbles_2 result;
   result.make_room_for(known.size());
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (known.owners[i] == rank)
-      result.add(record(known.bubbles, i, known.numbers[i]));
+    if (known.owner[i] == rank)
+      add_own(result, record(known, i));
   return result;
 }
 

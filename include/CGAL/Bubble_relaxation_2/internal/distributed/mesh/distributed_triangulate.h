@@ -18,7 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/order_in_space.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ class Distributed_triangulation_2
 {
 public:
   /// \pre bubbles `own` lie in this rank's piece, and their numbers ascend
-  Distributed_triangulation_2(const Domain_2& domain, const Numbered_bubbles_2& own,
+  Distributed_triangulation_2(const Domain_2& domain, const Bubbles_2& own,
                               const Hilbert_partition_2& partition, const Communicator& comm,
                               Agreement& agreement, Sparse_exchange& exchange, double reach)
     : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_agreement(agreement),
@@ -82,16 +82,16 @@ private:
     std::vector<Bubble_record_2> records;
     m_agreement.reach_after([&] {
       for (std::size_t i = 0; i < m_own.size(); ++i)
-        if (is_on_outline(m_own.bubbles, i))
-          records.push_back(record(m_own.bubbles, i, m_own.numbers[i]));
+        if (is_on_outline(m_own, i))
+          records.push_back(record(m_own, i));
     });
     records = gather_records(m_comm, records);
     m_agreement.reach_after([&] {
-      m_mesh.known = Known_bubbles_2(m_own, m_comm.rank());
+      m_mesh.bubbles = with_owner(m_own, m_comm.rank());
       for (const Bubble_record_2& r : records) {
         const int owner = m_partition.owner(r.x, r.y);
         if (owner != m_comm.rank())
-          m_mesh.known.add(r, owner);
+          add(m_mesh.bubbles, r, owner);
       }
     });
   }
@@ -100,7 +100,7 @@ private:
   {
     Messages<Bubble_record_2> out;
     m_agreement.reach_after([&] {
-      const Bubbles_2& b = m_own.bubbles;
+      const Bubbles_2& b = m_own;
       m_free_radius.assign(m_own.size(), 0);
       Clearance_2 clearance(m_partition, m_comm.rank());
       for (std::size_t i = 0; i < m_own.size(); ++i) {
@@ -120,8 +120,8 @@ private:
     m_agreement.reach_after([&] {
       for (const auto& message : in)
         for (const Bubble_record_2& r : message.second)
-          m_mesh.known.add(r, message.first);
-      m_mesh.known.sort();
+          add(m_mesh.bubbles, r, message.first);
+      m_mesh.bubbles.sort_by_id();
     });
   }
 
@@ -130,21 +130,21 @@ private:
     if (rank == m_comm.rank())
       return;
     const std::size_t k = static_cast<std::size_t>(i);
-    out[rank].push_back(record(m_own.bubbles, k, m_own.numbers[k]));
+    out[rank].push_back(record(m_own, k));
     m_answers.note_sent(rank, i);
   }
 
   void triangulate()
   {
-    const Bubbles_2& b = m_mesh.known.bubbles;
+    const Bubbles_2& b = m_mesh.bubbles;
     if (follow_space(b))
-      m_mesh.triangulation = internal::triangulate(m_domain, b);
+      internal::triangulate(m_domain, m_mesh);
     else
       triangulate_along_curve();
     m_is_new = false;
-    m_radius.assign(m_mesh.known.size(), no_radius);
+    m_radius.assign(m_mesh.bubbles.size(), no_radius);
     for (std::size_t i = 0, k = 0; i < m_own.size(); ++i, ++k) {
-      while (m_mesh.known.numbers[k] != m_own.numbers[i])
+      while (m_mesh.bubbles.id[k] != m_own.id[i])
         ++k;
       m_radius[k] = m_free_radius[i];
     }
@@ -153,14 +153,12 @@ private:
   /// CGAL searches each point from the last one
   void triangulate_along_curve()
   {
-    Bubbles_2 sorted = m_mesh.known.bubbles;
-    const std::vector<Index> order = order_in_space(m_partition.curve(), sorted);
-    sorted.select(order);
-    m_mesh.triangulation = internal::triangulate(m_domain, sorted);
-    Flat_triangulation_2& tr = m_mesh.triangulation.tr;
-    for (std::size_t i = 0; i < tr.points.size(); ++i)
-      tr.points[i] = m_mesh.known.bubbles.point(i);
-    for (std::array<Index, 3>& vertices : tr.vertices)
+    Bubble_mesh_2 sorted{m_mesh.bubbles, {}};
+    const std::vector<Index> order = order_in_space(m_partition.curve(), sorted.bubbles);
+    sorted.bubbles.select(order);
+    internal::triangulate(m_domain, sorted);
+    m_mesh.triangles = std::move(sorted.triangles);
+    for (std::array<Index, 3>& vertices : m_mesh.triangles.vertices)
       for (Index& v : vertices)
         v = order[v];
   }
@@ -171,19 +169,18 @@ private:
     m_asked.clear();
     if (m_comm.size() == 1)
       return questions;
-    const Marked_triangulation_2& mesh = m_mesh.triangulation;
-    for (std::size_t k = 0; k < mesh.tr.number_of_triangles(); ++k) {
+    for (std::size_t k = 0; k < m_mesh.triangles.number_of_triangles(); ++k) {
       const Index t = static_cast<Index>(k);
-      const int vertex = mesh.inside[k] ? own_vertex(t) : -1;
+      const int vertex = m_mesh.triangles.inside[k] ? own_vertex(t) : -1;
       if (vertex == -1 || is_clearly_free(t))
         continue;
-      const Bbox_2 box = box_that_matters(mesh, t, m_domain.bbox());
+      const Bbox_2 box = box_that_matters(m_mesh, t, m_domain.bbox());
       if (is_free(t, box))
         continue;
       const auto ranks = owners(box);
       if ((ranks.size() == 1 && ranks.front() == m_comm.rank()) || m_is_certain.count(triangle(t)) != 0)
         continue;
-      const auto question = make_question(mesh, t, box, vertex, static_cast<std::int32_t>(m_asked.size()));
+      const auto question = make_question(m_mesh, t, box, vertex, static_cast<std::int32_t>(m_asked.size()));
       m_asked.push_back(triangle(t));
       for (int rank : ranks)
         if (rank != m_comm.rank())
@@ -197,7 +194,7 @@ private:
   int own_vertex(Index t) const
   {
     for (int i = 0; i < 3; ++i)
-      if (m_radius[m_mesh.triangulation.tr.vertices[t][i]] != no_radius)
+      if (m_radius[m_mesh.triangles.vertices[t][i]] != no_radius)
         return i;
     return -1;
   }
@@ -206,14 +203,13 @@ private:
   /// the longest side as radius. That decides about most triangles.
   bool is_clearly_free(Index t) const
   {
-    const Flat_triangulation_2& tr = m_mesh.triangulation.tr;
     double longest = 0, sum = 0, radius = 0;
     for (int i = 0; i < 3; ++i) {
-      const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
+      const Point p = m_mesh.point(t, ccw(i)), q = m_mesh.point(t, cw(i));
       const double dx = q.x() - p.x(), dy = q.y() - p.y(), square = dx * dx + dy * dy;
       longest = (std::max)(longest, square);
       sum += square;
-      radius = (std::max)(radius, m_radius[tr.vertices[t][i]]);
+      radius = (std::max)(radius, m_radius[m_mesh.triangles.vertices[t][i]]);
     }
     return 2 * longest < sum && 2 * longest < radius * radius;
   }
@@ -221,9 +217,8 @@ private:
   /// whether the box lies in a disc around a vertex of which this rank owns all
   bool is_free(Index t, const Bbox_2& box) const
   {
-    const Flat_triangulation_2& tr = m_mesh.triangulation.tr;
     for (int i = 0; i < 3; ++i) {
-      const double radius = m_radius[tr.vertices[t][i]], x = tr.point(t, i).x(), y = tr.point(t, i).y();
+      const double radius = m_radius[m_mesh.triangles.vertices[t][i]], x = m_mesh.point(t, i).x(), y = m_mesh.point(t, i).y();
       const double dx = (std::max)(x - box.xmin(), box.xmax() - x);
       const double dy = (std::max)(y - box.ymin(), box.ymax() - y);
       if (radius > 0 && dx * dx + dy * dy < 0.999999 * radius * radius)
@@ -243,7 +238,7 @@ private:
   {
     Triangle result;
     for (int i = 0; i < 3; ++i)
-      result[i] = m_mesh.known.numbers[m_mesh.triangulation.tr.vertices[t][i]];
+      result[i] = m_mesh.bubbles.id[m_mesh.triangles.vertices[t][i]];
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -267,7 +262,7 @@ private:
     std::size_t n = 0;
     for (const auto& message : answers)
       for (const Bubble_answer_2& answer : message.second) {
-        m_mesh.known.add(answer.bubble, message.first);
+        add(m_mesh.bubbles, answer.bubble, message.first);
         ++n;
         is_open[static_cast<std::size_t>(answer.question)] = 1;
       }
@@ -277,14 +272,14 @@ private:
     if (n == 0)
       return;
     m_mesh.number_of_answers += n;
-    m_mesh.known.sort();
+    m_mesh.bubbles.sort_by_id();
     m_is_new = true;
   }
 
   static constexpr double no_radius = -1; // of bubbles of other ranks
 
   const Domain_2& m_domain;
-  const Numbered_bubbles_2& m_own;
+  const Bubbles_2& m_own;
   const Hilbert_partition_2& m_partition;
   const Communicator& m_comm;
   Agreement& m_agreement;
@@ -305,7 +300,7 @@ private:
 /// \param reach how far from the piece of a rank it gets the bubbles at once, in units of their own d; no
 /// result depends on it, but for the ghosts
 /// \throws std::runtime_error on all ranks if `triangulate()` would throw
-inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const Numbered_bubbles_2& own,
+inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const Bubbles_2& own,
                                                   const Hilbert_partition_2& partition,
                                                   const Communicator& comm, Agreement& agreement,
                                                   Sparse_exchange& exchange, double reach = 3)

@@ -48,7 +48,7 @@ public:
   /// numbers; sizes that are not numbers become distances to points nearby.
   /// \throws std::invalid_argument on all ranks if two points have the same place or the same number, or if
   /// only some ranks' points have numbers
-  Numbered_bubbles_2 operator()(const Numbered_bubbles_2& points, bool has_numbers)
+  Bubbles_2 operator()(const Bubbles_2& points, bool has_numbers)
   {
     const bool are_numbered = check_numbers(points, has_numbers);
     std::vector<Keyed_record_2> records;
@@ -63,13 +63,13 @@ public:
     });
     if (!are_numbered)
       return number_along_curve(m_comm, records);
-    Numbered_bubbles_2 result;
+    Bubbles_2 result;
     m_agreement.reach_after([&] { result = in_order_of_numbers(records); });
     return result;
   }
 
 private:
-  bool check_numbers(const Numbered_bubbles_2& points, bool has_numbers)
+  bool check_numbers(const Bubbles_2& points, bool has_numbers)
   {
     const bool any_has = m_comm.any(points.size() > 0 && has_numbers);
     if (!any_has)
@@ -81,7 +81,7 @@ private:
     });
     Messages<std::int64_t> out;
     m_agreement.reach_after([&] {
-      for (std::int64_t number : points.numbers)
+      for (std::int64_t number : points.id)
         out[static_cast<int>(number % m_comm.size())].push_back(number);
     });
     const Messages<std::int64_t> in = m_exchange(out);
@@ -103,12 +103,12 @@ private:
     return Keyed_record_2{m_partition.curve().key(r.x, r.y), r};
   }
 
-  std::vector<Keyed_record_2> keyed(const Numbered_bubbles_2& points) const
+  std::vector<Keyed_record_2> keyed(const Bubbles_2& points) const
   {
     std::vector<Keyed_record_2> records;
     records.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      records.push_back(keyed(record(points.bubbles, i, points.numbers[i])));
+      records.push_back(keyed(record(points, i)));
     return records;
   }
 
@@ -118,9 +118,9 @@ private:
     std::vector<std::int32_t> is_there(m_domain.corners().size(), 0);
     std::int64_t last = -1;
     for (const Keyed_record_2& r : records) {
-      if (r.bubble.dimension == Bubbles_2::CORNER && r.bubble.place != no_index)
-        is_there[r.bubble.place] = 1;
-      last = (std::max)(last, r.bubble.number);
+      if (r.bubble.dimension == Bubbles_2::CORNER && r.bubble.host != no_index)
+        is_there[r.bubble.host] = 1;
+      last = (std::max)(last, r.bubble.id);
     }
     check_mpi(MPI_Allreduce(MPI_IN_PLACE, is_there.data(), static_cast<int>(is_there.size()), MPI_INT32_T,
                             MPI_MAX, m_comm.handle()));
@@ -142,9 +142,9 @@ private:
     r.x = m_domain.corners()[c].x();
     r.y = m_domain.corners()[c].y();
     r.d = std::numeric_limits<double>::quiet_NaN();
-    r.number = number;
-    r.place = c;
-    r.tag = no_index;
+    r.id = number;
+    r.host = c;
+    r.pin = no_index;
     r.dimension = Bubbles_2::CORNER;
     return keyed(r);
   }
@@ -173,15 +173,15 @@ private:
     }
   }
 
-  static Numbered_bubbles_2 in_order_of_numbers(std::vector<Keyed_record_2>& records)
+  static Bubbles_2 in_order_of_numbers(std::vector<Keyed_record_2>& records)
   {
     std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
-      return r.bubble.number < s.bubble.number;
+      return r.bubble.id < s.bubble.id;
     });
-    Numbered_bubbles_2 result;
-    result.bubbles.make_room_for(records.size());
+    Bubbles_2 result;
+    result.make_room_for(records.size());
     for (const Keyed_record_2& r : records)
-      result.add(r.bubble);
+      add_own(result, r.bubble);
     return result;
   }
 

@@ -13,7 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,8 +35,8 @@ struct Keyed_record_2
 
   bool operator<(const Keyed_record_2& r) const
   {
-    return std::tie(key, bubble.x, bubble.y, bubble.dimension, bubble.number) <
-           std::tie(r.key, r.bubble.x, r.bubble.y, r.bubble.dimension, r.bubble.number);
+    return std::tie(key, bubble.x, bubble.y, bubble.dimension, bubble.id) <
+           std::tie(r.key, r.bubble.x, r.bubble.y, r.bubble.dimension, r.bubble.id);
   }
 };
 
@@ -104,10 +104,10 @@ Records_at_home<Keyed_record> bring_home(const Hilbert_partition_2& partition, S
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
-inline Numbered_bubbles_2 bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
-                                     Numbered_bubbles_2 bubbles)
+inline Bubbles_2 bring_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
+                            Bubbles_2 bubbles)
 {
-  const Bubbles_2& b = bubbles.bubbles;
+  const Bubbles_2& b = bubbles;
   std::vector<Index> home;
   home.reserve(b.size());
   Messages<Bubble_record_2> out;
@@ -117,27 +117,27 @@ inline Numbered_bubbles_2 bring_home(const Hilbert_partition_2& partition, Spars
     if (owner == rank)
       home.push_back(static_cast<Index>(i));
     else
-      out[owner].push_back(record(b, i, bubbles.numbers[i]));
+      out[owner].push_back(record(b, i));
   }
   if (home.size() < b.size())
     bubbles.select(home);
   for (const auto& message : exchange(out))
     for (const Bubble_record_2& r : message.second)
-      bubbles.add(r);
-  bubbles.sort();
+      add_own(bubbles, r);
+  bubbles.sort_by_id();
   return bubbles;
 }
 
 /// Numbers bubbles along the curve, the first of all ranks by 0.
 /// \pre the records of each rank are sorted, and come before those of the next
-inline Numbered_bubbles_2 number_along_curve(const Communicator& comm, const std::vector<Keyed_record_2>& records)
+inline Bubbles_2 number_along_curve(const Communicator& comm, const std::vector<Keyed_record_2>& records)
 {
   std::int64_t number = comm.sum_before(static_cast<std::int64_t>(records.size()));
-  Numbered_bubbles_2 result;
+  Bubbles_2 result;
   result.make_room_for(records.size());
   for (Keyed_record_2 r : records) {
-    r.bubble.number = number++;
-    result.add(r.bubble);
+    r.bubble.id = number++;
+    add_own(result, r.bubble);
   }
   return result;
 }

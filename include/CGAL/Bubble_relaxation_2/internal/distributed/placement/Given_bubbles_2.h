@@ -44,7 +44,7 @@ public:
   /// Collective. `points`: what this rank has of them.
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
   Given_bubbles_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Domain_2& domain,
-                  const Given_mesh_2& given, const Numbered_bubbles_2& points)
+                  const Given_mesh_2& given, const Bubbles_2& points)
     : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_domain(domain), m_given(given),
       m_outline{given.pinned, given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
       m_distribution(domain, comm, agreement, exchange)
@@ -93,22 +93,22 @@ private:
       m_free.push_back(Free{m_given.free[k], static_cast<std::int64_t>(k)});
   }
 
-  void distribute(const Numbered_bubbles_2& points)
+  void distribute(const Bubbles_2& points)
   {
-    gather_outline(points.bubbles);
-    Numbered_bubbles_2 others;
+    gather_outline(points);
+    Bubbles_2 others;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (!is_pinned(points.bubbles.point(i)))
-        others.add(record(points.bubbles, i, no_index));
+      if (!is_pinned(points.point(i)))
+        add_own(others, record(points, i, no_index));
     if (m_comm.rank() == 0)
       for (const Point& p : m_outline.pinned) {
-        others.bubbles.add(p, std::numeric_limits<double>::quiet_NaN(), Bubbles_2::CORNER, no_index);
-        others.numbers.push_back(no_index);
+        others.add(p, std::numeric_limits<double>::quiet_NaN(), Bubbles_2::CORNER, no_index);
+        others.id.push_back(no_index);
       }
     m_points = m_distribution(others, false);
     for (std::size_t i = 0; i < m_points.size(); ++i)
-      if (m_points.bubbles.is_in_face(i))
-        m_free.push_back(Free{m_points.bubbles.point(i), m_points.numbers[i]});
+      if (m_points.is_in_face(i))
+        m_free.push_back(Free{m_points.point(i), m_points.id[i]});
   }
 
   void gather_outline(const Bubbles_2& b)
@@ -116,8 +116,8 @@ private:
     std::vector<Placed> placed;
     for (std::size_t i = 0; i < b.size(); ++i)
       if (b.is_on_edge(i))
-        placed.push_back(Placed{b.x[i], b.y[i], position_on_edge(m_domain, b.place[i], b.point(i)), b.place[i]});
-      else if (b.is_corner(i) && b.place[i] == no_index)
+        placed.push_back(Placed{b.x[i], b.y[i], position_on_edge(m_domain, b.host[i], b.point(i)), b.host[i]});
+      else if (b.is_corner(i) && b.host[i] == no_index)
         placed.push_back(Placed{b.x[i], b.y[i], 0, no_index});
     placed = gather_records(m_comm, placed);
     std::sort(placed.begin(), placed.end());
@@ -149,29 +149,30 @@ private:
   {
     const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm,
                                                             m_agreement, m_exchange);
-    const Flat_triangulation_2& tr = mesh.triangulation.tr;
-    std::vector<Index> beside(mesh.known.size(), no_index); // a triangle at each vertex
+    const Marked_triangles_2& tr = mesh.triangles;
+    std::vector<Index> beside(mesh.bubbles.size(), no_index); // a triangle at each vertex
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
       for (Index v : tr.vertices[t])
         beside[v] = static_cast<Index>(t);
     std::vector<Mesh_surroundings_2> result;
     std::size_t v = 0;
     for (const Free& f : m_free) { // in the order of their numbers, as the known ones
-      while (mesh.known.numbers[v] != f.number)
+      while (mesh.bubbles.id[v] != f.number)
         ++v;
-      result.push_back(mesh_surroundings(f.point, ring(tr, beside[v], static_cast<Index>(v))));
+      result.push_back(mesh_surroundings(f.point, ring(mesh, beside[v], static_cast<Index>(v))));
     }
     return result;
   }
 
   /// the neighbours of an inner vertex of the triangle `t`, counterclockwise from the lexicographically smallest on
-  static std::vector<Point> ring(const Flat_triangulation_2& tr, Index start, Index v)
+  static std::vector<Point> ring(const Bubble_mesh_2& mesh, Index start, Index v)
   {
+    const Marked_triangles_2& tr = mesh.triangles;
     std::vector<Point> result;
     Index t = start;
     do {
       const int i = tr.vertices[t][0] == v ? 0 : tr.vertices[t][1] == v ? 1 : 2;
-      result.push_back(tr.point(t, ccw(i)));
+      result.push_back(mesh.point(t, ccw(i)));
       t = tr.neighbors[t][ccw(i)];
     } while (t != start);
     std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
@@ -187,7 +188,7 @@ private:
   std::vector<Point> m_pinned_by_place;
   bool m_are_points, m_has_free = false;
   Point_distribution_2 m_distribution;
-  Numbered_bubbles_2 m_points; // if there are points: as many on each rank, with corners and pinned ones
+  Bubbles_2 m_points; // if there are points: as many on each rank, with corners and pinned ones
   std::vector<Free> m_free;
 };
 

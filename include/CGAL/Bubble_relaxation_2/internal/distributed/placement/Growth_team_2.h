@@ -16,7 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_holders_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -319,7 +319,7 @@ private:
     const bool is_new = crystal.birth(i).generation == m_generation && m_is_in_front[i] == 0;
     m_late[rank].push_back(Late{crystal.birth(i),
                                 Growth_proposal_2{0, is_new || m_is_in_front[i] ? m_keys[i] : -1., b.x[i], b.y[i],
-                                                  b.d[i], crystal.direction(i), b.place[i],
+                                                  b.d[i], crystal.direction(i), b.host[i],
                                                   is_new ? foreign : no_index}});
   }
 

@@ -69,7 +69,7 @@ private:
 /// bubbles of one rank, and who owns what
 struct Placed_part_2
 {
-  Numbered_bubbles_2 bubbles;
+  Bubbles_2 bubbles;
   Hilbert_partition_2 partition;
 };
 
@@ -187,16 +187,16 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
   on_curve.bring_home(partition, exchange, comm.rank());
   on_curve.forget_coincident();
   on_curve.select();
-  std::vector<std::int64_t> numbers(bubbles.size());
-  std::iota(numbers.begin(), numbers.end(), comm.sum_before(static_cast<std::int64_t>(numbers.size())));
-  return Placed_part_2{Numbered_bubbles_2{std::move(bubbles), std::move(numbers)}, partition};
+  bubbles.id.resize(bubbles.size());
+  std::iota(bubbles.id.begin(), bubbles.id.end(), comm.sum_before(static_cast<std::int64_t>(bubbles.size())));
+  return Placed_part_2{std::move(bubbles), partition};
 }
 
 /// The initial bubbles, each on the rank that owns its place. All ranks put bubbles on the outline, which all of
 /// them have; the faces are filled by all together. `points`: this rank's part of those to start from, if any rank
 /// has some; they take the place of the free vertices of the domain's triangulation.
 inline Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                       const Problem_2& problem, const Numbered_bubbles_2& points = {})
+                                       const Problem_2& problem, const Bubbles_2& points = {})
 {
   const Given_bubbles_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
   Placement_2 placed = place_by_all(comm, exchange, agreement, problem, given);
@@ -206,7 +206,7 @@ inline Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange
 
 /// The bubbles that were given, all of them, whatever d asks for, as `given_bubbles()` has them.
 inline Placed_part_2 given_bubbles_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                               const Problem_2& problem, const Numbered_bubbles_2& points = {})
+                                               const Problem_2& problem, const Bubbles_2& points = {})
 {
   const Given_bubbles_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
   Placement_2 placed(place_on_outline(problem.domain, given.outline(), On_edges::KEEP, problem.sizes), comm);

@@ -125,11 +125,10 @@ private:
 /// adds the triangles that a rank owns
 inline void add_owned_triangles(const Distributed_mesh_2& mesh, Mesh_quality_accumulator_2& accumulator)
 {
-  const Flat_triangulation_2& tr = mesh.triangulation.tr;
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+  for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
     if (mesh.is_owned[t]) {
       const Index f = static_cast<Index>(t);
-      accumulator.add_triangle(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2));
+      accumulator.add_triangle(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2));
     }
 }
 
@@ -138,15 +137,14 @@ inline void add_owned_triangles(const Distributed_mesh_2& mesh, Mesh_quality_acc
 template <class Visitor>
 void for_each_owned_edge(const Distributed_mesh_2& mesh, int rank, const Visitor& visit)
 {
-  const Marked_triangulation_2& marked = mesh.triangulation;
-  const Flat_triangulation_2& tr = marked.tr;
+  const Marked_triangles_2& tr = mesh.triangles;
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
     for (int i = 0; i < 3 && mesh.is_final[t]; ++i) {
       const Index n = tr.neighbors[t][i], f = static_cast<Index>(t);
-      if (n != no_index && marked.inside[n] && n < f)
+      if (n != no_index && tr.inside[n] && n < f)
         continue; // seen from the other side
       const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
-      if (mesh.known.owners[(std::min)(a, b)] == rank)
+      if (mesh.bubbles.owner[(std::min)(a, b)] == rank)
         visit(a, b);
     }
 }
@@ -155,21 +153,21 @@ void for_each_owned_edge(const Distributed_mesh_2& mesh, int rank, const Visitor
 inline void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizes_2& sizing,
                               Mesh_quality_accumulator_2& accumulator)
 {
-  const std::vector<Point>& points = mesh.triangulation.tr.points;
-  for_each_owned_edge(mesh, rank,
-                      [&](Index a, Index b) { add_length(points[a], points[b], sizing, accumulator); });
+  for_each_owned_edge(mesh, rank, [&](Index a, Index b) {
+    add_length(mesh.bubbles.point(a), mesh.bubbles.point(b), sizing, accumulator);
+  });
 }
 
 /// adds the vertices that a rank owns
 inline void add_owned_vertices(const Distributed_mesh_2& mesh, int rank,
                                Mesh_quality_accumulator_2& accumulator)
 {
-  const Marked_triangulation_2& marked = mesh.triangulation;
-  const std::size_t n = mesh.known.size();
+  const Marked_triangles_2& marked = mesh.triangles;
+  const std::size_t n = mesh.bubbles.size();
   std::vector<char> is_in_domain(n, 0), is_interior(n, 1);
   std::vector<std::size_t> degrees(n, 0);
-  for (std::size_t t = 0; t < marked.tr.number_of_triangles(); ++t) {
-    const auto& v = marked.tr.vertices[t];
+  for (std::size_t t = 0; t < marked.number_of_triangles(); ++t) {
+    const auto& v = marked.vertices[t];
     for (int i = 0; i < 3; ++i) {
       ++degrees[v[i]];
       if (marked.inside[t])
@@ -179,7 +177,7 @@ inline void add_owned_vertices(const Distributed_mesh_2& mesh, int rank,
     }
   }
   for (std::size_t v = 0; v < n; ++v)
-    if (is_in_domain[v] && mesh.known.owners[v] == rank)
+    if (is_in_domain[v] && mesh.bubbles.owner[v] == rank)
       accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
 }
 
@@ -202,15 +200,15 @@ inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh
 /// d at the vertices of the triangles around own bubbles
 inline std::vector<double> sizes_around_own(const Distributed_mesh_2& mesh, const Sizes_2& sizing)
 {
-  const Flat_triangulation_2& tr = mesh.triangulation.tr;
-  std::vector<char> is_needed(tr.points.size(), 0);
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-    for (Index v : tr.vertices[t])
+  const Bubbles_2& b = mesh.bubbles;
+  std::vector<char> is_needed(b.size(), 0);
+  for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
+    for (Index v : mesh.triangles.vertices[t])
       is_needed[v] |= mesh.is_final[t];
-  std::vector<double> sizes(tr.points.size(), 0);
+  std::vector<double> sizes(b.size(), 0);
   for (std::size_t v = 0; v < sizes.size(); ++v)
     if (is_needed[v])
-      sizes[v] = sizing(tr.points[v]);
+      sizes[v] = sizing(b.x[v], b.y[v]);
   return sizes;
 }
 
@@ -226,9 +224,9 @@ inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& 
   Size_gradient_2 gradient(Report::steep_size_gradient);
   agreement.reach_after([&] {
     const std::vector<double> sizes = sizes_around_own(mesh, sizing);
-    const std::vector<Point>& points = mesh.triangulation.tr.points;
-    for_each_owned_edge(mesh, comm.rank(),
-                        [&](Index a, Index b) { gradient.add(points[a], sizes[a], points[b], sizes[b]); });
+    for_each_owned_edge(mesh, comm.rank(), [&](Index a, Index b) {
+      gradient.add(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
+    });
   });
   gradient.tell(report, Values_of_all_ranks(comm));
 }

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_BUBBLE_STATE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
 #include <cstddef>
@@ -26,16 +26,8 @@ struct Bubble_state_2
   Bubble_record_2 bubble;
   Bubble_memory_2 memory;
 
-  bool operator<(const Bubble_state_2& s) const { return bubble.number < s.bubble.number; }
+  bool operator<(const Bubble_state_2& s) const { return bubble.id < s.bubble.id; }
 };
-
-/// adds a bubble that is a part of all
-inline void add(Bubbles_2& bubbles, const Bubble_record_2& r, bool is_foreign)
-{
-  add(bubbles, r);
-  bubbles.number.push_back(r.number);
-  bubbles.is_foreign.push_back(is_foreign);
-}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -78,7 +79,7 @@ public:
   /// A bubble of ours that has left our part rests, as one of others would, but keeps its velocity.
   void mark(Bubbles_2& b, Index i)
   {
-    b.is_foreign[i] = 1;
+    b.owner[i] = nobody;
     m_marked.push_back(Marked{i, b.vx[i], b.vy[i]});
   }
 
@@ -89,7 +90,7 @@ public:
   void release(Bubbles_2& b, const Wake& wake)
   {
     for (const Marked& m : m_marked) {
-      b.is_foreign[m.bubble] = 0;
+      b.owner[m.bubble] = b.rank;
       b.vx[m.bubble] = m.vx;
       b.vy[m.bubble] = m.vy;
       wake(m.bubble);
@@ -98,6 +99,8 @@ public:
   }
 
 private:
+  static constexpr std::int32_t nobody = -1;
+
   struct Marked
   {
     Index bubble;

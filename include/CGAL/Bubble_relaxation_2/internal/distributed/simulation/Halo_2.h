@@ -86,8 +86,9 @@ public:
 
   /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own; `expected`: about so
   /// many bubbles will be added
-  void start(const Hilbert_partition_2& partition, double width = 0, std::size_t expected = 0)
+  void start(const Bubbles_2& bubbles, const Hilbert_partition_2& partition, double width = 0, std::size_t expected = 0)
   {
+    m_bubbles = &bubbles;
     m_partition = &partition;
     m_clearance.emplace(partition, m_comm.rank());
     m_width = width;
@@ -100,17 +101,15 @@ public:
     m_number_of_ours = 0;
     m_sent.clear();
     m_received.clear();
-    m_owner.clear();
-    m_owner.reserve(expected);
     m_places.reserve(expected);
     m_is_near_border.reserve(expected);
     ++m_number_of_changes;
   }
 
-  /// a bubble was added after the last that `owner` owns
-  void add(const Bubbles_2& b, Index i, int owner)
+  /// a bubble was added after the last
+  void add(const Bubbles_2& b, Index i)
   {
-    m_owner.push_back(owner);
+    const int owner = this->owner(i);
     m_holders.add_empty();
     m_is_near_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
@@ -129,7 +128,7 @@ public:
   const Messages<Index>& sent() const { return m_sent; }
   const Messages<Index>& received() const { return m_received; }
 
-  int owner(Index i) const { return m_owner[i]; }
+  int owner(Index i) const { return m_bubbles->owner[i]; }
 
   /// whether another rank has a bubble of ours
   bool is_at_border(Index i) const { return !m_holders.is_empty(i); }
@@ -279,7 +278,7 @@ private:
     p.y = b.y[i];
     if (is_ours(i))
       find_clearance(b, i);
-    if (p.clearance > 0 || m_partition->owner(p.x, p.y) == m_owner[i]) {
+    if (p.clearance > 0 || m_partition->owner(p.x, p.y) == owner(i)) {
       p.home_x = p.x;
       p.home_y = p.y;
     }
@@ -287,7 +286,7 @@ private:
     set_limits(b, i);
   }
 
-  bool is_ours(Index i) const { return m_owner[i] == m_comm.rank(); }
+  bool is_ours(Index i) const { return owner(i) == m_comm.rank(); }
 
   template <class Finder, class State>
   void tell_of_ours(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
@@ -311,7 +310,7 @@ private:
       return;
     finder.find_large(b.x[i], b.y[i], (std::max)(b.d[i], clearance / m_reach), m_reach, [&](Index j) {
       if (!is_ours(j) && is_reached_by(b, j, i))
-        give(i, m_owner[j], state, out);
+        give(i, owner(j), state, out);
     });
   }
 
@@ -333,7 +332,7 @@ private:
   {
     std::vector<Index> group;
     for (Index i : those) {
-      if (is_ours(i) || knows_all_of_ours(m_owner[i]))
+      if (is_ours(i) || knows_all_of_ours(owner(i)))
         continue;
       if (!group.empty() && !lies_with(b, i, group))
         tell_owner_of(b, std::exchange(group, {}), finder, state, out);
@@ -355,7 +354,7 @@ private:
     constexpr double farthest = 3, largest = 1.2; // in units of the first one's size
     const Index first = group.front();
     const double far = farthest * b.d[first];
-    return group.size() < most && m_owner[i] == m_owner[first] && b.d[i] <= largest * b.d[first] &&
+    return group.size() < most && owner(i) == owner(first) && b.d[i] <= largest * b.d[first] &&
            CGAL::squared_distance(b.point(i), b.point(first)) <= far * far;
   }
 
@@ -365,7 +364,7 @@ private:
                      Messages<Bubble_state_2>& out)
   {
     const Index first = group.front();
-    const int owner = m_owner[first];
+    const int owner = this->owner(first);
     double d = 0, square_radius = 0;
     for (Index i : group) {
       d = (std::max)(d, b.d[i]);
@@ -399,11 +398,11 @@ private:
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   Traffic_2& m_traffic;
+  const Bubbles_2* m_bubbles = nullptr;
   const Hilbert_partition_2* m_partition = nullptr;
   std::optional<Clearance_2> m_clearance;
   double m_needed_reach, m_reach; // in sizes
   double m_width = 0;             // of all, or 0
-  std::vector<int> m_owner; // of each bubble
   std::vector<Place> m_places;
   Lists_of_few<int> m_holders; // the other ranks that have a bubble of ours
   std::vector<Index> m_near_border;      // others', and ours whose disc met another part once

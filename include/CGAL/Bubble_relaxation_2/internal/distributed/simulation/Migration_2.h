@@ -60,7 +60,7 @@ private:
   {
     m_values[0] += states.size();
     for (const Bubble_state_2& s : states)
-      m_values[1] += static_cast<std::uint64_t>(s.bubble.number);
+      m_values[1] += static_cast<std::uint64_t>(s.bubble.id);
   }
 
   const Communicator& m_comm;
@@ -111,7 +111,7 @@ public:
         continue;
       const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
       (owner == m_comm.rank() ? ours : out[owner])
-        .push_back(Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(static_cast<Index>(i))});
+        .push_back(Bubble_state_2{record(bubbles, i), simulation.memory(static_cast<Index>(i))});
     }
     m_traffic.add_messages(out);
     const Bubble_census before(m_comm, ours, out);
@@ -120,10 +120,11 @@ public:
     before.check(Bubble_census(m_comm, ours, {}));
     std::sort(ours.begin(), ours.end());
     bubbles = Bubbles_2();
+    bubbles.rank = m_comm.rank();
     bubbles.make_room_for(ours.size());
     std::vector<Bubble_memory_2> memories;
     for (const Bubble_state_2& s : ours) {
-      add(bubbles, s.bubble, false);
+      add(bubbles, s.bubble, m_comm.rank());
       memories.push_back(s.memory);
     }
     simulation.restart(memories, simulation.is_roused());

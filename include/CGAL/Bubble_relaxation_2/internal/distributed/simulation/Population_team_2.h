@@ -69,7 +69,7 @@ public:
     using Numbers = std::array<std::int64_t, 3>;
     Messages<Numbers> out;
     for (const Triangle& t : triangles) {
-      const Numbers numbers{b.number[t[0]], b.number[t[1]], b.number[t[2]]};
+      const Numbers numbers{b.id[t[0]], b.id[t[1]], b.id[t[2]]};
       const std::array<int, 3> owners{m_halo.owner(t[0]), m_halo.owner(t[1]), m_halo.owner(t[2])};
       for (int k = 0; k < 3; ++k) // each once
         if (owners[k] != m_comm.rank() && std::find(owners.begin(), owners.begin() + k, owners[k]) == owners.begin() + k)
@@ -102,14 +102,14 @@ public:
   {
     std::vector<Placed> ours;
     for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_ours(i) && (b.is_on_edge(i) || (b.is_corner(i) && b.place[i] != no_index)))
-        ours.push_back(Placed{b.x[i], b.y[i], b.d[i], b.s[i], b.number[i], b.place[i], b.is_on_edge(i)});
+      if (b.is_ours(i) && (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index)))
+        ours.push_back(Placed{b.x[i], b.y[i], b.d[i], b.s[i], b.id[i], b.host[i], b.is_on_edge(i)});
     std::vector<Placed> all = gather_records(m_comm, ours);
     std::sort(all.begin(), all.end());
     std::unordered_map<std::int64_t, Index> indices;
     for (std::size_t i = 0; i < b.size(); ++i)
       if (b.is_on_edge(i) || b.is_corner(i))
-        indices[b.number[i]] = static_cast<Index>(i);
+        indices[b.id[i]] = static_cast<Index>(i);
     result.on_edge.assign(domain.edges().size(), {});
     result.on_corner.assign(domain.corners().size(), Outline_bubble_2{0, 0, 1, 0, no_index});
     for (const Placed& p : all) {
@@ -129,8 +129,7 @@ public:
     std::int64_t number = m_next_number + m_comm.sum_before(n);
     m_next_number += m_comm.sum(n);
     for (std::size_t k = 0; k < inserted.size(); ++k)
-      inserted.number.push_back(number++);
-    inserted.is_foreign.assign(inserted.size(), 0);
+      inserted.id.push_back(number++);
   }
 
 private:
@@ -175,7 +174,7 @@ private:
     for (const auto* lists : {&m_halo.sent(), &m_halo.received()})
       for (const auto& list : *lists)
         for (Index i : list.second)
-          result[b.number[i]] = i;
+          result[b.id[i]] = i;
     return result;
   }
 

@@ -32,10 +32,10 @@ public:
   void add(int rank, const Bubbles_2& b, const Neighbor_sets_2& sets, Index i)
   {
     std::vector<std::int64_t>& message = m_messages[rank];
-    message.push_back(b.number[i]);
+    message.push_back(b.id[i]);
     message.push_back(sets.end(i) - sets.begin(i));
     for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j)
-      message.push_back(b.number[*j]);
+      message.push_back(b.id[*j]);
   }
 
   /// Collective. Sends them, and gets those that are for this rank.
@@ -48,7 +48,7 @@ public:
     std::unordered_map<std::int64_t, Index> indices;
     for (std::size_t i = 0; i < b.size(); ++i)
       if (!b.is_gone(i))
-        indices[b.number[i]] = static_cast<Index>(i);
+        indices[b.id[i]] = static_cast<Index>(i);
     std::vector<Index> set;
     for (const auto& message : m_messages)
       for (std::size_t k = 0; k < message.second.size();) {
@@ -122,7 +122,7 @@ private:
   {
     m_names.resize(m_bubbles.size());
     for (std::size_t i = 0; i < m_names.size(); ++i)
-      m_names[i] = m_bubbles.is_ours(i) ? no_name : name_of_number(m_bubbles.number[i]);
+      m_names[i] = m_bubbles.is_ours(i) ? no_name : name_of_number(m_bubbles.id[i]);
     std::int64_t name = 0;
     for (const std::vector<Index>* list : {&ours, &theirs})
       for (Index i : *list)
@@ -156,7 +156,7 @@ private:
     if (m_indices.empty())
       for (std::size_t i = 0; i < m_bubbles.size(); ++i)
         if (!m_bubbles.is_gone(i))
-          m_indices[m_bubbles.number[i]] = static_cast<Index>(i);
+          m_indices[m_bubbles.id[i]] = static_cast<Index>(i);
     const auto found = m_indices.find(number);
     return found == m_indices.end() ? no_index : found->second;
   }

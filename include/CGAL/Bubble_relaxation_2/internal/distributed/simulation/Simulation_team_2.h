@@ -141,12 +141,12 @@ public:
       return;
     std::vector<Index> those;
     for (Index i = first, last = static_cast<Index>(bubbles.size()); i < last; ++i) {
-      m_halo.add(bubbles, i, m_comm.rank());
+      m_halo.add(bubbles, i);
       those.push_back(i);
     }
     look_after(simulation, bubbles, those);
     for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (bubbles.number[i] >= first_new && !bubbles.is_ours(i))
+      if (bubbles.id[i] >= first_new && !bubbles.is_ours(i))
         simulation.wake_around(static_cast<Index>(i));
     if (m_migration.is_due(bubbles))
       m_is_outgrown = m_is_far_from_home = true; // all migrate before the next step
@@ -232,11 +232,11 @@ private:
   /// makes the halo, of one width or by the bubbles' sizes
   void surround(Simulation_2& simulation, Bubbles_2& bubbles, double width)
   {
-    m_halo.start(partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
+    m_halo.start(bubbles, partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
     std::vector<Index> near_others;
     for (std::size_t k = 0; k < bubbles.size(); ++k) {
       const Index i = static_cast<Index>(k);
-      m_halo.add(bubbles, i, m_comm.rank());
+      m_halo.add(bubbles, i);
       if (!m_halo.is_far_from_others(i))
         near_others.push_back(i);
     }
@@ -290,15 +290,15 @@ private:
 
   static Bubble_state_2 state(const Simulation_2& simulation, const Bubbles_2& bubbles, Index i)
   {
-    return Bubble_state_2{record(bubbles, i, bubbles.number[i]), simulation.memory(i)};
+    return Bubble_state_2{record(bubbles, i), simulation.memory(i)};
   }
 
   Index add_of_other(Simulation_2& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
   {
     const Index i = static_cast<Index>(bubbles.size());
-    add(bubbles, s.bubble, true);
+    add(bubbles, s.bubble, owner);
     simulation.add_known(s.memory);
-    m_halo.add(bubbles, i, owner);
+    m_halo.add(bubbles, i);
     return i;
   }
 

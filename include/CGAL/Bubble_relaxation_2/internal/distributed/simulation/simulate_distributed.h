@@ -142,32 +142,32 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
     if (bubbles.is_ours(i) && !bubbles.is_gone(i))
       left.push_back(static_cast<Index>(i));
   bubbles.select(left);
-  std::vector<std::int64_t> numbers = std::move(bubbles.number);
-  bubbles.forget_parts();
-  Numbered_bubbles_2 home = bring_home(partition, exchange, comm.rank(), {std::move(bubbles), std::move(numbers)});
-  remove_those_in_one_place(home.bubbles);
+  bubbles.owner.clear(); // all are ours
+  Bubbles_2 home = bring_home(partition, exchange, comm.rank(), std::move(bubbles));
+  remove_those_in_one_place(home);
   home.forget_gone();
-  Number_compaction(comm, exchange, end)(home.numbers);
+  Number_compaction(comm, exchange, end)(home.id);
   return Placed_part_2{std::move(home), partition};
 }
 
 /// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
 inline std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                      const Problem_2& problem, const Numbered_bubbles_2& points,
+                                      const Problem_2& problem, const Bubbles_2& points,
                                       Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
 {
+  bubbles.rank = comm.rank();
   if (checkpoints.is_restart()) {
     const Restart_2& restart = checkpoints.read(hilbert_curve(problem.domain), problem.sizes);
     for (const Bubble_state_2& s : restart.states)
-      add(bubbles, s.bubble, false);
+      add(bubbles, s.bubble, comm.rank());
     team.start(restart);
     return static_cast<std::size_t>(restart.header.initial_bubbles);
   }
   Placed_part_2 part = place_distributed(comm, exchange, agreement, problem, points);
   team.start(part);
-  bubbles = std::move(part.bubbles.bubbles);
-  bubbles.number = std::move(part.bubbles.numbers);
-  bubbles.is_foreign.assign(bubbles.size(), 0);
+  bubbles = std::move(part.bubbles);
+  bubbles.rank = comm.rank();
+  bubbles.owner.assign(bubbles.size(), comm.rank());
   return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
 }
 
@@ -177,7 +177,7 @@ inline std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange&
 /// \pre sizes of `problem` keep what they throw until ranks agree on it
 inline Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                                           const Problem_2& problem, Progress& progress, Report& report,
-                                          const Numbered_bubbles_2& points = {}, Traffic_2* traffic = nullptr)
+                                          const Bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
   Checkpoints_2 checkpoints(comm, exchange, agreement, hash_of_places(problem.domain, problem.given), problem.options);
   Simulation_team_2 team(comm, exchange, agreement, checkpoints, problem.options);

@@ -37,21 +37,21 @@ struct Mesh_piece_2
 /// whether a triangle has a bubble of another rank
 inline bool is_beside_others(const Bubbles_2& bubbles, const std::array<Index, 3>& vertices)
 {
-  return bubbles.is_foreign[vertices[0]] || bubbles.is_foreign[vertices[1]] || bubbles.is_foreign[vertices[2]];
+  return !bubbles.is_ours(vertices[0]) || !bubbles.is_ours(vertices[1]) || !bubbles.is_ours(vertices[2]);
 }
 
 /// whether all three bubbles of a triangle are others'
 inline bool is_between_others(const Bubbles_2& bubbles, const std::array<Index, 3>& vertices)
 {
-  return bubbles.is_foreign[vertices[0]] && bubbles.is_foreign[vertices[1]] && bubbles.is_foreign[vertices[2]];
+  return !bubbles.is_ours(vertices[0]) && !bubbles.is_ours(vertices[1]) && !bubbles.is_ours(vertices[2]);
 }
 
 /// the triangles of a piece with a bubble of another rank: among them all at its border
-inline std::vector<Index> triangles_beside_others(const Bubbles_2& bubbles, const Marked_triangulation_2& piece)
+inline std::vector<Index> triangles_beside_others(const Bubble_mesh_2& piece)
 {
   std::vector<Index> result;
-  for (std::size_t t = 0; t < piece.inside.size(); ++t)
-    if (piece.inside[t] && is_beside_others(bubbles, piece.tr.vertices[t]))
+  for (std::size_t t = 0; t < piece.triangles.inside.size(); ++t)
+    if (piece.triangles.inside[t] && is_beside_others(piece.bubbles, piece.triangles.vertices[t]))
       result.push_back(static_cast<Index>(t));
   return result;
 }
@@ -63,8 +63,9 @@ inline std::vector<Index> triangles_beside_others(const Bubbles_2& bubbles, cons
 class Border_certificate_2
 {
 public:
-  explicit Border_certificate_2(const Marked_triangulation_2& mesh)
-    : m_mesh(mesh), m_seen_from(mesh.inside.size(), 0), m_is_doubtful(mesh.inside.size(), 0)
+  explicit Border_certificate_2(const Bubble_mesh_2& mesh)
+    : m_mesh(mesh), m_triangles(mesh.triangles), m_seen_from(mesh.triangles.inside.size(), 0),
+      m_is_doubtful(mesh.triangles.inside.size(), 0)
   {}
 
   /// `at_border`: at least all triangles with a side where the piece ends
@@ -74,8 +75,8 @@ public:
       m_is_doubtful[t] = 0;
     m_doubtful.clear();
     for (Index t : at_border)
-      for (int i = 0; i < 3 && m_mesh.inside[t]; ++i)
-        if (m_mesh.tr.neighbors[t][i] == no_index && m_mesh.edges[t][i] == no_index)
+      for (int i = 0; i < 3 && m_triangles.inside[t]; ++i)
+        if (m_triangles.neighbors[t][i] == no_index && m_triangles.edges[t][i] == no_index)
           find_from(t, i);
     return m_doubtful;
   }
@@ -83,7 +84,7 @@ public:
 private:
   void find_from(Index start, int side)
   {
-    const Point p = m_mesh.tr.point(start, ccw(side)), q = m_mesh.tr.point(start, cw(side));
+    const Point p = m_mesh.point(start, ccw(side)), q = m_mesh.point(start, cw(side));
     ++m_number_of_sides;
     m_stack.assign(1, start);
     m_seen_from[start] = m_number_of_sides;
@@ -94,8 +95,8 @@ private:
         m_doubtful.push_back(t);
       m_is_doubtful[t] = 1;
       for (int i = 0; i < 3; ++i) {
-        const Index n = m_mesh.tr.neighbors[t][i];
-        if (n == no_index || m_mesh.edges[t][i] != no_index || m_seen_from[n] == m_number_of_sides)
+        const Index n = m_triangles.neighbors[t][i];
+        if (n == no_index || m_triangles.edges[t][i] != no_index || m_seen_from[n] == m_number_of_sides)
           continue;
         m_seen_from[n] = m_number_of_sides;
         if (may_reach(n, p, q))
@@ -108,9 +109,9 @@ private:
   bool may_reach(Index t, const Point& p, const Point& q) const
   {
     constexpr double flat = 1e-4, margin = 1e-6;
-    const Point& o = m_mesh.tr.point(t, 0);
-    const double ax = m_mesh.tr.point(t, 1).x() - o.x(), ay = m_mesh.tr.point(t, 1).y() - o.y();
-    const double bx = m_mesh.tr.point(t, 2).x() - o.x(), by = m_mesh.tr.point(t, 2).y() - o.y();
+    const Point o = m_mesh.point(t, 0), r = m_mesh.point(t, 1), u = m_mesh.point(t, 2);
+    const double ax = r.x() - o.x(), ay = r.y() - o.y();
+    const double bx = u.x() - o.x(), by = u.y() - o.y();
     const double a = ax * ax + ay * ay, b = bx * bx + by * by, area2 = ax * by - ay * bx;
     if (!(area2 > flat * (std::max)(a, b)))
       return true;
@@ -121,7 +122,8 @@ private:
     return !(dx * dx + dy * dy > (1 + margin) * (x * x + y * y));
   }
 
-  const Marked_triangulation_2& m_mesh;
+  const Bubble_mesh_2& m_mesh;
+  const Marked_triangles_2& m_triangles; // of it
   std::size_t m_number_of_sides = 0;
   std::vector<std::size_t> m_seen_from; // the last side from which a triangle was looked at
   std::vector<char> m_is_doubtful;
@@ -131,11 +133,11 @@ private:
 /// Forgets the triangles at the border of a piece that the whole mesh may not have; returns whether only those between
 /// others' bubbles had to be forgotten, so that the piece is still wide enough. `beside_others`: at least all triangles
 /// with a bubble of another rank. `certificate`: of the piece
-inline bool forget_doubtful(const Bubbles_2& bubbles, const std::vector<Index>& beside_others,
-                            Border_certificate_2& certificate, Editable_triangulation_2& piece)
+inline bool forget_doubtful(const std::vector<Index>& beside_others, Border_certificate_2& certificate,
+                            Editable_triangulation_2& piece)
 {
   for (Index t : certificate.doubtful(beside_others)) {
-    if (!is_between_others(bubbles, piece.triangulation().vertices[t]))
+    if (!is_between_others(piece.mesh().bubbles, piece.vertices(t)))
       return false;
     piece.cut_off(t);
   }

@@ -36,7 +36,7 @@ class Distributed_surgery_2
 public:
   Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, const Communicator& comm,
                         Agreement& agreement, Sparse_exchange& exchange)
-    : m_domain(domain), m_piece(piece), m_known(piece.mesh.known), m_triangulation(piece.mesh.triangulation),
+    : m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
       m_comm(comm), m_agreement(agreement), m_exchange(exchange)
   {}
 
@@ -50,7 +50,7 @@ public:
     bool is_cut_off = false;
     std::vector<Bad_triangle_2> worst;
     m_agreement.reach_after([&] {
-      worst = bad_triangles(m_known.bubbles, m_triangulation, bad_quality);
+      worst = bad_triangles(m_piece.mesh, bad_quality);
       worst.erase(std::remove_if(worst.begin(), worst.end(),
                                  [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
                   worst.end());
@@ -60,7 +60,7 @@ public:
     m_agreement.reach_after([&] {
       for (const Bad_triangle_2& bad : worst) {
         m_operations.push_back(
-          Operation{bad, Mesh_patch_2(m_known.bubbles, m_triangulation, bad.triangle), {}, false});
+          Operation{bad, Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
         is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
       }
     });
@@ -119,7 +119,7 @@ private:
   /// returns whether it helped
   bool operate_on(Operation& operation) const
   {
-    Patch_operation_2 operate(m_domain, m_known.bubbles, m_triangulation, operation.patch);
+    Patch_operation_2 operate(m_domain, m_piece.mesh, operation.patch);
     operation.is_chosen = operate(operation.bad.triangle);
     operation.outcome = operate.best();
     return operation.is_chosen;
@@ -129,7 +129,7 @@ private:
   {
     Patch_claim_2 result{operation.bad, {}};
     for (Index t : operation.patch.triangles())
-      result.triangles.push_back(m_triangulation.tr.vertices[t]);
+      result.triangles.push_back(m_triangles.vertices[t]);
     return result;
   }
 
@@ -163,7 +163,7 @@ private:
   {
     Patch_change_2 result;
     const std::vector<Index>& indices = operation.patch.indices();
-    const Bubbles_2& b = operation.outcome.bubbles;
+    const Bubbles_2& b = operation.outcome.mesh.bubbles;
     std::vector<char> is_left(indices.size(), 0);
     std::vector<std::int64_t> numbers; // of the bubbles of the outcome
     std::int64_t number = operation.first_number;
@@ -177,15 +177,15 @@ private:
       }
       is_left[original] = 1;
       const Index i = indices[original];
-      numbers.push_back(m_known.numbers[i]);
-      result.bubbles.push_back({operation.place, m_known.owners[i], // those on the rim look like corners
+      numbers.push_back(m_known.id[i]);
+      result.bubbles.push_back({operation.place, m_known.owner[i], // those on the rim look like corners
                                 b.can_move(k) ? record(b, k, numbers.back()) : record_here(i)});
     }
     for (std::size_t l = 0; l < indices.size(); ++l)
       if (!is_left[l]) {
         Bubble_record_2 gone = record_here(indices[l]);
         gone.dimension = Bubbles_2::GONE;
-        result.bubbles.push_back({operation.place, m_known.owners[indices[l]], gone});
+        result.bubbles.push_back({operation.place, m_known.owner[indices[l]], gone});
         ++number_of_deletions;
       }
     describe_triangles(operation, numbers, result);
@@ -194,16 +194,16 @@ private:
 
   Bubble_record_2 record_here(Index i) const
   {
-    return record(m_known.bubbles, static_cast<std::size_t>(i), m_known.numbers[i]);
+    return record(m_known, static_cast<std::size_t>(i), m_known.id[i]);
   }
 
   void describe_triangles(const Operation& operation, const std::vector<std::int64_t>& numbers,
                           Patch_change_2& change) const
   {
     for (Index t : operation.patch.triangles()) {
-      const std::array<Index, 3>& v = m_triangulation.tr.vertices[t];
+      const std::array<Index, 3>& v = m_triangles.vertices[t];
       change.triangles.push_back(
-        {operation.place, 0, {m_known.numbers[v[0]], m_known.numbers[v[1]], m_known.numbers[v[2]]}, {}});
+        {operation.place, 0, {m_known.id[v[0]], m_known.id[v[1]], m_known.id[v[2]]}, {}});
     }
     std::vector<Index> same(numbers.size());
     std::iota(same.begin(), same.end(), Index(0));
@@ -215,8 +215,8 @@ private:
 
   const Domain_2& m_domain;
   const Mesh_piece_2& m_piece;
-  const Known_bubbles_2& m_known;
-  const Marked_triangulation_2& m_triangulation;
+  const Bubbles_2& m_known;
+  const Marked_triangles_2& m_triangles;
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;

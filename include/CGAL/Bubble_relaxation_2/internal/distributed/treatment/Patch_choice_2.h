@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class Patch_choice_2
 {
 public:
   Patch_choice_2(const Communicator& comm, Sparse_exchange& exchange, const std::vector<Patch_claim_2>& claims,
-                 const Known_bubbles_2& known)
+                 const Bubbles_2& known)
     : m_comm(comm), m_exchange(exchange), m_states(claims.size(), UNDECIDED)
   {
     find_rivals(claims, known);
@@ -98,15 +98,15 @@ private:
       m_states[k] = is_worth_it(k) ? CHOSEN : REFUSED;
   }
 
-  void find_rivals(const std::vector<Patch_claim_2>& claims, const Known_bubbles_2& known)
+  void find_rivals(const std::vector<Patch_claim_2>& claims, const Bubbles_2& known)
   {
     Messages<Claimed> out;
     for (std::size_t k = 0; k < claims.size(); ++k)
       for (const std::array<Index, 3>& t : claims[k].triangles) {
-        Claimed claimed{{known.numbers[t[0]], known.numbers[t[1]], known.numbers[t[2]]},
+        Claimed claimed{{known.id[t[0]], known.id[t[1]], known.id[t[2]]},
                         claims[k].bad, m_comm.rank(), static_cast<std::int32_t>(k)};
         std::sort(claimed.triangle.begin(), claimed.triangle.end());
-        out[known.owners[*std::min_element(t.begin(), t.end())]].push_back(claimed);
+        out[known.owner[*std::min_element(t.begin(), t.end())]].push_back(claimed);
       }
     std::vector<Claimed> claimed;
     for (const auto& message : m_exchange(out))

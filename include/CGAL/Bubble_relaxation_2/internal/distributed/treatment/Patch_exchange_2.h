@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class Patch_exchange_2
 {
 public:
   Patch_exchange_2(const Mesh_piece_2& piece, const Communicator& comm, Sparse_exchange& exchange)
-    : m_known(piece.mesh.known), m_comm(comm), m_exchange(exchange)
+    : m_known(piece.mesh.bubbles), m_comm(comm), m_exchange(exchange)
   {
     for (const auto& list : piece.sent)
       for (Index i : list.second)
@@ -86,7 +86,7 @@ private:
   {
     std::set<int> ranks{m_comm.rank()};
     for (const Changed_bubble_2& b : change.bubbles) {
-      const Index i = b.owner == m_comm.rank() ? m_known.index(b.bubble.number) : no_index;
+      const Index i = b.owner == m_comm.rank() ? m_known.index_of(b.bubble.id) : no_index;
       if (i == no_index) // of another rank, or inserted
         continue;
       for (auto taker = std::lower_bound(m_takers.begin(), m_takers.end(), std::make_pair(i, 0));
@@ -124,7 +124,7 @@ private:
           (result[t.operation].*part).push_back(t);
   }
 
-  const Known_bubbles_2& m_known;
+  const Bubbles_2& m_known;
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   std::vector<std::pair<Index, int>> m_takers; // own bubbles, and the other ranks that know them

@@ -33,7 +33,7 @@ class Piece_stitching_2
 {
 public:
   Piece_stitching_2(Mesh_piece_2& piece, const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
-    : m_piece(piece), m_known(piece.mesh.known), m_mesh(piece.mesh.triangulation), m_comm(comm),
+    : m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles), m_comm(comm),
       m_agreement(agreement), m_exchange(exchange)
   {}
 
@@ -46,12 +46,12 @@ public:
     std::vector<std::int64_t> gone;
     bool is_wide_enough = false;
     m_agreement.reach_after([&] {
-      Mesh_stitching_2 stitching(m_mesh);
+      Mesh_stitching_2 stitching(m_piece.mesh);
       replace(changes, stitching);
-      Editable_triangulation_2 mesh = stitching.finish(m_known.bubbles.indices_left());
-      gone = forget_gone();
-      Border_certificate_2 certificate(m_mesh);
-      is_wide_enough = forget_doubtful(m_known.bubbles, triangles_beside_others(m_known.bubbles, m_mesh), certificate, mesh);
+      gone = gone_of_ours();
+      Editable_triangulation_2 mesh = stitching.finish();
+      Border_certificate_2 certificate(m_piece.mesh);
+      is_wide_enough = forget_doubtful(triangles_beside_others(m_piece.mesh), certificate, mesh);
     });
     close_gaps(gone);
     link_with_others();
@@ -89,14 +89,14 @@ private:
     std::vector<char> is_changed(m_known.size(), 0);
     for (const auto& change : changes)
       for (const Changed_bubble_2& b : change.second.bubbles) {
-        const Index i = m_known.index(b.bubble.number);
+        const Index i = m_known.index_of(b.bubble.id);
         if (i != no_index)
           is_changed[i] = 1;
       }
     Triangles result;
-    for (std::size_t t = 0; t < m_mesh.inside.size(); ++t) {
-      const std::array<Index, 3>& v = m_mesh.tr.vertices[t];
-      if (m_mesh.inside[t] && is_changed[v[0]] && is_changed[v[1]] && is_changed[v[2]])
+    for (std::size_t t = 0; t < m_triangles.inside.size(); ++t) {
+      const std::array<Index, 3>& v = m_triangles.vertices[t];
+      if (m_triangles.inside[t] && is_changed[v[0]] && is_changed[v[1]] && is_changed[v[2]])
         result[sorted(v)] = static_cast<Index>(t);
     }
     return result;
@@ -110,16 +110,16 @@ private:
 
   std::array<Index, 3> indices(const Changed_triangle_2& t) const
   {
-    return {m_known.index(t.vertices[0]), m_known.index(t.vertices[1]), m_known.index(t.vertices[2])};
+    return {m_known.index_of(t.vertices[0]), m_known.index_of(t.vertices[1]), m_known.index_of(t.vertices[2])};
   }
 
   void replace(const Changed_bubble_2& changed)
   {
     const Bubble_record_2& r = changed.bubble;
-    Bubbles_2& b = m_known.bubbles;
-    const Index i = m_known.index(r.number);
+    Bubbles_2& b = m_known;
+    const Index i = m_known.index_of(r.id);
     if (i == no_index) {
-      if (r.number >= m_end)
+      if (r.id >= m_end)
         insert(changed);
       return; // others are not known here
     }
@@ -132,29 +132,22 @@ private:
     b.x[i] = r.x;
     b.y[i] = r.y;
     b.s[i] = r.s;
-    b.place[i] = r.place;
-    m_mesh.tr.points[i] = b.point(i);
+    b.host[i] = r.host;
   }
 
   void insert(const Changed_bubble_2& changed)
   {
-    m_known.add(changed.bubble, changed.owner);
-    m_known.bubbles.number.push_back(changed.bubble.number);
-    m_known.bubbles.is_foreign.push_back(changed.owner != m_comm.rank());
-    m_mesh.tr.points.push_back(m_known.bubbles.point(m_known.size() - 1));
+    add(m_known, changed.bubble, changed.owner);
     has_changed_outline = has_changed_outline || changed.bubble.dimension == Bubbles_2::EDGE;
   }
 
-  /// returns the numbers of those that were this rank's
-  std::vector<std::int64_t> forget_gone()
+  /// the identities of bubbles of this rank that are gone
+  std::vector<std::int64_t> gone_of_ours() const
   {
     std::vector<std::int64_t> gone;
     for (std::size_t i = 0; i < m_known.size(); ++i)
-      if (m_known.bubbles.is_gone(i) && m_known.owners[i] == m_comm.rank())
-        gone.push_back(m_known.numbers[i]);
-    const std::vector<Index> left = m_known.bubbles.left();
-    if (left.size() < m_known.size())
-      m_known.select(left);
+      if (m_known.is_gone(i) && m_known.owner[i] == m_comm.rank())
+        gone.push_back(m_known.id[i]);
     return gone;
   }
 
@@ -163,12 +156,11 @@ private:
     std::vector<std::int64_t> gone = gather_records(m_comm, gone_here);
     std::sort(gone.begin(), gone.end());
     std::size_t before = 0;
-    for (std::int64_t& number : m_known.numbers) {
+    for (std::int64_t& number : m_known.id) {
       while (before < gone.size() && gone[before] < number)
         ++before;
       number -= static_cast<std::int64_t>(before);
     }
-    m_known.bubbles.number = m_known.numbers;
   }
 
   /// each rank tells the others which of their bubbles it knows
@@ -178,18 +170,18 @@ private:
     m_piece.sent.clear();
     m_piece.received.clear();
     for (std::size_t i = 0; i < m_known.size(); ++i)
-      if (m_known.owners[i] != m_comm.rank()) {
-        wanted[m_known.owners[i]].push_back(m_known.numbers[i]);
-        m_piece.received[m_known.owners[i]].push_back(static_cast<Index>(i));
+      if (m_known.owner[i] != m_comm.rank()) {
+        wanted[m_known.owner[i]].push_back(m_known.id[i]);
+        m_piece.received[m_known.owner[i]].push_back(static_cast<Index>(i));
       }
     for (const auto& message : m_exchange(wanted))
       for (std::int64_t number : message.second)
-        m_piece.sent[message.first].push_back(m_known.index(number));
+        m_piece.sent[message.first].push_back(m_known.index_of(number));
   }
 
   Mesh_piece_2& m_piece;
-  Known_bubbles_2& m_known;
-  Marked_triangulation_2& m_mesh;
+  Bubbles_2& m_known;
+  const Marked_triangles_2& m_triangles;
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;

@@ -51,10 +51,10 @@ class Treatment_inside_2 : public Treating_team
 {
 public:
   Treatment_inside_2(const Communicator& comm, const Distributed_mesh_2& mesh)
-    : m_comm(comm), m_mesh(mesh), m_has_foreign_neighbors(mesh.known.size(), 0)
+    : m_comm(comm), m_mesh(mesh), m_has_foreign_neighbors(mesh.bubbles.size(), 0)
   {
-    for (Index t : triangles_beside_others(mesh.known.bubbles, mesh.triangulation))
-      for (Index v : mesh.triangulation.tr.vertices[t])
+    for (Index t : triangles_beside_others(mesh))
+      for (Index v : mesh.triangles.vertices[t])
         m_has_foreign_neighbors[v] = 1;
   }
 
@@ -76,7 +76,7 @@ public:
   {
     const std::vector<Index> flipped = mesh.take_flipped();
     m_is_too_near = m_is_too_near || std::any_of(flipped.begin(), flipped.end(), [&](Index t) {
-                      return is_beside_others(m_mesh.known.bubbles, mesh.triangulation().vertices[t]);
+                      return is_beside_others(m_mesh.bubbles, mesh.vertices(t));
                     });
     m_changed.insert(m_changed.end(), flipped.begin(), flipped.end());
   }

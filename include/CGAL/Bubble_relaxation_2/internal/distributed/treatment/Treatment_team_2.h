@@ -36,9 +36,9 @@ class Treatment_team_2 : public Treating_team
 {
 public:
   Treatment_team_2(const Communicator& comm, const Mesh_piece_2& piece)
-    : m_comm(comm), m_piece(piece), m_targets(piece.mesh.known.size()),
-      m_beside_others(triangles_beside_others(piece.mesh.known.bubbles, piece.mesh.triangulation)),
-      m_certificate(piece.mesh.triangulation), m_was_moved(piece.mesh.known.size(), 0)
+    : m_comm(comm), m_piece(piece), m_targets(piece.mesh.bubbles.size()),
+      m_beside_others(triangles_beside_others(piece.mesh)),
+      m_certificate(piece.mesh), m_was_moved(piece.mesh.bubbles.size(), 0)
   {
     for (const auto& list : piece.sent)
       for (std::size_t k = 0; k < list.second.size(); ++k)
@@ -80,21 +80,20 @@ public:
     coloring.forget(foreign);
   }
 
-  void share_moved(Marked_triangulation_2& marked, Bubbles_2& b, const std::vector<Index>& moved,
-                   Undo_log_2& log) override
+  void share_moved(Bubble_mesh_2& mesh, const std::vector<Index>& moved, Undo_log_2& log) override
   {
     if (is_alone())
       return;
-    const Messages<Move> in = share<Move>(moved, [&](Index v) { return Move{0, b.place[v], b.x[v], b.y[v], b.s[v]}; });
+    Bubbles_2& b = mesh.bubbles;
+    const Messages<Move> in = share<Move>(moved, [&](Index v) { return Move{0, b.host[v], b.x[v], b.y[v], b.s[v]}; });
     for (const auto& message : in)
       for (const Move& m : message.second) {
         const Index v = m_piece.received.at(message.first)[m.position];
         log.note(Undo_log_2::vertex(b, v));
-        b.place[v] = m.place;
+        b.host[v] = m.host;
         b.x[v] = m.x;
         b.y[v] = m.y;
         b.s[v] = m.s;
-        marked.tr.points[v] = Point(m.x, m.y);
         m_was_moved[v] = 1;
         m_moved.push_back(v);
       }
@@ -106,22 +105,21 @@ public:
     if (is_alone())
       return;
     for (Index t : m_beside_others)
-      if (mesh.is_inside(t) && has_moved_vertex(mesh.triangulation().vertices[t]))
+      if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
         mesh.restore_delaunay_around(t);
     follow_flips(mesh);
     m_knows_too_little =
-      !forget_doubtful(m_piece.mesh.known.bubbles, m_beside_others, m_certificate, mesh) || m_knows_too_little;
+      !forget_doubtful(m_beside_others, m_certificate, mesh) || m_knows_too_little;
   }
 
-  void add_neighbors_of_others(const Editable_triangulation_2& mesh, const Bubbles_2& b,
-                               std::vector<Index>& result) override
+  void add_neighbors_of_others(const Editable_triangulation_2& mesh, std::vector<Index>& result) override
   {
     if (is_alone())
       return;
-    const Flat_triangulation_2& tr = mesh.triangulation();
+    const Bubbles_2& b = mesh.mesh().bubbles;
     for (Index t : m_beside_others)
-      if (mesh.is_inside(t) && has_moved_vertex(tr.vertices[t]))
-        for (Index v : tr.vertices[t])
+      if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
+        for (Index v : mesh.vertices(t))
           if (b.is_ours(v) && b.can_move(v))
             result.push_back(v);
     for (Index v : m_moved)
@@ -141,7 +139,7 @@ private:
   struct Move
   {
     std::int32_t position;
-    Index place;
+    Index host;
     double x, y, s;
   };
 
@@ -184,8 +182,8 @@ private:
       bool is_beside = false;
       if (!m_targets.is_empty(v)) // all with a neighbour of another rank have
         for (const Corner_2& c : mesh.star(v))
-          for (Index w : mesh.triangulation().vertices[c.triangle])
-            is_beside = is_beside || m_piece.mesh.known.bubbles.is_foreign[w];
+          for (Index w : mesh.vertices(c.triangle))
+            is_beside = is_beside || !m_piece.mesh.bubbles.is_ours(w);
       if (is_beside)
         result.push_back(v);
     }
@@ -216,8 +214,8 @@ private:
       if (!m_targets.is_empty(v))
         changed.push_back(v);
       for (const Corner_2& c : mesh.star(v))
-        for (Index w : mesh.triangulation().vertices[c.triangle])
-          if (w > v && !m_piece.mesh.known.bubbles.is_foreign[w] && coloring[w] != Greedy_coloring_2::none)
+        for (Index w : mesh.vertices(c.triangle))
+          if (w > v && m_piece.mesh.bubbles.is_ours(w) && coloring[w] != Greedy_coloring_2::none)
             queue.insert(w);
     }
     return changed;

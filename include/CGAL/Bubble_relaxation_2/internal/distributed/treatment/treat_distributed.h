@@ -49,13 +49,12 @@ public:
   {}
 
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.
-  Distributed_mesh_2 triangulate(const Numbered_bubbles_2& own) const
+  Distributed_mesh_2 triangulate(const Bubbles_2& own) const
   {
     Distributed_mesh_2 mesh =
       distributed_triangulate(m_domain, own, m_partition, m_comm, m_agreement, m_exchange);
     m_agreement.reach_after([&] {
-      label_edges(mesh.triangulation);
-      mesh.known.mark_foreign(m_comm.rank());
+      label_edges(mesh.triangles);
     });
     return mesh;
   }
@@ -87,17 +86,17 @@ public:
   /// Collective.
   std::int64_t number_of_bubbles(const Distributed_mesh_2& mesh) const
   {
-    return m_comm.sum(std::count(mesh.known.owners.begin(), mesh.known.owners.end(), m_comm.rank()));
+    return m_comm.sum(std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_comm.rank()));
   }
 
   /// Collective. The bubbles of a mesh, brought home.
-  Numbered_bubbles_2 bubbles(const Distributed_mesh_2& mesh) const
+  Bubbles_2 bubbles(const Distributed_mesh_2& mesh) const
   {
-    Numbered_bubbles_2 own;
-    own.make_room_for(mesh.known.size());
-    for (std::size_t i = 0; i < mesh.known.size(); ++i)
-      if (mesh.known.owners[i] == m_comm.rank())
-        own.add(record(mesh.known.bubbles, i, mesh.known.numbers[i]));
+    Bubbles_2 own;
+    own.make_room_for(mesh.bubbles.size());
+    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
+      if (mesh.bubbles.owner[i] == m_comm.rank())
+        add_own(own, record(mesh.bubbles, i));
     return bring_home(m_partition, m_exchange, m_comm.rank(), std::move(own));
   }
 
@@ -121,14 +120,14 @@ private:
   {
     for (std::size_t k = 0; k < mesh.is_owned.size(); ++k)
       if (mesh.is_owned[k])
-        visit(static_cast<Index>(k), quality(mesh.triangulation.tr, static_cast<Index>(k)));
+        visit(static_cast<Index>(k), quality(mesh, static_cast<Index>(k)));
   }
 
   Defects find_defects(const Distributed_mesh_2& mesh) const
   {
     Defects found{1, false};
     m_agreement.reach_after([&] {
-      const Bubbles_2& b = mesh.known.bubbles;
+      const Bubbles_2& b = mesh.bubbles;
       Clearance_2 clearance(m_partition, m_comm.rank());
       for_each_quality(mesh, [&](Index t, double q) {
         found.smallest_quality = (std::min)(found.smallest_quality, q);
@@ -188,8 +187,8 @@ private:
   /// moves vertices, unless the mesh gets worse by that or a rank knows too little
   Smoothing smooth_with(Treating_team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
   {
-    Bubbles_2& bubbles = mesh.known.bubbles;
-    Smoothing_sweeps_2 treat(m_domain, mesh.triangulation, bubbles, team);
+    Bubbles_2& bubbles = mesh.bubbles;
+    Smoothing_sweeps_2 treat(m_domain, mesh, team);
     std::vector<Index> moved;
     if (team.is_collective())
       moved = treat();
@@ -218,19 +217,19 @@ private:
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
   {
     std::vector<Bubble_record_2> own;
-    for (std::size_t i = 0; i < mesh.known.size(); ++i)
-      if (mesh.known.owners[i] == m_comm.rank() && is_on_outline(mesh.known.bubbles, i))
-        own.push_back(record(mesh.known.bubbles, i, mesh.known.numbers[i]));
+    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
+      if (mesh.bubbles.owner[i] == m_comm.rank() && is_on_outline(mesh.bubbles, i))
+        own.push_back(record(mesh.bubbles, i));
     std::vector<Bubble_record_2> all = gather_records(m_comm, own);
     bool is_valid = false;
     m_agreement.reach_after([&] {
       std::sort(all.begin(), all.end(), [](const Bubble_record_2& r, const Bubble_record_2& s) {
-        return r.number < s.number;
+        return r.id < s.id;
       });
       Bubbles_2 bubbles;
       for (const Bubble_record_2& r : all)
         add(bubbles, r);
-      Marked_triangulation_2 outline;
+      Marked_triangles_2 outline;
       is_valid = triangulate_outline(m_domain, bubbles, outline);
     });
     return is_valid;
@@ -290,7 +289,7 @@ private:
 };
 
 /// `keep_the_better()` by ranks: given bubbles whose mesh is better than what was made of them are treated instead.
-inline void keep_the_better_of_all(const Problem_2& problem, const Numbered_bubbles_2& points, bool may_operate,
+inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& points, bool may_operate,
                                    const Communicator& comm, Agreement& agreement,
                             Sparse_exchange& exchange, Distributed_mesh_2& mesh, Treatment_counts& counts)
 {
@@ -308,7 +307,7 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Numbered_bubb
 
 /// Collective. The triangulation of the simulated bubbles of all ranks, as `make_mesh()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
-inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Numbered_bubbles_2& points,
+inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
                                             const Placed_part_2& part, const Communicator& comm, Agreement& agreement,
                                             Sparse_exchange& exchange, Report& report)
 {

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
@@ -85,27 +85,27 @@ private:
     }
   };
 
-  bool is_own(Index v) const { return m_mesh.known.owners[v] == m_comm.rank(); }
+  bool is_own(Index v) const { return m_mesh.bubbles.owner[v] == m_comm.rank(); }
 
   /// the other ranks that have to know own bubbles
   void find_takers(double reach)
   {
-    const Bubbles_2& b = m_mesh.known.bubbles;
-    m_takers.resize(m_mesh.known.size());
+    const Bubbles_2& b = m_mesh.bubbles;
+    m_takers.resize(m_mesh.bubbles.size());
     Clearance_2 clearance(m_partition, m_comm.rank());
-    for (std::size_t i = 0; i < m_mesh.known.size(); ++i)
+    for (std::size_t i = 0; i < m_mesh.bubbles.size(); ++i)
       if (is_own(static_cast<Index>(i)) && clearance(b.x[i], b.y[i], reach * b.d[i]) == 0)
         for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
           add_taker(static_cast<Index>(i), rank);
     for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
       if (m_mesh.is_final[t])
-        find_takers_beside(m_mesh.triangulation.tr.vertices[t]);
+        find_takers_beside(m_mesh.triangles.vertices[t]);
   }
 
   /// own vertices of a triangle with others
   void find_takers_beside(const std::array<Index, 3>& vertices)
   {
-    const std::vector<std::int32_t>& owners = m_mesh.known.owners;
+    const std::vector<std::int32_t>& owners = m_mesh.bubbles.owner;
     if (owners[vertices[0]] == owners[vertices[1]] && owners[vertices[0]] == owners[vertices[2]])
       return;
     for (Index v : vertices)
@@ -122,29 +122,28 @@ private:
 
   void tell(Messages<Bubble_record_2>& bubbles, Messages<Triangle>& triangles)
   {
-    const Known_bubbles_2& known = m_mesh.known;
+    const Bubbles_2& known = m_mesh.bubbles;
     for (std::size_t i = 0; i < known.size(); ++i)
       for (int rank : m_takers[static_cast<Index>(i)]) {
-        bubbles[rank].push_back(record(known.bubbles, i, known.numbers[i]));
+        bubbles[rank].push_back(record(known, i));
         m_piece.sent[rank].push_back(static_cast<Index>(i)); // as yet
       }
     for (std::size_t t = 0; t < m_mesh.is_owned.size(); ++t) {
       const Index first = m_mesh.first_vertex(t);
       if (!m_mesh.is_owned[t] || m_takers.is_empty(first))
         continue;
-      const std::array<Index, 3>& v = m_mesh.triangulation.tr.vertices[t];
+      const std::array<Index, 3>& v = m_mesh.triangles.vertices[t];
       for (int rank : m_takers[first])
-        triangles[rank].push_back(Triangle{{known.numbers[v[0]], known.numbers[v[1]], known.numbers[v[2]]},
-                                           m_mesh.triangulation.edges[t]});
+        triangles[rank].push_back(Triangle{{known.id[v[0]], known.id[v[1]], known.id[v[2]]},
+                                           m_mesh.triangles.edges[t]});
     }
   }
 
   /// Keeps own bubbles and takes in others', all in the order of their numbers.
   void take_in(const Messages<Bubble_record_2>& others)
   {
-    Known_bubbles_2& known = m_mesh.known;
+    Bubbles_2& known = m_mesh.bubbles;
     const Index before = static_cast<Index>(known.size());
-    known.bubbles.forget_parts();
     std::vector<Index> order;
     order.reserve(known.size());
     for (Index i = 0; i < before; ++i)
@@ -155,31 +154,30 @@ private:
       for (const Bubble_record_2& r : message.second) {
         order.push_back(static_cast<Index>(known.size()));
         m_piece.received[message.first].push_back(order.back());
-        known.add(r, message.first);
+        internal::add(known, r, message.first);
       }
-    merge_tail(order, own, [&known](Index i, Index j) { return known.numbers[i] < known.numbers[j]; });
+    merge_tail(order, own, [&known](Index i, Index j) { return known.id[i] < known.id[j]; });
     find_places(order, before);
     known.select(order);
     for (auto* lists : {&m_piece.sent, &m_piece.received})
       for (auto& list : *lists)
         for (Index& i : list.second)
           i = m_place[i];
-    tell_parts();
   }
 
   /// where bubbles will be that are now at `order[0], order[1], …`; those before `first_new` were there
   void find_places(const std::vector<Index>& order, Index first_new)
   {
-    const Known_bubbles_2& known = m_mesh.known;
+    const Bubbles_2& known = m_mesh.bubbles;
     m_place.assign(known.size(), no_index);
     for (std::size_t k = 0; k < order.size(); ++k) {
       m_place[order[k]] = static_cast<Index>(k);
       if (order[k] >= first_new)
-        m_ghosts.emplace_back(known.numbers[order[k]], static_cast<Index>(k));
+        m_ghosts.emplace_back(known.id[order[k]], static_cast<Index>(k));
     }
     for (Index i = 0; i < first_new; ++i)
       if (!is_own(i))
-        m_place[i] = ghost(known.numbers[i]);
+        m_place[i] = ghost(known.id[i]);
   }
 
   /// the place of a bubble of others with a number, `no_index` if there is none
@@ -189,20 +187,9 @@ private:
     return found != m_ghosts.end() && found->first == number ? found->second : no_index;
   }
 
-  void tell_parts()
-  {
-    Known_bubbles_2& known = m_mesh.known;
-    std::vector<Point>& points = m_mesh.triangulation.tr.points;
-    known.bubbles.number = known.numbers;
-    known.mark_foreign(m_comm.rank());
-    points.resize(known.size());
-    for (std::size_t i = 0; i < known.size(); ++i)
-      points[i] = known.bubbles.point(i);
-  }
-
   void keep_final_triangles()
   {
-    Marked_triangulation_2& m = m_mesh.triangulation;
+    Marked_triangles_2& m = m_mesh.triangles;
     std::vector<Index> number(m.inside.size(), no_index);
     std::size_t next = 0;
     for (std::size_t t = 0; t < number.size(); ++t)
@@ -213,18 +200,18 @@ private:
         continue;
       const std::size_t k = static_cast<std::size_t>(number[t]);
       for (int i = 0; i < 3; ++i) {
-        const Index n = m.tr.neighbors[t][i];
-        m.tr.vertices[k][i] = m_place[m.tr.vertices[t][i]];
-        m.tr.neighbors[k][i] = n == no_index ? no_index : number[n];
-        if (m.tr.neighbors[k][i] == no_index)
+        const Index n = m.neighbors[t][i];
+        m.vertices[k][i] = m_place[m.vertices[t][i]];
+        m.neighbors[k][i] = n == no_index ? no_index : number[n];
+        if (m.neighbors[k][i] == no_index)
           m_open.emplace_back(number[t], i);
       }
       m.edges[k] = m.edges[t];
       m_mesh.is_owned[k] = m_mesh.is_owned[t];
     }
     m_number_of_own_triangles = next;
-    m.tr.vertices.resize(next);
-    m.tr.neighbors.resize(next);
+    m.vertices.resize(next);
+    m.neighbors.resize(next);
     m.edges.resize(next);
     m.inside.assign(next, 1);
     m_mesh.is_owned.resize(next);
@@ -250,9 +237,9 @@ private:
 
   void make_room_for(std::size_t n)
   {
-    Marked_triangulation_2& m = m_mesh.triangulation;
-    internal::make_room_for(n, m.tr.vertices);
-    internal::make_room_for(n, m.tr.neighbors);
+    Marked_triangles_2& m = m_mesh.triangles;
+    internal::make_room_for(n, m.vertices);
+    internal::make_room_for(n, m.neighbors);
     internal::make_room_for(n, m.edges);
     internal::make_room_for(n, m.inside);
     internal::make_room_for(n, m_mesh.is_owned);
@@ -261,9 +248,9 @@ private:
 
   void add(const std::array<Index, 3>& vertices, const std::array<Index, 3>& edges)
   {
-    Marked_triangulation_2& m = m_mesh.triangulation;
-    m.tr.vertices.push_back(vertices);
-    m.tr.neighbors.push_back({no_index, no_index, no_index});
+    Marked_triangles_2& m = m_mesh.triangles;
+    m.vertices.push_back(vertices);
+    m.neighbors.push_back({no_index, no_index, no_index});
     m.edges.push_back(edges);
     m.inside.push_back(1);
     m_mesh.is_owned.push_back(0);
@@ -273,7 +260,7 @@ private:
   /// links others' triangles with each other and with own ones
   void link_open_sides()
   {
-    Flat_triangulation_2& tr = m_mesh.triangulation.tr;
+    Marked_triangles_2& tr = m_mesh.triangles;
     std::vector<Open_side> sides;
     const auto add_side = [&](Index t, int i) {
       const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];

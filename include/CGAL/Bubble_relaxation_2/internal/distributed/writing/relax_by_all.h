@@ -17,7 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
@@ -72,7 +72,7 @@ inline void find_slowest(const Communicator& comm, Bubble_relaxation_seconds& s)
 struct Relaxed_part_2
 {
   Distributed_mesh_2& mesh;             ///< with the sizes of its own bubbles, and old ones of others
-  const Numbered_bubbles_2& bubbles;    ///< its own, in the order of their numbers
+  const Bubbles_2& bubbles;    ///< its own, in the order of their numbers
   const Hilbert_partition_2& partition; ///< from which they may have moved a little
   const Relaxation_options& options;
   const Communicator& comm;
@@ -95,7 +95,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   const Domain_2& read_domain = input->reading.domain;
   check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value,
                      input->options);
-  Numbered_bubbles_2 given;
+  Bubbles_2 given;
   agreement.reach_after([&] { given = read_bubbles(points, read_domain, input->sizes); });
   Problem_2 problem = input->problem();
   problem.sizes = agreed_sizes(input->sizes, agreement, Hilbert_curve_2(read_domain.bbox()).side());
@@ -109,7 +109,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     evaluate_distributed(mesh, input->wanted, ranks, agreement, report);
     const Phase_timer writing_time(report.seconds.writing);
     Point_replacement_2<PointSet> replacement(points);
-    Numbered_bubbles_2 bubbles;
+    Bubbles_2 bubbles;
     agreement.reach_after([&] {
       ask_own_sizes(mesh, ranks.rank(), input->sizes);
       bubbles = own_bubbles(mesh, ranks.rank());

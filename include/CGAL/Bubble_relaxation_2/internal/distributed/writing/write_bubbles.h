@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_BUBBLES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_BUBBLES_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -47,10 +47,9 @@ public:
   Point_replacement_2& operator=(const Point_replacement_2&) = delete;
 
   /// adds the properties that `read_bubbles()` knows, as far as they are missing, and makes room
-  void prepare(const Numbered_bubbles_2& numbered)
+  void prepare(const Bubbles_2& b)
   {
-    m_bubbles = &numbered;
-    const Bubbles_2& b = numbered.bubbles;
+    m_bubbles = &b;
     for (std::size_t i = 0; i < b.size(); ++i) { // numbers of a kernel may need memory
       m_places.push_back(Point_2(b.x[i], b.y[i]));
       m_velocities.push_back(Vector_2(b.vx[i], b.vy[i]));
@@ -67,17 +66,17 @@ public:
   /// writes the bubbles; there is room for all
   void finish() noexcept
   {
-    const Bubbles_2& b = m_bubbles->bubbles;
+    const Bubbles_2& b = *m_bubbles;
     while (!m_points.is_empty())
       m_points.remove(m_points.end() - 1);
     for (std::size_t i = 0; i < b.size(); ++i) {
       const auto k = *m_points.insert();
       m_points.point(k) = m_places[i];
       m_points.normal(k) = m_velocities[i];
-      m_number.map[k] = m_bubbles->numbers[i];
+      m_number.map[k] = b.id[i];
       m_size.map[k] = b.d[i];
       m_dimension.map[k] = b.dimension[i];
-      m_edge.map[k] = b.is_on_edge(i) ? b.place[i] : no_index;
+      m_edge.map[k] = b.is_on_edge(i) ? b.host[i] : no_index;
       m_position.map[k] = b.s[i];
     }
     m_is_done = true;
@@ -107,7 +106,7 @@ private:
   }
 
   Point_set& m_points;
-  const Numbered_bubbles_2* m_bubbles = nullptr;
+  const Bubbles_2* m_bubbles = nullptr;
   std::vector<Point_2> m_places;
   std::vector<Vector_2> m_velocities;
   Property<std::int64_t> m_number;
@@ -118,7 +117,7 @@ private:
 
 /// replaces the points of a set by bubbles, with all the properties that `read_bubbles()` knows
 template <class Point_set>
-void write_bubbles(const Numbered_bubbles_2& numbered, Point_set& points)
+void write_bubbles(const Bubbles_2& numbered, Point_set& points)
 {
   Point_replacement_2<Point_set> replacement(points);
   replacement.prepare(numbered);

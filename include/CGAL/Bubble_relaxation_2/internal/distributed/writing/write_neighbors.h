@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_search_2.h>
 
@@ -36,7 +36,7 @@ namespace internal {
 /// one of them, and perhaps some more.
 struct Surrounded_bubbles_2
 {
-  Known_bubbles_2 known;
+  Bubbles_2 known;
   std::size_t number_of_own = 0;
   double radius = 0; ///< of the sets
   std::unique_ptr<Bubble_buckets_2> buckets; ///< with all of them, if there are any
@@ -51,10 +51,10 @@ struct Surrounded_bubbles_2
 class Neighbors_of_ranks_2
 {
 public:
-  Neighbors_of_ranks_2(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition, double radius,
+  Neighbors_of_ranks_2(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
                        const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
     : m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
-      m_result{Known_bubbles_2(own, comm.rank()), own.size(), radius, nullptr}, m_known(m_result.known)
+      m_result{with_owner(own, comm.rank()), own.size(), radius, nullptr}, m_known(m_result.known)
   {}
 
   Neighbors_of_ranks_2(const Neighbors_of_ranks_2&) = delete;
@@ -89,7 +89,7 @@ private:
   void tell_of_own(Messages<Owned_record>& out)
   {
     constexpr double slack = 1 + 1e-9; // coordinates are rounded to cells of the curve
-    const Bubbles_2& b = m_known.bubbles;
+    const Bubbles_2& b = m_known;
     Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < m_result.number_of_own; ++i)
       if (clearance(b.x[i], b.y[i], slack * m_result.radius * b.d[i]) == 0)
@@ -99,12 +99,12 @@ private:
 
   void tell_of_pairs(Messages<Owned_record>& out)
   {
-    const Bubbles_2& b = m_known.bubbles;
+    const Bubbles_2& b = m_known;
     for (std::size_t k = m_result.number_of_own; k < b.size(); ++k) {
       const Index i = static_cast<Index>(k);
       m_result.buckets->for_each_near(b.x[k], b.y[k], b.d[k], [&](Index j, double, double) {
-        tell(i, m_known.owners[j], out);
-        tell(j, m_known.owners[i], out);
+        tell(i, m_known.owner[j], out);
+        tell(j, m_known.owner[i], out);
         return true;
       });
     }
@@ -113,10 +113,10 @@ private:
   /// once; neither ourselves, nor the owner of a bubble need be told
   void tell(Index i, int rank, Messages<Owned_record>& out)
   {
-    if (rank == m_comm.rank() || rank == m_known.owners[i] || !m_told.insert({i, rank}).second)
+    if (rank == m_comm.rank() || rank == m_known.owner[i] || !m_told.insert({i, rank}).second)
       return;
     const std::size_t k = static_cast<std::size_t>(i);
-    out[rank].push_back(Owned_record{record(m_known.bubbles, k, m_known.numbers[k]), m_known.owners[k]});
+    out[rank].push_back(Owned_record{record(m_known, k), m_known.owner[k]});
   }
 
   void learn(const Messages<Owned_record>& in)
@@ -124,15 +124,15 @@ private:
     const std::size_t first = m_known.size();
     for (const auto& message : in)
       for (const Owned_record& r : message.second)
-        if (m_learnt.insert(r.bubble.number).second)
-          m_known.add(r.bubble, r.owner);
+        if (m_learnt.insert(r.bubble.id).second)
+          add(m_known, r.bubble, r.owner);
     insert_in_buckets(first);
   }
 
   /// all from `first` on
   void insert_in_buckets(std::size_t first)
   {
-    const Bubbles_2& b = m_known.bubbles;
+    const Bubbles_2& b = m_known;
     if (!m_result.buckets && b.size() != 0)
       m_result.buckets = std::make_unique<Bubble_buckets_2>(m_result.radius, b.d[0], b.x[0], b.y[0], b.size());
     for (std::size_t i = first; i < b.size(); ++i)
@@ -144,14 +144,14 @@ private:
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
   Surrounded_bubbles_2 m_result;
-  Known_bubbles_2& m_known; // of the result
+  Bubbles_2& m_known; // of the result
   std::set<std::pair<Index, int>> m_told; // of which bubble which rank
   std::unordered_set<std::int64_t> m_learnt;
 };
 
 /// Collective. The bubbles of this rank, and all bubbles of others that are neighbours of one of them.
 /// \pre the numbers of `own` ascend
-inline Surrounded_bubbles_2 with_neighbors(const Numbered_bubbles_2& own, const Hilbert_partition_2& partition,
+inline Surrounded_bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition,
                                            double radius, const Communicator& comm, Agreement& agreement,
                                            Sparse_exchange& exchange)
 {
@@ -160,19 +160,19 @@ inline Surrounded_bubbles_2 with_neighbors(const Numbered_bubbles_2& own, const 
 
 /// Writes what a rank has to know of the neighbours that others own, in the order of their numbers.
 template <class Relaxation>
-void write_ghosts(const Known_bubbles_2& known, const std::vector<char>& is_ghost, Relaxation& relaxation)
+void write_ghosts(const Bubbles_2& known, const std::vector<char>& is_ghost, Relaxation& relaxation)
 {
   std::vector<Index> ghosts;
   for (std::size_t i = 0; i < known.size(); ++i)
     if (is_ghost[i])
       ghosts.push_back(static_cast<Index>(i));
-  std::sort(ghosts.begin(), ghosts.end(), [&](Index i, Index j) { return known.numbers[i] < known.numbers[j]; });
-  const Bubbles_2& b = known.bubbles;
+  std::sort(ghosts.begin(), ghosts.end(), [&](Index i, Index j) { return known.id[i] < known.id[j]; });
+  const Bubbles_2& b = known;
   for (Index i : ghosts) {
-    relaxation.ghost_ids.push_back(known.numbers[i]);
+    relaxation.ghost_ids.push_back(known.id[i]);
     relaxation.ghost_points.push_back(typename Relaxation::Point_2(b.x[i], b.y[i]));
     relaxation.ghost_sizes.push_back(b.d[i]);
-    relaxation.ghost_owners.push_back(known.owners[i]);
+    relaxation.ghost_owners.push_back(known.owner[i]);
   }
 }
 
@@ -182,10 +182,10 @@ template <class Relaxation>
 void write_neighbors(const Surrounded_bubbles_2& bubbles, Relaxation& relaxation)
 {
   constexpr std::size_t block_size = Neighbor_search_2::block_size, usual_number = 7;
-  const Known_bubbles_2& known = bubbles.known;
+  const Bubbles_2& known = bubbles.known;
   const std::size_t n = bubbles.number_of_own;
   const auto is_gone = [](std::size_t) { return false; };
-  const auto is_before = [&known](Index i, Index j) { return known.numbers[i] < known.numbers[j]; };
+  const auto is_before = [&known](Index i, Index j) { return known.id[i] < known.id[j]; };
   relaxation.neighbor_radius = bubbles.radius;
   relaxation.neighbors.reserve(usual_number * n);
   relaxation.neighbor_offsets.reserve(n + 1);
@@ -193,12 +193,12 @@ void write_neighbors(const Surrounded_bubbles_2& bubbles, Relaxation& relaxation
   if (n == 0)
     return;
   std::vector<char> is_neighbor(known.size(), 0);
-  const Neighbor_search_2 find(*bubbles.buckets, known.bubbles.x, known.bubbles.y, known.bubbles.d, bubbles.radius);
+  const Neighbor_search_2 find(*bubbles.buckets, known.x, known.y, known.d, bubbles.radius);
   Neighbor_block block;
   for (std::size_t first = 0; first < n; first += block_size) {
     find(first, (std::min)(first + block_size, n), is_gone, is_before, block);
     for (Index j : block.found) {
-      relaxation.neighbors.push_back(known.numbers[j]);
+      relaxation.neighbors.push_back(known.id[j]);
       is_neighbor[j] = 1;
     }
     for (std::size_t size : block.sizes)

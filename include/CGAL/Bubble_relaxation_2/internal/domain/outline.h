@@ -6,12 +6,13 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_BUBBLE_MESH_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_BUBBLE_MESH_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_OUTLINE_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_OUTLINE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
 #include <algorithm>
@@ -23,20 +24,13 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Bubbles and their constrained Delaunay triangulation, with the same indices.
-struct Bubble_mesh_2
-{
-  Bubbles_2 bubbles;
-  Marked_triangulation_2 triangulation;
-};
-
 /// The bubbles on each edge of the domain in the order from source to target, without the ends.
 inline std::vector<std::vector<Index>> bubbles_on_edges(const Domain_2& domain, const Bubbles_2& b)
 {
   std::vector<std::vector<Index>> on_edge(domain.edges().size());
   for (std::size_t i = 0; i < b.size(); ++i)
     if (b.is_on_edge(i))
-      on_edge[b.place[i]].push_back(static_cast<Index>(i));
+      on_edge[b.host[i]].push_back(static_cast<Index>(i));
   for (std::vector<Index>& bubbles : on_edge)
     std::sort(bubbles.begin(), bubbles.end(), [&](Index i, Index j) {
       return b.s[i] < b.s[j] || (b.s[i] == b.s[j] && i < j);
@@ -49,8 +43,8 @@ inline std::vector<Index> bubbles_on_corners(const Domain_2& domain, const Bubbl
 {
   std::vector<Index> on_corner(domain.corners().size(), no_index);
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_corner(i) && b.place[i] != no_index)
-      on_corner[b.place[i]] = static_cast<Index>(i);
+    if (b.is_corner(i) && b.host[i] != no_index)
+      on_corner[b.host[i]] = static_cast<Index>(i);
   return on_corner;
 }
 
@@ -92,27 +86,25 @@ inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubble
   return pieces;
 }
 
-/// Makes the constrained Delaunay triangulation of the bubbles with the domain marked, in arrays; returns
-/// whether it can be made.
-inline bool try_to_triangulate(const Domain_2& domain, const Bubbles_2& b, Marked_triangulation_2& mesh)
+/// Makes the triangles of a mesh of bubbles anew: their constrained Delaunay triangulation with the domain marked.
+/// Returns whether it can be made.
+inline bool try_to_triangulate(const std::vector<Domain_edge_2>& edges, Bubble_mesh_2& mesh)
 {
   std::vector<Point> points;
-  points.reserve(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i)
-    points.push_back(b.point(i));
-  mesh = Marked_triangulation_2();
-  return mark_triangulation(points, cut_edges(domain, b), mesh) == Marking_error::NONE;
+  points.reserve(mesh.bubbles.size());
+  for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
+    points.push_back(mesh.bubbles.point(i));
+  mesh.triangles = Marked_triangles_2();
+  return mark_triangulation(points, edges, mesh.triangles) == Marking_error::NONE;
 }
 
-/// The constrained Delaunay triangulation of the bubbles with the domain marked, in arrays.
+/// The same with the edges of a domain.
 /// \pre no two bubbles are in one place, see `remove_coincident()`
-inline Marked_triangulation_2 triangulate(const Domain_2& domain, const Bubbles_2& b)
+inline void triangulate(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
-  Marked_triangulation_2 mesh;
-  if (!try_to_triangulate(domain, b, mesh))
+  if (!try_to_triangulate(cut_edges(domain, mesh.bubbles), mesh))
     throw std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the "
                              "rounding of bubbles on them");
-  return mesh;
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
@@ -129,4 +121,4 @@ inline void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles, const Thre
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_BUBBLE_MESH_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_OUTLINE_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_BUBBLE_RECORDS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_BUBBLE_RECORDS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// a bubble on its way from one rank to another
+struct Bubble_record_2
+{
+  double x, y, d, vx, vy, s;
+  std::int64_t id;
+  Index host, pin;
+  std::int32_t dimension;
+};
+
+inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i, std::int64_t id)
+{
+  return Bubble_record_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i], id, b.host[i], b.pin[i], b.dimension[i]};
+}
+
+/// the same of one that has an identity
+inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i) { return record(b, i, b.id[i]); }
+
+/// adds a bubble to some without identities
+inline void add(Bubbles_2& bubbles, const Bubble_record_2& r)
+{
+  bubbles.add(Point(r.x, r.y), r.d, static_cast<Bubbles_2::Dimension>(r.dimension), r.host, r.s, r.pin);
+  bubbles.vx.back() = r.vx;
+  bubbles.vy.back() = r.vy;
+}
+
+/// adds a bubble to some that are all of this rank
+inline void add_own(Bubbles_2& bubbles, const Bubble_record_2& r)
+{
+  add(bubbles, r);
+  bubbles.id.push_back(r.id);
+}
+
+/// adds a bubble to some with owners
+inline void add(Bubbles_2& bubbles, const Bubble_record_2& r, int owner)
+{
+  add_own(bubbles, r);
+  bubbles.owner.push_back(owner);
+}
+
+/// bubbles of one rank, among which those of others will come
+inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
+{
+  Bubbles_2 result;
+  result.make_room_for(own.size() + own.size() / 8);
+  result = own;
+  result.owner.reserve(own.size() + own.size() / 8);
+  result.owner.assign(own.size(), rank);
+  result.rank = rank;
+  return result;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_BUBBLE_RECORDS_H
