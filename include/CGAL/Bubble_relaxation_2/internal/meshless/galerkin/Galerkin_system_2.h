@@ -261,12 +261,10 @@ private:
     const Eigen::Index n = entries.size();
     part.unknowns.push_back(static_cast<Index>(number_of_unknowns() - 1));
     part.matrix.conservativeResize(n + 1, n + 1);
-    part.matrix.row(n).setZero();
-    part.matrix.col(n).setZero();
-    part.matrix.row(n).head(n) = entries.transpose();
-    part.matrix.col(n).head(n) = entries;
     part.load.conservativeResize(n + 1);
-    part.load[n] = 0;
+    for (Eigen::Index k = 0; k < n; ++k)
+      part.matrix(n, k) = part.matrix(k, n) = entries[k];
+    part.matrix(n, n) = part.load[n] = 0;
   }
 
   void integrate_neumann(const Boundary_edge_2& edge, Galerkin_cell& part) const
@@ -343,10 +341,13 @@ private:
     const Eigen::VectorXd weights = b.weights / std::sqrt(m.domain.area / double(m.nodes.number()));
     const Eigen::MatrixXd coupling = weighted_sums(b.phi, weights, mu);
     part.matrix.setZero(all, all);
-    part.matrix.topRightCorner(n, mu.cols()) = coupling;
-    part.matrix.bottomLeftCorner(mu.cols(), n) = coupling.transpose();
-    part.load = Eigen::VectorXd::Zero(all);
-    part.load.tail(mu.cols()) = weighted_sums(mu, weights.cwiseProduct(given_values(b)));
+    part.load.setZero(all);
+    const Eigen::VectorXd load = weighted_sums(mu, weights.cwiseProduct(given_values(b)));
+    for (Eigen::Index k = 0; k < mu.cols(); ++k) {
+      part.load[n + k] = load[k];
+      for (Eigen::Index i = 0; i < n; ++i)
+        part.matrix(i, n + k) = part.matrix(n + k, i) = coupling(i, k);
+    }
     part.unknowns = b.nodes;
     for (std::size_t hat : hats)
       part.unknowns.push_back(static_cast<Index>(m.nodes.number() + hat));

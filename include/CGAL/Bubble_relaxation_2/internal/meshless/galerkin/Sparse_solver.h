@@ -140,7 +140,8 @@ private:
     iteration.setTolerance(tolerance);
     m_solution.x = Vector::Zero(m_b.size());
     for (int k = 0; k < most_improvements; ++k) {
-      m_solution.x += iteration.solve(residual());
+      const Vector rest = m_b - m_a * m_solution.x; // sums up in another order than residual()
+      m_solution.x += iteration.solve(rest);
       if (!m_solution.x.allFinite())
         return false;
       if (is_good_enough())
@@ -149,12 +150,15 @@ private:
     return false;
   }
 
-  Vector residual() const { return m_b - m_a * m_solution.x; }
+  Vector residual() const
+  {
+    const Vector product = m_a * m_solution.x;
+    return m_b - product;
+  }
 
   bool is_good_enough()
   {
-    const Vector product = m_a * m_solution.x;
-    const double largest = (m_b - product).cwiseAbs().maxCoeff();
+    const double largest = residual().cwiseAbs().maxCoeff();
     const double size = m_norm * m_solution.x.cwiseAbs().maxCoeff() + m_b.cwiseAbs().maxCoeff();
     m_solution.residual = size > 0 ? largest / size : 0.;
     return m_solution.residual <= m_tolerance;
