@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_system_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_method_2.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Element_free_Galerkin_report_2.h>
