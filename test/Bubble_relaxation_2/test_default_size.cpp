@@ -10,6 +10,7 @@
 // regions are wide.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/npbs_relax.h>
@@ -34,7 +35,7 @@ auto relax(const std::vector<Outline>& outlines)
 
 TEST(Outline_field, is_the_least_over_all_sources)
 {
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const CGAL::Bbox_2 box(-1, -1, 1, 1);
   std::vector<Size_source_2> sources;
@@ -102,7 +103,7 @@ TEST(Default_size, of_a_slit)
 
 TEST(Default_size, of_random_stars)
 {
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   for (int i = 0; i < 10; ++i)
     EXPECT_GE(relax(domains::random_star(random())).quality.mean_quality(), 0.85);
 }

@@ -11,6 +11,7 @@
 #include "../../examples/Bubble_relaxation_2/paper_domains.h"
 #include "distributed/bubbles.h"
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(All, Treated_domain, testing::Range(0, 9));
 
 TEST(Defects, treatment_can_be_undone)
 {
-  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 600, validation::seed());
+  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 600, 0);
   internal::Bubbles_2 b = c.bubbles;
   internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
   const internal::Marked_triangulation_2 before = mesh;
@@ -154,7 +155,7 @@ TEST(Defects, treatment_can_be_undone)
 
 TEST(Defects, triangles_that_were_cut_off_can_be_put_back)
 {
-  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 100, validation::seed());
+  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 100, 0);
   internal::Bubbles_2 b = c.bubbles;
   internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
   const internal::Marked_triangulation_2 before = mesh;
@@ -181,7 +182,7 @@ TEST(Defects, restored_delaunay_property_is_that_of_the_points)
   ASSERT_EQ(internal::mark_triangulation(points, no_edges, mesh), internal::Marking_error::NONE);
   mesh.inside.assign(mesh.inside.size(), 1);
   internal::Editable_triangulation_2 editable(mesh);
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> shift(-0.25, 0.25); // of d; triangles stay counterclockwise
   std::vector<Index> moved;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -255,7 +256,7 @@ TEST(Defects, a_given_mesh_is_never_made_worse)
     const Domain domain = paper::all_domains(1)[seed % 8];
     CDT cdt;
     relax(domain, cdt, P::mass(1.));
-    std::mt19937 random(validation::seed() + seed);
+    std::mt19937 random(random_seeds::seed(static_cast<unsigned>(seed)));
     std::uniform_real_distribution<double> parameter(0, 1);
     const auto before = CGAL::mesh_quality_2(cdt);
     // steps that throw the bubbles about
@@ -270,7 +271,7 @@ TEST(Defects, a_given_mesh_is_never_made_worse)
 
 TEST(Defects, angles_away_from_sharp_corners_of_random_domains)
 {
-  const unsigned first = validation::seed();
+  const unsigned first = random_seeds::seed();
   for (unsigned seed = first; seed < first + 60; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);

@@ -9,6 +9,7 @@
 // Geometry that breaks meshers: touching, thin, tiny, huge and far away.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/npbs_relax.h>
@@ -200,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(Coordinates, Scaled_and_shifted,
 TEST(Degenerate_input, random_stars)
 {
   for (unsigned k = 0; k < 20; ++k) {
-    const unsigned seed = validation::seed() + k;
+    const unsigned seed = random_seeds::seed(k);
     SCOPED_TRACE(seed);
     CDT cdt = domains::make(domains::random_star(seed));
     const auto report = relax_and_validate(cdt, size(0.07));

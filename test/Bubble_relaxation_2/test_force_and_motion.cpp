@@ -8,6 +8,7 @@
 
 // The force of eq. 2, the integrators of eq. 3, and the boundary.
 
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -217,7 +218,7 @@ TEST(Boundary, no_bubble_ever_leaves)
 {
   const Domain_2 domain = unit_square();
   const Boundary_2 boundary(domain);
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> step(-0.5, 0.5);
   Bubbles_2 b;
   for (int i = 0; i < 50; ++i) {

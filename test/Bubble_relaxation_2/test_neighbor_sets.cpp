@@ -9,6 +9,7 @@
 // Neighbour sets: equal to brute force for any mixture of sizes, and no interacting pair is ever missed.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
@@ -77,7 +78,7 @@ TEST(Neighbor_sets, equal_to_brute_force)
     for (double radius : {1.6, 1.7, 3.})
       for (bool is_sorted : {false, true}) { // those that follow each other lie together, or not
         SCOPED_TRACE(size.first);
-        Bubbles_2 b = random_bubbles(800, validation::seed(), size.second);
+        Bubbles_2 b = random_bubbles(800, random_seeds::seed(), size.second);
         if (is_sorted)
           sort_along_curve(b);
         Neighbor_sets_2 sets(radius);
@@ -100,7 +101,7 @@ TEST(Neighbor_sets, rounding_does_not_hide_a_neighbor_from_a_group)
 
 TEST(Neighbor_sets, of_groups_with_gaps)
 {
-  Bubbles_2 b = random_bubbles(800, validation::seed(), sizes[1].second);
+  Bubbles_2 b = random_bubbles(800, random_seeds::seed(), sizes[1].second);
   sort_along_curve(b);
   for (std::size_t i = 0; i < b.size(); ++i)
     if (i % 3 == 0 || (i > 200 && i < 240))
@@ -137,7 +138,7 @@ TEST(Neighbor_sets, renewal_from_neighbors_finds_them_in_a_packing)
       b.add(Point(i + 0.5 * j, 0.8660254 * j), 1, Bubbles_2::FACE, 0);
   Neighbor_sets_2 sets(1.7);
   sets.build(b);
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> jitter(-0.1, 0.1);
   for (std::size_t i = 0; i < b.size(); ++i) {
     b.x[i] += jitter(random);
@@ -151,7 +152,7 @@ TEST(Neighbor_sets, skin_covers_every_interacting_pair)
 {
   // as long as no bubble has used up its skin, no pair nearer than 1.5 is missing: move and resize
   // bubbles at random up to that limit
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(-1., 1.);
   for (const auto& size : sizes) {
     SCOPED_TRACE(size.first);
@@ -240,11 +241,11 @@ TEST(Neighbor_sets, follow_deletions_and_additions)
   const Domain_2 domain = unit_square();
   for (const auto& size : sizes) {
     SCOPED_TRACE(size.first);
-    Bubbles_2 b = random_bubbles(300, validation::seed(), size.second);
+    Bubbles_2 b = random_bubbles(300, random_seeds::seed(), size.second);
     Neighbor_sets_2 sets(1.7);
     sets.build(b);
     for (unsigned k = 0; k < 3; ++k) {
-      const Population_change change = random_change(domain, b, validation::seed() + k);
+      const Population_change change = random_change(domain, b, random_seeds::seed(k));
       for (Index i : change.deleted) {
         sets.remove(i);
         b.remove(i);
@@ -263,7 +264,7 @@ TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
   const Domain_2 square = unit_square();
   const auto size = [](double x, double y) { return 0.02 + 0.15 * std::hypot(x - 0.5, y - 0.5); };
   for (double tolerance : {0., 0.01}) { // without and with sleeping bubbles
-    Bubbles_2 b = random_bubbles(120, validation::seed(), size); // a start that moves a lot
+    Bubbles_2 b = random_bubbles(120, random_seeds::seed(), size); // a start that moves a lot
     for (std::size_t i = 0; i < b.size(); ++i)
       b.place[i] = square.locate(b.point(i), 0);
     Relaxation_options options;
@@ -283,7 +284,7 @@ TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
       } else if (round > 0) { // most sleep
         EXPECT_LT(result.moves, result.steps * b.size());
       }
-      simulation.apply(random_change(square, b, validation::seed() + round));
+      simulation.apply(random_change(square, b, random_seeds::seed(round)));
     }
     EXPECT_GT(Checking_euler::checked, 10000u);
   }

@@ -15,10 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
 #include <limits>
-#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -165,19 +162,6 @@ void expect_no_vertices_nearer(const CDT& cdt, const Sizing& d, double least,
       << "from (" << xy(u).first << ", " << xy(u).second << ") to (" << xy(v).first << ", "
       << xy(v).second << ")";
   }
-}
-
-/// the seed of random input: given in the environment or drawn, and printed
-inline unsigned seed()
-{
-  static const unsigned value = [] {
-    const char* given = std::getenv("BUBBLE_RELAXATION_2_SEED");
-    const unsigned s = given != nullptr ? static_cast<unsigned>(std::atoi(given))
-                                        : std::random_device()();
-    std::cout << "BUBBLE_RELAXATION_2_SEED=" << s << '\n';
-    return s;
-  }();
-  return value;
 }
 
 } // namespace validation
