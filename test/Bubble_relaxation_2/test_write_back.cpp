@@ -25,6 +25,7 @@
 #include <string>
 
 using domains::K;
+using domains::Map_of_pins;
 using domains::Outline;
 
 namespace {
@@ -42,19 +43,6 @@ const Outline slanted{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}};
 const Outline hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
 
 auto size(double d) { return CGAL::parameters::sizing_function(d); }
-
-template <class CDT>
-struct Map_of_pins
-{
-  using key_type = typename CDT::Vertex_handle;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-
-  const std::set<key_type>* pins;
-
-  friend bool get(const Map_of_pins& map, key_type v) { return map.pins->count(v) > 0; }
-};
 
 template <class CDT>
 class Write_back : public testing::Test
