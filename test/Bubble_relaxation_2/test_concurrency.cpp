@@ -9,6 +9,7 @@
 // Threads do not change a bit.
 
 #include "../../demo/Bubble_relaxation_2/paper_domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -26,7 +27,7 @@
 TEST(Size_of_the_mesh, on_an_edge_does_not_depend_on_what_was_asked_before)
 {
   // random points on both sides of x = 0.3, edges between them on x = 0.3
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(0., 1.);
   paper::CDT cdt;
   const std::vector<paper::Point> outline{{0, 0}, {1, 0}, {1, 1}, {0, 1}};

@@ -9,6 +9,7 @@
 // The domain: which faces belong to it, chains and corners, walks.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
@@ -167,10 +168,10 @@ TEST(Domain_reading, free_vertices)
 TEST(Walk, stops_at_edges_of_the_domain_exactly_when_it_must)
 {
   // compare with the exact intersection of the segment with all edges
-  CDT cdt = domains::make(domains::random_star(validation::seed()));
+  CDT cdt = domains::make(domains::random_star(random_seeds::seed()));
   const auto reading = read(cdt);
   const Domain_2& domain = reading->domain;
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(-1., 1.);
   std::size_t blocked = 0, free = 0;
   while (blocked + free < 5000) {
@@ -201,10 +202,10 @@ TEST(Walk, stops_at_edges_of_the_domain_exactly_when_it_must)
 
 TEST(Walk, locates_every_point_from_every_triangle)
 {
-  CDT cdt = domains::make(domains::random_star(validation::seed()));
+  CDT cdt = domains::make(domains::random_star(random_seeds::seed()));
   const auto reading = read(cdt);
   const auto& tr = reading->domain.triangulation();
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(-1.1, 1.1);
   std::size_t inside = 0, outside = 0;
   for (int k = 0; k < 500; ++k) {

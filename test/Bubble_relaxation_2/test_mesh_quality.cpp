@@ -9,6 +9,7 @@
 // q = 2 r_in / r_out and the statistics of meshes.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -40,7 +41,7 @@ TEST(Radius_ratio, known_triangles)
 
 TEST(Radius_ratio, equals_equation_11_in_long_double)
 {
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(-1., 1.);
   for (int k = 0; k < 10000; ++k) {
     const Point p(uniform(random), uniform(random)), q(uniform(random), uniform(random)),
@@ -155,7 +156,7 @@ TEST(Mesh_quality, of_two_triangles_with_a_hole_beside)
 TEST(Mesh_quality, agrees_with_brute_force_on_a_random_mesh)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)});
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(0.001, 0.999);
   for (int k = 0; k < 500; ++k)
     cdt.insert(Point(uniform(random), uniform(random)));
@@ -202,7 +203,7 @@ TEST(Order_independent, sums_are_equal_to_the_last_bit_in_any_order)
 {
   using CGAL::Bubble_relaxation_2::internal::sum_in_any_order;
   const auto identity = [](double v) { return v; };
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   for (double scale : {1., 1e-300, 1e300, 5e-324}) {
     std::vector<double> values;
     long double exact = 0;
@@ -226,7 +227,7 @@ TEST(Order_independent, sums_are_equal_to_the_last_bit_in_any_order)
 TEST(Order_independent, positions_are_sorted)
 {
   using CGAL::Bubble_relaxation_2::internal::sort_positions;
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   for (std::size_t n : {1, 2, 3, 10, 1000}) {
     std::vector<double> values;
     std::vector<std::size_t> positions;

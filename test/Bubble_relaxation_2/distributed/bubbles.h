@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_BUBBLES_H
 
 #include "../../../demo/Bubble_relaxation_2/paper_domains.h"
+#include "../random_seeds.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
@@ -96,7 +97,7 @@ inline Case random(const paper::Domain& domain, int n, unsigned seed)
   const CGAL::Bbox_2 box = c.domain().bbox();
   const double d = std::sqrt((box.xmax() - box.xmin()) * (box.ymax() - box.ymin()) / n);
   add_outline(c, 3, d);
-  std::mt19937 engine(seed);
+  std::mt19937 engine(random_seeds::seed(seed));
   std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
   for (int i = 0; i < n; ++i) {
     const double px = x(engine);
@@ -159,7 +160,7 @@ inline Case lattice(int n)
 /// forgets some of the bubbles that are not on the outline
 inline void thin_out(Bubbles_2& b, double share, unsigned seed)
 {
-  std::mt19937 engine(seed);
+  std::mt19937 engine(random_seeds::seed(seed));
   std::uniform_real_distribution<double> uniform(0, 1);
   for (std::size_t i = 0; i < b.size(); ++i)
     if (b.is_in_face(i) && uniform(engine) < share)

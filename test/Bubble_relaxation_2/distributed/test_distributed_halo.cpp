@@ -8,6 +8,7 @@
 
 // The halo: what bubbles of this rank look at is known here, however bubbles wander, and owners tell of their sets
 
+#include "../random_seeds.h"
 #include "union_of_ranks.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
@@ -34,7 +35,7 @@ using namespace CGAL::Bubble_relaxation_2::internal;
 class Halo : public testing::Test
 {
 protected:
-  Halo() : m_engine(1), m_halo(m_comm, m_exchange, m_traffic, radius)
+  Halo() : m_engine(random_seeds::seed(1)), m_halo(m_comm, m_exchange, m_traffic, radius)
   {
     for (int i = 0; i < 300; ++i)
       m_all.add(Point(uniform(), uniform()), 0.02 * std::pow(4, uniform()), Bubbles_2::FACE, 0);

@@ -8,6 +8,7 @@
 
 // CGAL::Distributed::triangulate(): points come from any rank, all ranks get their part, or all throw the same
 
+#include "../random_seeds.h"
 #include "bubbles.h"
 #include "same_exception.h"
 #include "union_of_ranks.h"
@@ -55,7 +56,7 @@ bool is_here(std::size_t i, Spread spread)
   case Spread::ALL_ON_LAST:
     return r + 1 == p;
   default:
-    std::mt19937 engine(static_cast<unsigned>(i));
+    std::mt19937 engine(random_seeds::seed(static_cast<unsigned>(i)));
     return engine() % p == r;
   }
 }
@@ -164,7 +165,7 @@ TEST(Distributed_mesh, of_points_with_properties)
   const Case c = relaxed(domain);
   std::vector<std::int64_t> numbers(c.bubbles.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  std::shuffle(numbers.begin(), numbers.end(), std::mt19937(1));
+  std::shuffle(numbers.begin(), numbers.end(), std::mt19937(random_seeds::seed(1)));
   for (std::int64_t& number : numbers)
     number = number * 1000000007 + 5;
   const Mesh mesh = CGAL::Distributed::triangulate(with_properties(c, numbers, Spread::RANDOM), c.cdt,

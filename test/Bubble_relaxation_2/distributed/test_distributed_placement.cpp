@@ -9,6 +9,7 @@
 // all ways to start, and all ways to go on, by ranks are those of one rank: from points that are given on any rank,
 // from the vertices of the domain's triangulation, and as in the paper
 
+#include "../random_seeds.h"
 #include "bubbles.h"
 #include "equal_bubbles.h"
 
@@ -73,7 +74,7 @@ CDT with_bubbles(const Case& c)
 Numbered_bubbles_2 scattered(const Ranks& ranks, const Bubbles_2& b)
 {
   Numbered_bubbles_2 result;
-  std::mt19937 engine(7);
+  std::mt19937 engine(random_seeds::seed(7));
   for (std::size_t i = 0; i < b.size(); ++i) {
     const int rank = (std::min)(static_cast<int>(engine() % 16), ranks.comm.size() - 1);
     const bool is_for_last = rank == 0 && b.is_in_face(i);

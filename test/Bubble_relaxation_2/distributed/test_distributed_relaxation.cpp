@@ -8,6 +8,7 @@
 
 // CGAL::Distributed::npbs_relax(): all ranks together make the points, the neighbour sets and the report of one
 
+#include "../random_seeds.h"
 #include "relaxed_points.h"
 #include "union_of_ranks.h"
 
@@ -181,7 +182,7 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
   const Communicator comm(MPI_COMM_WORLD);
   Agreement agreement(comm);
   Sparse_exchange exchange(comm);
-  std::mt19937 engine(1);
+  std::mt19937 engine(random_seeds::seed(1));
   std::uniform_real_distribution<double> uniform(0, 1);
   Bubbles_2 all;
   for (int i = 0; i < 400; ++i) {

@@ -8,6 +8,7 @@
 
 // the union of what ranks own is the triangulation of all bubbles
 
+#include "../random_seeds.h"
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
@@ -51,7 +52,7 @@ std::vector<std::int64_t> numbers_of(const Case& c, const Options& options)
   std::vector<std::int64_t> numbers(c.bubbles.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   if (options.shuffle_numbers) {
-    std::mt19937 engine(5);
+    std::mt19937 engine(random_seeds::seed(5));
     std::shuffle(numbers.begin(), numbers.end(), engine);
     for (std::int64_t& n : numbers)
       n = 10000000000 * (n % 3) + 7 * n; // neither dense nor small
@@ -174,7 +175,7 @@ TEST(Distributed_triangulation, points_on_circles_and_edges_through_them)
 
 TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
 {
-  std::mt19937 engine(3);
+  std::mt19937 engine(random_seeds::seed(3));
   std::uniform_real_distribution<double> uniform(0, 1), flatness(-18, 0);
   const CGAL::Bbox_2 domain(0, 0, 1, 1);
   std::size_t in_boxes = 0;
