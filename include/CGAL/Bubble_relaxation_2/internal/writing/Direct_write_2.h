@@ -74,16 +74,17 @@ public:
 private:
   void make_vertices()
   {
-    for (Vertex_handle v : m_reading.free)
-      m_cdt.tds().delete_vertex(v);
+    for (Index v : m_reading.free)
+      m_cdt.tds().delete_vertex(m_reading.vertex(v));
     for (const auto& chain : m_reading.graph->chains())
-      for (Vertex_handle v : chain.splits)
-        m_cdt.tds().delete_vertex(v);
+      for (Index v : chain.splits)
+        m_cdt.tds().delete_vertex(m_reading.vertex(v));
     m_vertices.reserve(m_bubbles.size());
     for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
       if (m_bubbles.is_corner(i))
-        m_vertices.push_back(m_bubbles.place[i] != no_index ? m_reading.graph->corners()[m_bubbles.place[i]]
-                                                            : m_reading.pinned[m_bubbles.tag[i]]);
+        m_vertices.push_back(m_reading.vertex(m_bubbles.place[i] != no_index
+                                                ? m_reading.graph->corners()[m_bubbles.place[i]]
+                                                : m_reading.pinned[m_bubbles.tag[i]]));
       else {
         m_vertices.push_back(m_cdt.tds().create_vertex());
         m_vertices.back()->set_point(typename Cdt::Point(m_bubbles.x[i], m_bubbles.y[i]));

@@ -41,7 +41,7 @@ class Write_back_2
   using Edge = typename Cdt::Edge;
   using Cdt_point = typename Cdt::Point;
   using Reading = Domain_reading_2<Cdt>;
-  using Chain = typename Reading::Graph::Chain;
+  using Chain = Constraint_graph_2::Chain;
 
 public:
   Write_back_2(Cdt& cdt, const Reading& reading, const Bubbles_2& bubbles)
@@ -50,8 +50,8 @@ public:
 
   void operator()()
   {
-    for (Vertex_handle v : m_reading.free)
-      m_cdt.remove(v);
+    for (Index v : m_reading.free)
+      m_cdt.remove(m_reading.vertex(v));
     for (const Chain& c : m_reading.graph->chains())
       straighten(c);
     split_constraints();
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  Vertex_handle corner(Index i) const { return m_reading.graph->corners()[i]; }
+  Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
 
   /// removes the vertices that only split the chain
   void straighten(const Chain& chain)
@@ -69,7 +69,7 @@ private:
     if (chain.splits.empty())
       return;
     if constexpr (Has_constraint_hierarchy<Cdt>::value) {
-      auto context = *m_cdt.contexts_begin(corner(chain.source), chain.splits.front());
+      auto context = *m_cdt.contexts_begin(corner(chain.source), m_reading.vertex(chain.splits.front()));
       auto it = context.current(); // the end of the piece that comes first in the polyline
       const bool is_forward = *it == corner(chain.source);
       if (is_forward)
@@ -77,7 +77,8 @@ private:
       for (std::size_t k = 0; k < chain.splits.size(); ++k)
         simplify(context.id(), is_forward ? it++ : it--);
     } else {
-      for (Vertex_handle v : chain.splits) {
+      for (Index split : chain.splits) {
+        const Vertex_handle v = m_reading.vertex(split);
         m_cdt.remove_incident_constraints(v);
         m_cdt.remove(v);
       }
