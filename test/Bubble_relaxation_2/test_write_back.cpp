@@ -209,7 +209,7 @@ bool is_written_directly(const CDT& cdt)
   using namespace CGAL::Bubble_relaxation_2::internal;
   const auto np = CGAL::parameters::default_values();
   const Domain_marks_2<CDT> marks(cdt, np);
-  return Is_plain<CDT>::value && Direct_write_2<CDT>::is_possible(cdt, *read_domain(cdt, np, marks));
+  return Is_plain<CDT>::value && Direct_write_2<CDT>::is_possible(cdt, Domain_reading_2<CDT>(cdt, marks, is_pinned<CDT>(np)));
 }
 
 TEST(Direct_write, is_for_plain_triangulations_that_hold_the_domain_alone)
