@@ -58,7 +58,8 @@ private:
   std::vector<void*> m_addresses;
 };
 
-/// Vertices and faces of one of CGAL's triangulations by their addresses.
+/// Vertices and faces of one of CGAL's triangulations by their addresses, which containers have instead of handles:
+/// all of them are of one type then.
 template <class Triangulation>
 struct Handles
 {
