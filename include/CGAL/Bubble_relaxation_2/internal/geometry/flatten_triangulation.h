@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -24,8 +25,149 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A triangulation copied to arrays: vertices in the order of their points and triangles in the order of
-/// their vertices, so that it does not matter how it came about.
+/// The numbers of vertices, or of faces, by their addresses. The user's types are forgotten here, so that all that
+/// is done with numbers is compiled once.
+class Address_numbers
+{
+public:
+  /// \param size of the objects in memory
+  explicit Address_numbers(std::size_t size) : m_size(size), m_numbers(no_index) {}
+
+  void add(void* object)
+  {
+    m_numbers[key(object)] = static_cast<Index>(m_addresses.size());
+    m_addresses.push_back(object);
+  }
+
+  /// `no_index` if it was not added
+  Index operator()(const void* object) const { return m_numbers[key(object)]; }
+
+  const std::vector<void*>& addresses() const { return m_addresses; }
+
+private:
+  struct Identity
+  {
+    std::size_t operator()(std::size_t key) const { return key; }
+  };
+
+  /// objects that follow each other in memory have consecutive keys, as the hash map likes them
+  std::size_t key(const void* object) const { return reinterpret_cast<std::uintptr_t>(object) / m_size; }
+
+  std::size_t m_size;
+  Unique_hash_map<std::size_t, Index, Identity> m_numbers;
+  std::vector<void*> m_addresses;
+};
+
+/// Vertices and faces of one of CGAL's triangulations by their addresses, which containers have instead of handles:
+/// all of them are of one type then.
+template <class Triangulation>
+struct Handles
+{
+  using Tds = typename Triangulation::Triangulation_data_structure;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+
+  static Vertex_handle vertex(void* address)
+  {
+    return Tds::Vertex_range::s_iterator_to(*static_cast<typename Tds::Vertex*>(address));
+  }
+
+  static Face_handle face(void* address)
+  {
+    return Tds::Face_range::s_iterator_to(*static_cast<typename Tds::Face*>(address));
+  }
+};
+
+/// A user's triangulation in arrays: its finite vertices and faces in the order in which it lists them.
+struct Triangulation_copy_2
+{
+  Flat_triangulation_2 tr;
+  Address_numbers vertices, faces; ///< infinite ones have no number
+
+  /// \pre `t` has dimension 2
+  template <class Triangulation>
+  explicit Triangulation_copy_2(const Triangulation& t)
+    : vertices(sizeof(typename Triangulation::Vertex)), faces(sizeof(typename Triangulation::Face))
+  {
+    tr.points.reserve(t.number_of_vertices());
+    for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v) {
+      tr.points.emplace_back(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+      vertices.add(&*v);
+    }
+    for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
+      faces.add(&*f);
+    tr.vertices.reserve(faces.addresses().size());
+    tr.neighbors.reserve(faces.addresses().size());
+    for (void* f : faces.addresses()) {
+      const auto& face = *static_cast<typename Triangulation::Face*>(f);
+      tr.vertices.push_back(
+        {vertices(&*face.vertex(0)), vertices(&*face.vertex(1)), vertices(&*face.vertex(2))});
+      tr.neighbors.push_back(
+        {faces(&*face.neighbor(0)), faces(&*face.neighbor(1)), faces(&*face.neighbor(2))});
+    }
+  }
+};
+
+/// A triangulation with the vertices in the order of their points and the triangles in the order of their vertices,
+/// so that it does not matter how it came about; and which vertices and triangles of another one these were.
+struct Sorted_triangulation_2
+{
+  Flat_triangulation_2 tr;
+  std::vector<Index> vertices, triangles;
+
+  explicit Sorted_triangulation_2(const Flat_triangulation_2& t)
+  {
+    const std::vector<Index> number = sort_vertices(t);
+    std::vector<Turned_triangle> turned;
+    turned.reserve(t.vertices.size());
+    for (const std::array<Index, 3>& corners : t.vertices) {
+      const std::array<Index, 3> v{number[corners[0]], number[corners[1]], number[corners[2]]};
+      const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
+      turned.push_back({{v[first], v[ccw(first)], v[cw(first)]}, static_cast<Index>(turned.size()), first});
+    }
+    std::sort(turned.begin(), turned.end(),
+              [](const Turned_triangle& a, const Turned_triangle& b) { return a.vertices < b.vertices; });
+    std::vector<Index> place(turned.size());
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      place[turned[k].triangle] = static_cast<Index>(k);
+    for (const Turned_triangle& c : turned) {
+      const auto neighbor = [&](int i) {
+        const Index n = t.neighbors[c.triangle][i];
+        return n == no_index ? no_index : place[n];
+      };
+      tr.vertices.push_back(c.vertices);
+      tr.neighbors.push_back({neighbor(c.first), neighbor(ccw(c.first)), neighbor(cw(c.first))});
+      triangles.push_back(c.triangle);
+    }
+  }
+
+private:
+  struct Turned_triangle
+  {
+    std::array<Index, 3> vertices; // the smallest first
+    Index triangle;
+    int first; // index of the first vertex in the triangle
+  };
+
+  /// returns the new numbers
+  std::vector<Index> sort_vertices(const Flat_triangulation_2& t)
+  {
+    std::vector<std::pair<Point, Index>> sorted; // points that coincide when rounded come as they are
+    sorted.reserve(t.points.size());
+    for (const Point& p : t.points)
+      sorted.emplace_back(p, static_cast<Index>(sorted.size()));
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<Index> number(sorted.size());
+    for (const auto& v : sorted) {
+      number[v.second] = static_cast<Index>(vertices.size());
+      tr.points.push_back(v.first);
+      vertices.push_back(v.second);
+    }
+    return number;
+  }
+};
+
+/// A user's triangulation in sorted arrays.
 template <class Triangulation>
 struct Flattened_triangulation_2
 {
@@ -38,47 +180,13 @@ struct Flattened_triangulation_2
 template <class Triangulation>
 Flattened_triangulation_2<Triangulation> flatten_triangulation(const Triangulation& t)
 {
-  using Vertex_handle = typename Triangulation::Vertex_handle;
-  using Face_handle = typename Triangulation::Face_handle;
-  std::vector<std::pair<Point, Vertex_handle>> vertices;
-  for (Vertex_handle v : t.finite_vertex_handles())
-    vertices.emplace_back(Point(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())), v);
-  // points that coincide when rounded come as they are; who cannot have them checks
-  std::stable_sort(vertices.begin(), vertices.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  Flattened_triangulation_2<Triangulation> flat;
-  Unique_hash_map<Vertex_handle, Index> vertex_index(no_index);
-  for (const auto& v : vertices) {
-    vertex_index[v.second] = static_cast<Index>(flat.tr.points.size());
-    flat.tr.points.push_back(v.first);
-    flat.vertices.push_back(v.second);
-  }
-
-  struct Corner_face
-  {
-    std::array<Index, 3> vertices; // the smallest first
-    Face_handle face;
-    int first; // index of the first vertex in the face
-  };
-  std::vector<Corner_face> faces;
-  for (Face_handle f : t.finite_face_handles()) {
-    const std::array<Index, 3> v{vertex_index[f->vertex(0)], vertex_index[f->vertex(1)],
-                                 vertex_index[f->vertex(2)]};
-    const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
-    faces.push_back({{v[first], v[ccw(first)], v[cw(first)]}, f, first});
-  }
-  std::sort(faces.begin(), faces.end(),
-            [](const Corner_face& a, const Corner_face& b) { return a.vertices < b.vertices; });
-  Unique_hash_map<Face_handle, Index> face_index(no_index);
-  for (std::size_t k = 0; k < faces.size(); ++k)
-    face_index[faces[k].face] = static_cast<Index>(k);
-  for (const Corner_face& c : faces) {
-    flat.tr.vertices.push_back(c.vertices);
-    flat.tr.neighbors.push_back({face_index[c.face->neighbor(c.first)],
-                                 face_index[c.face->neighbor(ccw(c.first))],
-                                 face_index[c.face->neighbor(cw(c.first))]});
-    flat.faces.push_back(c.face);
-  }
+  const Triangulation_copy_2 copy(t);
+  Sorted_triangulation_2 sorted(copy.tr);
+  Flattened_triangulation_2<Triangulation> flat{std::move(sorted.tr), {}, {}};
+  for (Index v : sorted.vertices)
+    flat.vertices.push_back(Handles<Triangulation>::vertex(copy.vertices.addresses()[v]));
+  for (Index f : sorted.triangles)
+    flat.faces.push_back(Handles<Triangulation>::face(copy.faces.addresses()[f]));
   return flat;
 }
 

@@ -44,7 +44,7 @@ auto is_pinned(const NamedParameters& np)
 /// The sizes that the user wants: the sizing function, checked, or by default those of the mesh that is there, or else
 /// what the outline asks for.
 template <class Cdt, class NamedParameters>
-Sizes_2 wanted_sizes(const Cdt& cdt, const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
+Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
                      const Domain_reading_2<Cdt>& reading)
 {
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
@@ -54,7 +54,7 @@ Sizes_2 wanted_sizes(const Cdt& cdt, const NamedParameters& np, const Domain_mar
   } else if (reading.free.empty()) { // no mesh yet
     return sizes_of_outline(reading.domain, reading.given);
   } else {
-    return Sizes_2(mean_edge_length_field(cdt, marks));
+    return Sizes_2(mean_edge_length_field(marks.tr, marks.inside()));
   }
 }
 
@@ -70,28 +70,32 @@ Sizes_2 sizes_to_follow(const Domain_2& domain, const Given_mesh_2& given, Sizes
   return wanted;
 }
 
-/// What all entry points begin with. It refers to the user's triangulation and parameters.
+/// What all entry points begin with. It refers to the user's vertices and parameters.
 template <class Cdt>
 struct Input_2
 {
   Relaxation_options options;
-  Domain_marks_2<Cdt> marks;
   Domain_reading_2<Cdt> reading;
   Sizes_2 wanted; ///< by the user
   Sizes_2 sizes;  ///< that the simulation follows
 
+  // in braces, since options are to be checked before the triangulation
   template <class NamedParameters>
-  Input_2(const Cdt& cdt, const NamedParameters& np)
-    : options(read_options(np)), marks(cdt, np), reading(cdt, marks, is_pinned<Cdt>(np)),
-      wanted(wanted_sizes(cdt, np, marks, reading)),
+  Input_2(const Cdt& cdt, const NamedParameters& np) : Input_2{np, cdt, read_options(np), Domain_marks_2<Cdt>(cdt, np)}
+  {}
+
+  Problem_2 problem() const { return Problem_2{reading.domain, reading.given, options, wanted, sizes}; }
+
+private:
+  template <class NamedParameters>
+  Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
+    : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
       sizes(sizes_to_follow<NamedParameters>(reading.domain, reading.given, wanted, options))
   {
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept
-      reading.look_around(cdt, 0, reading.free.size());
+      reading.look_around(marks);
   }
-
-  Problem_2 problem() const { return Problem_2{reading.domain, reading.given, options, wanted, sizes}; }
 };
 
 } // namespace internal
