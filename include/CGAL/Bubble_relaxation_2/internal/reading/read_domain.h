@@ -43,32 +43,21 @@ inline void check_coordinates(const std::vector<Point>& points)
 /// numbers of this order, since the order in which they were inserted must not matter.
 struct Sorted_vertices_2
 {
-  /// whether the point of a vertex, given by its address, is before that of another one
-  using Is_before = bool (*)(const void*, const void*);
-
   std::vector<Point> points;
   std::vector<void*> addresses;
   std::vector<Index> number; ///< of each vertex of the copy
 
   /// \param is_before `nullptr` if coordinates are the user's to the last bit. Else some points may be rounded to one
-  Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before) : number(copy.tr.points.size())
+  Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before)
   {
     check_coordinates(copy.tr.points);
-    const std::vector<void*>& address = copy.vertices.addresses();
-    std::vector<std::pair<Point, Index>> sorted;
-    sorted.reserve(number.size());
-    for (const Point& p : copy.tr.points)
-      sorted.emplace_back(p, static_cast<Index>(sorted.size()));
-    std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
-      return is_before != nullptr ? is_before(address[a.second], address[b.second])
-                                  : CGAL::lexicographically_xy_smaller(a.first, b.first);
-    });
-    points.reserve(number.size());
-    addresses.reserve(number.size());
-    for (const auto& v : sorted) {
-      number[v.second] = static_cast<Index>(points.size());
-      points.push_back(v.first);
-      addresses.push_back(address[v.second]);
+    const std::vector<Index> order = lexicographic_order(copy, is_before);
+    number = inverse(order);
+    points.reserve(order.size());
+    addresses.reserve(order.size());
+    for (Index v : order) {
+      points.push_back(copy.tr.points[v]);
+      addresses.push_back(copy.vertices.addresses()[v]);
     }
   }
 };
@@ -105,7 +94,7 @@ public:
   }
 
 protected:
-  Read_domain_2(const Marked_copy_2& copy, Sorted_vertices_2::Is_before is_before)
+  Read_domain_2(const Marked_copy_2& copy, Is_before is_before)
     : m_vertices(copy, is_before), m_is_of_domain(copy.tr.points.size(), 0), m_is_pinned(m_is_of_domain),
       m_is_given(m_is_of_domain)
   {
@@ -225,7 +214,7 @@ public:
   Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices.addresses[v]); }
 
 private:
-  static constexpr Sorted_vertices_2::Is_before is_before()
+  static constexpr Is_before is_before()
   {
     if constexpr (std::is_same<typename Cdt::Geom_traits::FT, double>::value)
       return nullptr;

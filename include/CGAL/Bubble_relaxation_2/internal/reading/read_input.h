@@ -54,7 +54,7 @@ Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks
   } else if (reading.free.empty()) { // no mesh yet
     return sizes_of_outline(reading.domain, reading.given);
   } else {
-    return Sizes_2(mean_edge_length_field(marks.tr, marks.inside()));
+    return Sizes_2(mean_edge_length_field(marks, marks.inside()));
   }
 }
 
