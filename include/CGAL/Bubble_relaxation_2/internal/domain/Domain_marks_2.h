@@ -59,8 +59,7 @@ protected:
     m_constrained.reserve(tr.number_of_triangles());
     for (void* f : faces.addresses()) {
       const auto& face = *static_cast<typename Cdt::Face*>(f);
-      m_constrained.push_back(
-        static_cast<char>(face.is_constrained(0) | face.is_constrained(1) << 1 | face.is_constrained(2) << 2));
+      add_constraints(face.is_constrained(0), face.is_constrained(1), face.is_constrained(2));
     }
   }
 
@@ -135,6 +134,11 @@ protected:
   }
 
 private:
+  void add_constraints(bool side_0, bool side_1, bool side_2)
+  {
+    m_constrained.push_back(static_cast<char>(side_0 | side_1 << 1 | side_2 << 2));
+  }
+
   template <class Cdt>
   static const Cdt& check_dimension(const Cdt& cdt, int dimension, std::size_t number_of_vertices)
   {

@@ -89,22 +89,38 @@ struct Triangulation_copy_2
   explicit Triangulation_copy_2(const Triangulation& t)
     : vertices(sizeof(typename Triangulation::Vertex)), faces(sizeof(typename Triangulation::Face))
   {
-    tr.points.reserve(t.number_of_vertices());
-    for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v) {
-      tr.points.emplace_back(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
-      vertices.add(&*v);
-    }
+    reserve(t.number_of_vertices(), t.number_of_faces());
+    for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
+      add_vertex(&*v, CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
       faces.add(&*f);
-    tr.vertices.reserve(faces.addresses().size());
-    tr.neighbors.reserve(faces.addresses().size());
     for (void* f : faces.addresses()) {
       const auto& face = *static_cast<typename Triangulation::Face*>(f);
-      tr.vertices.push_back(
-        {vertices(&*face.vertex(0)), vertices(&*face.vertex(1)), vertices(&*face.vertex(2))});
-      tr.neighbors.push_back(
-        {faces(&*face.neighbor(0)), faces(&*face.neighbor(1)), faces(&*face.neighbor(2))});
+      add_triangle({&*face.vertex(0), &*face.vertex(1), &*face.vertex(2)},
+                   {&*face.neighbor(0), &*face.neighbor(1), &*face.neighbor(2)});
     }
+  }
+
+private:
+  using Addresses = std::array<const void*, 3>;
+
+  void reserve(std::size_t number_of_vertices, std::size_t number_of_faces)
+  {
+    tr.points.reserve(number_of_vertices);
+    tr.vertices.reserve(number_of_faces);
+    tr.neighbors.reserve(number_of_faces);
+  }
+
+  void add_vertex(void* vertex, double x, double y)
+  {
+    vertices.add(vertex);
+    tr.points.emplace_back(x, y);
+  }
+
+  void add_triangle(const Addresses& v, const Addresses& n)
+  {
+    tr.vertices.push_back({vertices(v[0]), vertices(v[1]), vertices(v[2])});
+    tr.neighbors.push_back({faces(n[0]), faces(n[1]), faces(n[2])});
   }
 };
 
