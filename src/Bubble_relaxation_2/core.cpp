@@ -8,5 +8,7 @@
 
 // What the headers declare for programs that are linked with the compiled core.
 
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2_impl.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine_impl.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/mark_triangulation_impl.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain_impl.h>

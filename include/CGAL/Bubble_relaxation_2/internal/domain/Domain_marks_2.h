@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/compiled.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -59,8 +59,7 @@ protected:
     m_constrained.reserve(tr.number_of_triangles());
     for (void* f : faces.addresses()) {
       const auto& face = *static_cast<typename Cdt::Face*>(f);
-      m_constrained.push_back(
-        static_cast<char>(face.is_constrained(0) | face.is_constrained(1) << 1 | face.is_constrained(2) << 2));
+      add_constraints(face.is_constrained(0), face.is_constrained(1), face.is_constrained(2));
     }
   }
 
@@ -71,70 +70,24 @@ protected:
   }
 
   /// \param seeds the triangles of the seeds, `no_index` for those beyond the hull
-  void mark_by_seeds(const std::vector<Index>& seeds, bool seeds_are_in_domain)
-  {
-    std::vector<char> is_reached(m_inside.size(), 0);
-    std::vector<Index> reached, behind;
-    if (!seeds_are_in_domain)
-      reach_from_beyond_hull(is_reached, reached, behind);
-    for (Index t : seeds)
-      if (t != no_index)
-        reach(t, is_reached, reached);
-    flood(is_reached, reached);
-    for (std::size_t t = 0; t < m_inside.size(); ++t)
-      if ((is_reached[t] != 0) == seeds_are_in_domain)
-        set_inside(static_cast<Index>(t));
-  }
+  void mark_by_seeds(const std::vector<Index>& seeds, bool seeds_are_in_domain);
 
-  void mark_by_nesting()
-  {
-    std::vector<char> is_reached(m_inside.size(), 0);
-    std::vector<Index> level, next_level;
-    reach_from_beyond_hull(is_reached, level, next_level);
-    for (bool is_odd = false; !level.empty() || !next_level.empty(); is_odd = !is_odd) {
-      flood(is_reached, level);
-      for (Index t : level) {
-        if (is_odd)
-          set_inside(t);
-        next_level.insert(next_level.end(), tr.neighbors[t].begin(), tr.neighbors[t].end());
-      }
-      level.clear();
-      for (Index t : next_level)
-        reach(t, is_reached, level);
-      next_level.clear();
-    }
-  }
+  void mark_by_nesting();
 
   /// \throws std::invalid_argument if there is no domain, or if a constraint is missing around it: bubbles could
   /// leave it there
-  void check_domain() const
-  {
-    if (m_number_of_faces == 0)
-      throw std::invalid_argument("Bubble_relaxation_2: no face lies in the domain: the constraints close no "
-                                  "region, or all regions are holes");
-    for (std::size_t t = 0; t < m_inside.size(); ++t)
-      for (int i = 0; i < 3 && m_inside[t]; ++i) {
-        const Index f = static_cast<Index>(t);
-        if (is_constrained(f, i) || is_inside(tr.neighbors[t][i]))
-          continue;
-        const Point &p = tr.point(f, ccw(i)), &q = tr.point(f, cw(i));
-        throw std::invalid_argument("Bubble_relaxation_2: the edge from " + in_words(p.x(), p.y()) + " to " +
-                                    in_words(q.x(), q.y()) + " bounds the domain and must be constrained");
-      }
-  }
+  void check_domain() const;
 
-  static void check_seed(double x, double y)
-  {
-    if (!std::isfinite(x) || !std::isfinite(y))
-      throw_seed(x, y, "must be finite");
-  }
+  static void check_seed(double x, double y);
 
-  [[noreturn]] static void throw_seed(double x, double y, const char* what)
-  {
-    throw std::invalid_argument("Bubble_relaxation_2: parameter seeds: " + in_words(x, y) + " " + what);
-  }
+  [[noreturn]] static void throw_seed(double x, double y, const char* what);
 
 private:
+  void add_constraints(bool side_0, bool side_1, bool side_2)
+  {
+    m_constrained.push_back(static_cast<char>(side_0 | side_1 << 1 | side_2 << 2));
+  }
+
   template <class Cdt>
   static const Cdt& check_dimension(const Cdt& cdt, int dimension, std::size_t number_of_vertices)
   {
@@ -143,45 +96,16 @@ private:
     return cdt;
   }
 
-  [[noreturn]] static void throw_dimension(int dimension, std::size_t number_of_vertices)
-  {
-    throw std::invalid_argument("Bubble_relaxation_2: the triangulation has " + std::to_string(number_of_vertices) +
-                                " vertices and the dimension " + std::to_string(dimension) +
-                                ", so it bounds no domain");
-  }
+  [[noreturn]] static void throw_dimension(int dimension, std::size_t number_of_vertices);
 
-  static void reach(Index t, std::vector<char>& is_reached, std::vector<Index>& reached)
-  {
-    if (t == no_index || is_reached[t])
-      return;
-    is_reached[t] = 1;
-    reached.push_back(t);
-  }
+  static void reach(Index t, std::vector<char>& is_reached, std::vector<Index>& reached);
 
   /// the triangles that no constraint separates from what lies beyond the hull; `behind`: others at the hull
   void reach_from_beyond_hull(std::vector<char>& is_reached, std::vector<Index>& reached,
-                              std::vector<Index>& behind) const
-  {
-    for (std::size_t t = 0; t < m_inside.size(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        const Index f = static_cast<Index>(t);
-        if (tr.neighbors[t][i] != no_index)
-          continue;
-        if (is_constrained(f, i))
-          behind.push_back(f);
-        else
-          reach(f, is_reached, reached);
-      }
-  }
+                              std::vector<Index>& behind) const;
 
   /// reaches all triangles that no constraint separates from those that are reached
-  void flood(std::vector<char>& is_reached, std::vector<Index>& reached) const
-  {
-    for (std::size_t k = 0; k < reached.size(); ++k)
-      for (int i = 0; i < 3; ++i)
-        if (!is_constrained(reached[k], i))
-          reach(tr.neighbors[reached[k]][i], is_reached, reached);
-  }
+  void flood(std::vector<char>& is_reached, std::vector<Index>& reached) const;
 
   std::vector<char> m_constrained, m_inside;
   std::size_t m_number_of_faces = 0;
@@ -243,5 +167,9 @@ private:
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2_impl.h>
+#endif
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_H

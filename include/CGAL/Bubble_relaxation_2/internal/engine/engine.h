@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/compiled.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bubble_relaxation_report_2.h>
 
@@ -29,7 +30,7 @@ namespace internal {
 
 /// the sizes of the edges of a mesh; `inside`: of each triangle whether it is in the domain
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Sizes_2 sizes_of_mesh(const Flat_triangulation_2& mesh, const std::vector<char>& inside);
+Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh, const std::vector<char>& inside);
 
 /// the sizes that the outline of a domain without mesh asks for
 CGAL_BUBBLE_RELAXATION_2_INLINE

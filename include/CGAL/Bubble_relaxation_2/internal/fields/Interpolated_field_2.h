@@ -194,7 +194,7 @@ inline std::vector<double> mean_edge_lengths(std::size_t number_of_vertices,
 }
 
 /// The size that a mesh has: at each vertex the mean length of its edges in the domain. `inside`: of each triangle
-inline Interpolated_field_2 mean_edge_length_field(const Flat_triangulation_2& mesh, const std::vector<char>& inside)
+inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh, const std::vector<char>& inside)
 {
   Sorted_triangulation_2 sorted(mesh); // so that it does not matter how the mesh came about
   const Flat_triangulation_2& tr = sorted.tr;

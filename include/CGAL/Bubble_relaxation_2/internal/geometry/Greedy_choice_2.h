@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_GREEDY_CHOICE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
@@ -47,9 +48,7 @@ public:
     m_order.resize(n);
     for (std::size_t k = 0; k < n; ++k)
       m_order[k] = static_cast<Index>(k);
-    std::sort(m_order.begin(), m_order.end(), [&candidates](Index a, Index b) {
-      return candidates[a] < candidates[b];
-    });
+    sort_indices(m_order, [&candidates](Index a, Index b) { return candidates[a] < candidates[b]; });
     m_is_possible.resize(n);
     m_is_chosen.assign(n, 0);
     m_rivals.resize((std::max)(m_rivals.size(), n));

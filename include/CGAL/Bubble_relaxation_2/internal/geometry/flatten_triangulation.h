@@ -89,24 +89,72 @@ struct Triangulation_copy_2
   explicit Triangulation_copy_2(const Triangulation& t)
     : vertices(sizeof(typename Triangulation::Vertex)), faces(sizeof(typename Triangulation::Face))
   {
-    tr.points.reserve(t.number_of_vertices());
-    for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v) {
-      tr.points.emplace_back(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
-      vertices.add(&*v);
-    }
+    reserve(t.number_of_vertices(), t.number_of_faces());
+    for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
+      add_vertex(&*v, CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
       faces.add(&*f);
-    tr.vertices.reserve(faces.addresses().size());
-    tr.neighbors.reserve(faces.addresses().size());
     for (void* f : faces.addresses()) {
       const auto& face = *static_cast<typename Triangulation::Face*>(f);
-      tr.vertices.push_back(
-        {vertices(&*face.vertex(0)), vertices(&*face.vertex(1)), vertices(&*face.vertex(2))});
-      tr.neighbors.push_back(
-        {faces(&*face.neighbor(0)), faces(&*face.neighbor(1)), faces(&*face.neighbor(2))});
+      add_triangle({&*face.vertex(0), &*face.vertex(1), &*face.vertex(2)},
+                   {&*face.neighbor(0), &*face.neighbor(1), &*face.neighbor(2)});
     }
   }
+
+private:
+  using Addresses = std::array<const void*, 3>;
+
+  void reserve(std::size_t number_of_vertices, std::size_t number_of_faces)
+  {
+    tr.points.reserve(number_of_vertices);
+    tr.vertices.reserve(number_of_faces);
+    tr.neighbors.reserve(number_of_faces);
+  }
+
+  void add_vertex(void* vertex, double x, double y)
+  {
+    vertices.add(vertex);
+    tr.points.emplace_back(x, y);
+  }
+
+  void add_triangle(const Addresses& v, const Addresses& n)
+  {
+    tr.vertices.push_back({vertices(v[0]), vertices(v[1]), vertices(v[2])});
+    tr.neighbors.push_back({faces(n[0]), faces(n[1]), faces(n[2])});
+  }
 };
+
+/// whether the point of a vertex, given by its address, is lexicographically before that of another one
+using Is_before = bool (*)(const void*, const void*);
+
+/// The numbers of a triangulation's vertices in the lexicographic order of their points.
+/// \param is_before `nullptr` if it is enough to compare the points as they are rounded to double; those in one place
+/// come in the order of their numbers then
+inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, Is_before is_before)
+{
+  std::vector<std::pair<Point, Index>> sorted;
+  sorted.reserve(copy.tr.points.size());
+  for (const Point& p : copy.tr.points)
+    sorted.emplace_back(p, static_cast<Index>(sorted.size()));
+  const std::vector<void*>& address = copy.vertices.addresses();
+  std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
+    return is_before != nullptr ? is_before(address[a.second], address[b.second]) : a < b;
+  });
+  std::vector<Index> order;
+  order.reserve(sorted.size());
+  for (const auto& v : sorted)
+    order.push_back(v.second);
+  return order;
+}
+
+/// the place of each number in an order of them
+inline std::vector<Index> inverse(const std::vector<Index>& order)
+{
+  std::vector<Index> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    place[order[k]] = static_cast<Index>(k);
+  return place;
+}
 
 /// A triangulation with the vertices in the order of their points and the triangles in the order of their vertices,
 /// so that it does not matter how it came about; and which vertices and triangles of another one these were.
@@ -115,9 +163,12 @@ struct Sorted_triangulation_2
   Flat_triangulation_2 tr;
   std::vector<Index> vertices, triangles;
 
-  explicit Sorted_triangulation_2(const Flat_triangulation_2& t)
+  explicit Sorted_triangulation_2(const Triangulation_copy_2& copy) : vertices(lexicographic_order(copy, nullptr))
   {
-    const std::vector<Index> number = sort_vertices(t);
+    const Flat_triangulation_2& t = copy.tr;
+    const std::vector<Index> number = inverse(vertices);
+    for (Index v : vertices)
+      tr.points.push_back(t.points[v]);
     std::vector<Turned_triangle> turned;
     turned.reserve(t.vertices.size());
     for (const std::array<Index, 3>& corners : t.vertices) {
@@ -127,9 +178,9 @@ struct Sorted_triangulation_2
     }
     std::sort(turned.begin(), turned.end(),
               [](const Turned_triangle& a, const Turned_triangle& b) { return a.vertices < b.vertices; });
-    std::vector<Index> place(turned.size());
-    for (std::size_t k = 0; k < turned.size(); ++k)
-      place[turned[k].triangle] = static_cast<Index>(k);
+    for (const Turned_triangle& c : turned)
+      triangles.push_back(c.triangle);
+    const std::vector<Index> place = inverse(triangles);
     for (const Turned_triangle& c : turned) {
       const auto neighbor = [&](int i) {
         const Index n = t.neighbors[c.triangle][i];
@@ -137,7 +188,6 @@ struct Sorted_triangulation_2
       };
       tr.vertices.push_back(c.vertices);
       tr.neighbors.push_back({neighbor(c.first), neighbor(ccw(c.first)), neighbor(cw(c.first))});
-      triangles.push_back(c.triangle);
     }
   }
 
@@ -148,23 +198,6 @@ private:
     Index triangle;
     int first; // index of the first vertex in the triangle
   };
-
-  /// returns the new numbers
-  std::vector<Index> sort_vertices(const Flat_triangulation_2& t)
-  {
-    std::vector<std::pair<Point, Index>> sorted; // points that coincide when rounded come as they are
-    sorted.reserve(t.points.size());
-    for (const Point& p : t.points)
-      sorted.emplace_back(p, static_cast<Index>(sorted.size()));
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<Index> number(sorted.size());
-    for (const auto& v : sorted) {
-      number[v.second] = static_cast<Index>(vertices.size());
-      tr.points.push_back(v.first);
-      vertices.push_back(v.second);
-    }
-    return number;
-  }
 };
 
 /// A user's triangulation in sorted arrays.
@@ -181,7 +214,7 @@ template <class Triangulation>
 Flattened_triangulation_2<Triangulation> flatten_triangulation(const Triangulation& t)
 {
   const Triangulation_copy_2 copy(t);
-  Sorted_triangulation_2 sorted(copy.tr);
+  Sorted_triangulation_2 sorted(copy);
   Flattened_triangulation_2<Triangulation> flat{std::move(sorted.tr), {}, {}};
   for (Index v : sorted.vertices)
     flat.vertices.push_back(Handles<Triangulation>::vertex(copy.vertices.addresses()[v]));

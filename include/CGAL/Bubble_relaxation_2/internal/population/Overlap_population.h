@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -93,13 +94,13 @@ private:
     for (std::size_t i = 0; i < b.size(); ++i)
       if (b.is_ours(i) && is_crowded(static_cast<Index>(i)))
         crowded.push_back(static_cast<Index>(i));
-    std::sort(crowded.begin(), crowded.end(), is_worse);
+    sort_indices(crowded, is_worse);
     std::vector<std::vector<Index>> worse(crowded.size()); // neighbours of each, in the same order
     for (std::size_t k = 0; k < crowded.size(); ++k) {
       const Index i = crowded[k];
       std::copy_if(neighbors.begin(i), neighbors.end(i), std::back_inserter(worse[k]),
                    [&](Index j) { return is_crowded(j) && is_worse(j, i); });
-      std::sort(worse[k].begin(), worse[k].end(), is_worse);
+      sort_indices(worse[k], is_worse);
     }
     std::vector<char> is_deleted(b.size(), 0);
     do // what a deletion takes away from its neighbours' ratios counts at once

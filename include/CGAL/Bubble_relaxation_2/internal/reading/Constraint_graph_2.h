@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -52,31 +53,19 @@ public:
   };
 
   /// `is_fixed`: of each vertex whether it is a corner wherever it lies
-  Constraint_graph_2(const std::vector<Point>& points, const std::vector<Constrained_edge_2>& edges,
+  Constraint_graph_2(const std::vector<Point>& points, std::vector<Constrained_edge_2> edges,
                      const std::vector<char>& is_fixed)
-    : m_node(points.size(), no_index)
+    : m_node(points.size(), no_index), m_constraints(std::move(edges))
   {
-    number_nodes(points, edges);
-    for (const Constrained_edge_2& e : edges) {
-      const Index a = m_node[e.source], b = m_node[e.target];
-      if (e.is_in_domain()) {
-        m_nodes[a].edges.push_back(Half_edge{b, e.inside_left, e.inside_right, e.is_of_one_constraint});
-        m_nodes[b].edges.push_back(Half_edge{a, e.inside_right, e.inside_left, e.is_of_one_constraint});
-      }
-      for (Index v : {a, b})
-        if (v != no_index)
-          ++m_nodes[v].degree;
-    }
-    for (Node& node : m_nodes)
-      std::sort(node.edges.begin(), node.edges.end(),
-                [](const Half_edge& e, const Half_edge& f) { return e.to < f.to; });
-    for (const Node& node : m_nodes)
-      m_is_corner.push_back(is_fixed[node.vertex] || !only_splits(node));
+    number_nodes(points);
+    add_edges();
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      m_is_corner.push_back(is_fixed[m_vertices[v]] || !only_splits(v));
     while (!find_chains())
       ;
-    for (std::size_t v = 0; v < m_nodes.size(); ++v)
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (m_is_corner[v])
-        m_corners.push_back(m_nodes[v].vertex);
+        m_corners.push_back(m_vertices[v]);
   }
 
   const std::vector<Index>& corners() const { return m_corners; } ///< vertices
@@ -88,44 +77,72 @@ public:
   /// whether a constraint without a part in the domain ends at a vertex of the graph
   bool touches_other_constraints() const
   {
-    return std::any_of(m_nodes.begin(), m_nodes.end(),
-                       [](const Node& node) { return node.degree != node.edges.size(); });
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      if (m_degrees[v] != m_edges[v].size())
+        return true;
+    return false;
   }
 
 private:
-  struct Half_edge
+  void number_nodes(const std::vector<Point>& points)
   {
-    Index to;
-    bool inside_left, inside_right, is_of_one_constraint;
-  };
-
-  struct Node
-  {
-    Index vertex;
-    Point point;
-    std::vector<Half_edge> edges; // in the order of their targets
-    std::size_t degree = 0;       // with constraints that have no part in the domain
-  };
-
-  void number_nodes(const std::vector<Point>& points, const std::vector<Constrained_edge_2>& edges)
-  {
-    for (const Constrained_edge_2& e : edges)
+    for (const Constrained_edge_2& e : m_constraints)
       if (e.is_in_domain())
         m_node[e.source] = m_node[e.target] = 0;
     for (std::size_t v = 0; v < points.size(); ++v)
       if (m_node[v] != no_index) {
-        m_node[v] = static_cast<Index>(m_nodes.size());
-        m_nodes.push_back(Node{static_cast<Index>(v), points[v], {}, 0});
+        m_node[v] = static_cast<Index>(m_vertices.size());
+        m_vertices.push_back(static_cast<Index>(v));
+        m_points.push_back(points[v]);
       }
   }
 
-  bool only_splits(const Node& node) const
+  /// enters the edges at their ends; there they are in the order of the other ends, since they are sorted here
+  void add_edges()
   {
-    if (node.degree != 2 || node.edges.size() != 2)
+    std::sort(m_constraints.begin(), m_constraints.end(),
+              [](const Constrained_edge_2& e, const Constrained_edge_2& f) {
+                return e.source != f.source ? e.source < f.source : e.target < f.target;
+              });
+    m_edges.resize(m_vertices.size());
+    m_degrees.resize(m_vertices.size());
+    for (std::size_t k = 0; k < m_constraints.size(); ++k)
+      for (Index end : {m_constraints[k].source, m_constraints[k].target}) {
+        const Index v = m_node[end];
+        if (v == no_index)
+          continue;
+        ++m_degrees[v];
+        if (m_constraints[k].is_in_domain())
+          m_edges[v].push_back(static_cast<Index>(k));
+      }
+  }
+
+  /// the other end of an edge at a node
+  Index other_end(Index edge, Index v) const
+  {
+    const Constrained_edge_2& e = m_constraints[edge];
+    return m_node[e.source] == v ? m_node[e.target] : m_node[e.source];
+  }
+
+  /// whether the domain lies left of an edge, seen from one of its ends, and whether right of it
+  std::array<bool, 2> sides(Index edge, Index v) const
+  {
+    const Constrained_edge_2& e = m_constraints[edge];
+    if (m_node[e.source] == v)
+      return {e.inside_left, e.inside_right};
+    return {e.inside_right, e.inside_left};
+  }
+
+  bool only_splits(std::size_t node) const
+  {
+    const Index v = static_cast<Index>(node);
+    if (m_degrees[v] != 2 || m_edges[v].size() != 2)
       return false;
-    const Half_edge &a = node.edges[0], &b = node.edges[1];
-    return a.inside_left == b.inside_right && a.inside_right == b.inside_left && a.is_of_one_constraint &&
-           b.is_of_one_constraint && lies_between(m_nodes[a.to].point, node.point, m_nodes[b.to].point);
+    const Index a = m_edges[v][0], b = m_edges[v][1];
+    const std::array<bool, 2> of_a = sides(a, v), of_b = sides(b, v);
+    return of_a[0] == of_b[1] && of_a[1] == of_b[0] && m_constraints[a].is_of_one_constraint &&
+           m_constraints[b].is_of_one_constraint &&
+           lies_between(m_points[other_end(a, v)], m_points[v], m_points[other_end(b, v)]);
   }
 
   /// whether `p` is on the segment from `a` to `b` up to the rounding of its coordinates
@@ -147,17 +164,17 @@ private:
   bool find_chains()
   {
     m_chains.clear();
-    std::vector<Index> corner_number(m_nodes.size(), no_index);
+    std::vector<Index> corner_number(m_vertices.size(), no_index);
     Index n = 0;
-    for (std::size_t v = 0; v < m_nodes.size(); ++v)
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (m_is_corner[v])
         corner_number[v] = n++;
-    std::vector<char> seen(m_nodes.size(), 0);
-    for (std::size_t v = 0; v < m_nodes.size(); ++v) {
+    std::vector<char> seen(m_vertices.size(), 0);
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       if (!m_is_corner[v])
         continue;
-      for (const Half_edge& first : m_nodes[v].edges) {
-        std::vector<Index> path = follow(static_cast<Index>(v), first);
+      for (Index first : m_edges[v]) {
+        const std::vector<Index> path = follow(static_cast<Index>(v), first);
         for (std::size_t k = 1; k + 1 < path.size(); ++k)
           seen[path[k]] = 1;
         if (path.back() < static_cast<Index>(v))
@@ -167,14 +184,14 @@ private:
           m_is_corner[bend] = 1;
           return false;
         }
-        Chain chain{corner_number[v], corner_number[path.back()], first.inside_left,
-                    first.inside_right, {}};
+        const std::array<bool, 2> inside = sides(first, static_cast<Index>(v));
+        Chain chain{corner_number[v], corner_number[path.back()], inside[0], inside[1], {}};
         for (std::size_t k = 1; k + 1 < path.size(); ++k)
-          chain.splits.push_back(m_nodes[path[k]].vertex);
+          chain.splits.push_back(m_vertices[path[k]]);
         m_chains.push_back(std::move(chain));
       }
     }
-    for (std::size_t v = 0; v < m_nodes.size(); ++v)
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (!m_is_corner[v] && !seen[v]) { // a cycle without a corner
         m_is_corner[v] = 1;
         return false;
@@ -182,13 +199,12 @@ private:
     return true;
   }
 
-  std::vector<Index> follow(Index v, const Half_edge& first) const
+  std::vector<Index> follow(Index v, Index first) const
   {
-    std::vector<Index> path{v, first.to};
+    std::vector<Index> path{v, other_end(first, v)};
     while (!m_is_corner[path.back()]) {
-      const Node& node = m_nodes[path.back()];
-      const Index before = path[path.size() - 2];
-      path.push_back(node.edges[0].to == before ? node.edges[1].to : node.edges[0].to);
+      const Index last = path.back(), before = path[path.size() - 2], next = other_end(m_edges[last][0], last);
+      path.push_back(next == before ? other_end(m_edges[last][1], last) : next);
     }
     return path;
   }
@@ -196,11 +212,11 @@ private:
   /// a vertex of the path that is not on the segment between its ends, although each piece is straight
   Index farthest_off(const std::vector<Index>& path) const
   {
-    const Point &a = m_nodes[path.front()].point, &b = m_nodes[path.back()].point;
+    const Point &a = m_points[path.front()], &b = m_points[path.back()];
     Index worst = no_index;
     double largest = 0;
     for (std::size_t k = 1; k + 1 < path.size(); ++k) {
-      const Point& p = m_nodes[path[k]].point;
+      const Point& p = m_points[path[k]];
       if (lies_between(a, p, b))
         continue;
       const double off =
@@ -214,7 +230,11 @@ private:
   }
 
   std::vector<Index> m_node; // of each vertex
-  std::vector<Node> m_nodes;
+  std::vector<Constrained_edge_2> m_constraints;
+  std::vector<Index> m_vertices; // of each node
+  std::vector<Point> m_points;
+  std::vector<std::vector<Index>> m_edges; // in the domain, in the order of their other ends
+  std::vector<std::size_t> m_degrees;      // with constraints that have no part in the domain
   std::vector<char> m_is_corner;
   std::vector<Index> m_corners;
   std::vector<Chain> m_chains;

@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/compiled.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
@@ -30,47 +30,16 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// \throws std::invalid_argument if a point of the user's triangulation is not finite
-inline void check_coordinates(const std::vector<Point>& points)
-{
-  for (const Point& p : points)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
-      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
-                                  in_words(p.x(), p.y()) + ", which must be finite");
-}
-
 /// The vertices of a user's triangulation in the lexicographic order of their points. In what is read they have the
 /// numbers of this order, since the order in which they were inserted must not matter.
 struct Sorted_vertices_2
 {
-  /// whether the point of a vertex, given by its address, is before that of another one
-  using Is_before = bool (*)(const void*, const void*);
-
   std::vector<Point> points;
   std::vector<void*> addresses;
   std::vector<Index> number; ///< of each vertex of the copy
 
   /// \param is_before `nullptr` if coordinates are the user's to the last bit. Else some points may be rounded to one
-  Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before) : number(copy.tr.points.size())
-  {
-    check_coordinates(copy.tr.points);
-    const std::vector<void*>& address = copy.vertices.addresses();
-    std::vector<std::pair<Point, Index>> sorted;
-    sorted.reserve(number.size());
-    for (const Point& p : copy.tr.points)
-      sorted.emplace_back(p, static_cast<Index>(sorted.size()));
-    std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
-      return is_before != nullptr ? is_before(address[a.second], address[b.second])
-                                  : CGAL::lexicographically_xy_smaller(a.first, b.first);
-    });
-    points.reserve(number.size());
-    addresses.reserve(number.size());
-    for (const auto& v : sorted) {
-      number[v.second] = static_cast<Index>(points.size());
-      points.push_back(v.first);
-      addresses.push_back(address[v.second]);
-    }
-  }
+  Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before);
 };
 
 /// What the entry points read from a user's triangulation, in arrays: the domain, and which vertex is what.
@@ -86,120 +55,30 @@ public:
   Given_mesh_2 given; ///< where vertices inside and on edges are
 
   /// Finds out how the mesh looks around the free vertices.
-  void look_around(const Marked_copy_2& copy)
-  {
-    const Flat_triangulation_2& tr = copy.tr;
-    std::vector<Index> triangle(m_vertices.number.size(), no_index); // one around each vertex
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-      for (Index v : tr.vertices[t])
-        triangle[m_vertices.number[v]] = static_cast<Index>(t);
-    std::vector<Index> ring;
-    std::vector<Point> points;
-    for (Index v : free) {
-      find_ring(tr, triangle[v], v, ring);
-      points.clear();
-      for (Index u : ring)
-        points.push_back(m_vertices.points[u]);
-      given.around.push_back(mesh_surroundings(m_vertices.points[v], points));
-    }
-  }
+  void look_around(const Marked_copy_2& copy);
 
 protected:
-  Read_domain_2(const Marked_copy_2& copy, Sorted_vertices_2::Is_before is_before)
-    : m_vertices(copy, is_before), m_is_of_domain(copy.tr.points.size(), 0), m_is_pinned(m_is_of_domain),
-      m_is_given(m_is_of_domain)
-  {
-    for (std::size_t t = 0; t < copy.tr.number_of_triangles(); ++t) {
-      const Index f = static_cast<Index>(t);
-      for (int i = 0; i < 3; ++i) {
-        const Index v = m_vertices.number[copy.tr.vertices[t][i]];
-        if (copy.is_inside(f))
-          m_is_of_domain[v] = 1;
-        if (copy.is_constrained(f, i))
-          add_edge(copy, f, i);
-      }
-    }
-  }
+  Read_domain_2(const Marked_copy_2& copy, Is_before is_before);
 
   /// once it is known which vertices are pinned or given, and which edges are of one constraint only
-  void build()
-  {
-    std::vector<char> is_fixed(m_is_pinned);
-    for (std::size_t v = 0; v < is_fixed.size(); ++v)
-      is_fixed[v] |= m_is_given[v];
-    if (build(is_fixed) != Marking_error::NONE) {
-      // straightening a chain may touch what lies a rounding away from it: take all vertices as corners
-      const Marking_error error = build(std::vector<char>(is_fixed.size(), 1));
-      if (error != Marking_error::NONE)
-        throw std::invalid_argument(
-          error == Marking_error::POINTS_COINCIDE
-            ? "Bubble_relaxation_2: two vertices of the triangulation coincide when rounded to double"
-            : "Bubble_relaxation_2: constraints of the triangulation cross when rounded to double");
-    }
-    for (std::size_t v = 0; v < is_fixed.size(); ++v)
-      if (m_is_of_domain[v] && !graph->contains(static_cast<Index>(v)))
-        (m_is_pinned[v] ? pinned : free).push_back(static_cast<Index>(v));
-    given.pinned = sort_by_place(pinned);
-    given.free = sort_by_place(free);
-    for (const Constraint_graph_2::Chain& c : graph->chains())
-      given.on_edge.push_back(points(c.splits));
-  }
+  void build();
 
   Sorted_vertices_2 m_vertices;
   std::vector<char> m_is_of_domain, m_is_pinned, m_is_given; // vertices; given as points of a constraint
   std::vector<Constrained_edge_2> m_edges;
 
 private:
-  void add_edge(const Marked_copy_2& copy, Index t, int i)
-  {
-    const Index u = m_vertices.number[copy.tr.vertices[t][ccw(i)]], v = m_vertices.number[copy.tr.vertices[t][cw(i)]],
-                n = copy.tr.neighbors[t][i];
-    if (u < v)
-      m_edges.push_back(Constrained_edge_2{u, v, copy.is_inside(t), copy.is_inside(n), true});
-    else if (n == no_index) // else it is seen from the other side
-      m_edges.push_back(Constrained_edge_2{v, u, false, copy.is_inside(t), true});
-  }
+  void add_edge(const Marked_copy_2& copy, Index t, int i);
 
-  Marking_error build(const std::vector<char>& is_fixed)
-  {
-    graph = std::make_unique<Constraint_graph_2>(m_vertices.points, m_edges, is_fixed);
-    std::vector<Domain_edge_2> edges;
-    for (const Constraint_graph_2::Chain& c : graph->chains())
-      edges.push_back(Domain_edge_2{c.source, c.target, c.inside_left, c.inside_right});
-    return domain.build(points(graph->corners()), std::move(edges));
-  }
+  Marking_error build(const std::vector<char>& is_fixed);
 
-  std::vector<Point> points(const std::vector<Index>& vertices) const
-  {
-    std::vector<Point> result;
-    for (Index v : vertices)
-      result.push_back(m_vertices.points[v]);
-    return result;
-  }
+  std::vector<Point> points(const std::vector<Index>& vertices) const;
 
   /// sorts along a Hilbert curve, so that a search from one vertex to the next is short; returns the points
-  std::vector<Point> sort_by_place(std::vector<Index>& vertices) const
-  {
-    std::vector<Index> order = hilbert_order(hilbert_curve(domain), points(vertices));
-    for (Index& i : order)
-      i = vertices[i];
-    vertices.swap(order);
-    return points(vertices);
-  }
+  std::vector<Point> sort_by_place(std::vector<Index>& vertices) const;
 
   /// The neighbours of `v`, counterclockwise from the first one on: a sum depends on the order of its terms.
-  void find_ring(const Flat_triangulation_2& tr, Index triangle, Index v, std::vector<Index>& ring) const
-  {
-    ring.clear();
-    Index t = triangle;
-    do {
-      const auto& u = tr.vertices[t];
-      const int i = m_vertices.number[u[0]] == v ? 0 : m_vertices.number[u[1]] == v ? 1 : 2;
-      ring.push_back(m_vertices.number[u[ccw(i)]]);
-      t = tr.neighbors[t][ccw(i)];
-    } while (t != triangle);
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-  }
+  void find_ring(const Flat_triangulation_2& tr, Index triangle, Index v, std::vector<Index>& ring) const;
 };
 
 /// What is read from a triangulation of a certain type. It knows the handles of vertices.
@@ -225,7 +104,7 @@ public:
   Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices.addresses[v]); }
 
 private:
-  static constexpr Sorted_vertices_2::Is_before is_before()
+  static constexpr Is_before is_before()
   {
     if constexpr (std::is_same<typename Cdt::Geom_traits::FT, double>::value)
       return nullptr;
@@ -260,5 +139,9 @@ private:
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain_impl.h>
+#endif
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H

@@ -20,7 +20,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
 #include <cstddef>
@@ -53,7 +52,7 @@ Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks
   } else if (reading.free.empty()) { // no mesh yet
     return sizes_of_domain(reading.domain, reading.given);
   } else {
-    return sizes_of_mesh(marks.tr, marks.inside());
+    return sizes_of_mesh(marks, marks.inside());
   }
 }
 
