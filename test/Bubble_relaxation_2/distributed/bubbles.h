@@ -40,7 +40,7 @@ struct Case
   std::unique_ptr<Input> input;
   Bubbles_2 bubbles;
 
-  /// what is asked for the parameters, whatever their sizes: those are asked while the parameters exist
+  /// reads the domain and the parameters, which have to exist as long as the input is asked for sizes
   template <class NamedParameters>
   void read(const NamedParameters& np)
   {
@@ -71,7 +71,9 @@ Sizes_2 sizes_in(const Case& c, const Size& d)
 inline Case relaxed(const paper::Domain& domain, int rounds = 2, int iterations = 20)
 {
   Case c{paper::triangulate(domain), nullptr, {}};
-  c.read(CGAL::parameters::sizing_function(domain.d).number_of_rounds(rounds).number_of_iterations(iterations));
+  const auto np =
+    CGAL::parameters::sizing_function(domain.d).number_of_rounds(rounds).number_of_iterations(iterations);
+  c.read(np);
   Report report;
   Progress progress({}, static_cast<std::size_t>(rounds));
   c.bubbles = relax_bubbles(c.input->problem(), progress, report);
