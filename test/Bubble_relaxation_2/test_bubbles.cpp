@@ -75,8 +75,8 @@ TEST(Bubbles, those_that_are_selected_stay_in_their_order)
       for (int i = 0; i < 10; ++i) {
         add_bubble(all, i);
         if (has_parts) {
-          all.number.push_back(100 + i);
-          all.is_foreign.push_back(i % 2);
+          all.id.push_back(100 + i);
+          all.owner.push_back(i % 2);
         }
       }
       for (Index i : order)
@@ -89,13 +89,14 @@ TEST(Bubbles, those_that_are_selected_stay_in_their_order)
       EXPECT_EQ(all.vy, expected.vy);
       EXPECT_EQ(all.s, expected.s);
       EXPECT_EQ(all.dimension, expected.dimension);
-      EXPECT_EQ(all.place, expected.place);
-      EXPECT_EQ(all.tag, expected.tag);
-      ASSERT_EQ(all.number.size(), has_parts ? order.size() : 0);
-      ASSERT_EQ(all.is_foreign.size(), all.number.size());
-      for (std::size_t k = 0; k < all.number.size(); ++k) {
-        EXPECT_EQ(all.number[k], 100 + order[k]);
-        EXPECT_EQ(all.is_foreign[k], order[k] % 2);
+      EXPECT_EQ(all.host, expected.host);
+      EXPECT_EQ(all.pin, expected.pin);
+      ASSERT_EQ(all.id.size(), has_parts ? order.size() : 0);
+      ASSERT_EQ(all.owner.size(), all.id.size());
+      for (std::size_t k = 0; k < all.id.size(); ++k) {
+        EXPECT_EQ(all.id[k], 100 + order[k]);
+        EXPECT_EQ(all.owner[k], order[k] % 2);
+        EXPECT_EQ(all.is_ours(k), order[k] % 2 == 0);
       }
     }
 }

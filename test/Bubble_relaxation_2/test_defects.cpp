@@ -136,10 +136,13 @@ TEST(Defects, restored_delaunay_property_is_that_of_the_points)
   const CDT cdt = paper::triangulate(domain);
   const auto nodes = CGAL::npbs_place_nodes(cdt, P::sizing_function(domain.d));
   std::vector<internal::Point> points(nodes.points.begin(), nodes.points.end());
-  internal::Marked_triangulation_2 mesh, expected;
+  internal::Bubble_mesh_2 mesh;
+  internal::Marked_triangles_2 expected;
   const std::vector<internal::Domain_edge_2> no_edges;
-  ASSERT_EQ(internal::mark_triangulation(points, no_edges, mesh), internal::Marking_error::NONE);
-  mesh.inside.assign(mesh.inside.size(), 1);
+  ASSERT_EQ(internal::mark_triangulation(points, no_edges, mesh.triangles), internal::Marking_error::NONE);
+  mesh.triangles.inside.assign(mesh.triangles.inside.size(), 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    mesh.bubbles.add(points[i], nodes.sizes[i], internal::Bubbles_2::FACE, 0);
   internal::Editable_triangulation_2 editable(mesh);
   std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> shift(-0.25, 0.25); // of d; triangles stay counterclockwise
@@ -148,20 +151,21 @@ TEST(Defects, restored_delaunay_property_is_that_of_the_points)
     if (nodes.dimensions[i] == 2) {
       const double d = nodes.sizes[i];
       points[i] = internal::Point(points[i].x() + d * shift(random), points[i].y() + d * shift(random));
-      editable.move(static_cast<Index>(i), points[i]);
+      mesh.bubbles.x[i] = points[i].x();
+      mesh.bubbles.y[i] = points[i].y();
       moved.push_back(static_cast<Index>(i));
     }
   EXPECT_GT(editable.restore_delaunay(moved), 0u);
   ASSERT_EQ(internal::mark_triangulation(points, no_edges, expected), internal::Marking_error::NONE);
-  const auto triangles = [](const internal::Marked_triangulation_2& m) {
+  const auto triangles = [](const internal::Marked_triangles_2& m) {
     std::set<std::array<Index, 3>> result;
-    for (auto t : m.tr.vertices) {
+    for (auto t : m.vertices) {
       std::sort(t.begin(), t.end());
       result.insert(t);
     }
     return result;
   };
-  EXPECT_EQ(triangles(mesh), triangles(expected));
+  EXPECT_EQ(triangles(mesh.triangles), triangles(expected));
 }
 
 TEST(Defects, surgery_removes_and_inserts)

@@ -13,7 +13,7 @@
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/expected_number_of_bubbles.h>
 
 using namespace CGAL::Bubble_relaxation_2::internal;
@@ -42,12 +42,17 @@ double marked_area(const CDT& cdt, const Parameters& parameters)
   return sum;
 }
 
-std::unique_ptr<Domain_reading_2<CDT>> read(const CDT& cdt)
+/// what is read of a triangulation, whatever d
+struct Reading
 {
-  const Domain_marks_2<CDT> is_inside(cdt, CGAL::parameters::default_values());
-  return std::make_unique<Domain_reading_2<CDT>>(cdt, is_inside,
-                                                 [](CDT::Vertex_handle) { return false; });
-}
+  explicit Reading(const CDT& cdt) : input(cdt, P::sizing_function(1.).limit_by_outline(false)) {}
+
+  const Input_2<CDT> input;
+  const Domain_2& domain = input.problem().domain;
+  const Given_mesh_2& given = input.problem().given;
+};
+
+std::unique_ptr<Reading> read(const CDT& cdt) { return std::make_unique<Reading>(cdt); }
 
 CDT nested()
 {
@@ -99,8 +104,8 @@ TEST(Domain_reading, vertices_on_straight_edges_are_no_corners)
   EXPECT_EQ(reading->domain.corners().size(), 3u);
   ASSERT_EQ(reading->domain.edges().size(), 3u);
   std::size_t splits = 0;
-  for (const auto& chain : reading->graph->chains())
-    splits += chain.splits.size();
+  for (const std::vector<Point>& on_edge : reading->given.on_edge)
+    splits += on_edge.size();
   EXPECT_EQ(splits, 2u);
 }
 
@@ -162,7 +167,7 @@ TEST(Domain_reading, free_vertices)
   cdt.insert(domains::Point(0.7, 0.7)); // in the domain
   cdt.insert(domains::Point(0.3, 0.3)); // in the hole
   cdt.insert(domains::Point(2, 3));     // outside
-  EXPECT_EQ(read(cdt)->free.size(), 1u);
+  EXPECT_EQ(read(cdt)->given.free.size(), 1u);
 }
 
 TEST(Walk, stops_at_edges_of_the_domain_exactly_when_it_must)

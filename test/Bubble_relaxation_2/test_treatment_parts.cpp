@@ -20,50 +20,52 @@ namespace {
 namespace internal = CGAL::Bubble_relaxation_2::internal;
 using internal::Index;
 
+void expect_equal(const internal::Marked_triangles_2& a, const internal::Marked_triangles_2& b)
+{
+  EXPECT_EQ(a.vertices, b.vertices);
+  EXPECT_EQ(a.neighbors, b.neighbors);
+  EXPECT_EQ(a.edges, b.edges);
+  EXPECT_EQ(a.inside, b.inside);
+}
+
 } // namespace
 
 TEST(Defects, treatment_can_be_undone)
 {
   const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 600, 0);
-  internal::Bubbles_2 b = c.bubbles;
-  internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
-  const internal::Marked_triangulation_2 before = mesh;
-  const internal::Treatment_alone alone;
-  internal::Defect_treatment_2<CGAL::Sequential_tag> treat(c.domain(), mesh, b, alone);
+  internal::Bubble_mesh_2 mesh = bubbles::mesh_of(c);
+  const internal::Bubbles_2& b = mesh.bubbles;
+  const internal::Marked_triangles_2 before = mesh.triangles;
+  internal::Team alone;
+  internal::Smoothing_sweeps_2 treat(c.domain(), mesh, alone);
   EXPECT_GT(treat().size(), 100u);
   EXPECT_NE(b.x, c.bubbles.x);
   EXPECT_NE(b.s, c.bubbles.s);
-  EXPECT_NE(b.place, c.bubbles.place);
-  EXPECT_NE(mesh.tr.vertices, before.tr.vertices);
-  EXPECT_NE(mesh.edges, before.edges);
+  EXPECT_NE(b.host, c.bubbles.host);
+  EXPECT_NE(mesh.triangles.vertices, before.vertices);
+  EXPECT_NE(mesh.triangles.edges, before.edges);
   treat.undo();
   EXPECT_EQ(b.x, c.bubbles.x);
   EXPECT_EQ(b.y, c.bubbles.y);
   EXPECT_EQ(b.s, c.bubbles.s);
-  EXPECT_EQ(b.place, c.bubbles.place);
-  EXPECT_EQ(mesh.tr.points, before.tr.points);
-  EXPECT_EQ(mesh.tr.vertices, before.tr.vertices);
-  EXPECT_EQ(mesh.tr.neighbors, before.tr.neighbors);
-  EXPECT_EQ(mesh.edges, before.edges);
-  EXPECT_EQ(mesh.inside, before.inside);
+  EXPECT_EQ(b.host, c.bubbles.host);
+  expect_equal(mesh.triangles, before);
 }
 
 TEST(Defects, triangles_that_were_cut_off_can_be_put_back)
 {
   const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 100, 0);
-  internal::Bubbles_2 b = c.bubbles;
-  internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
-  const internal::Marked_triangulation_2 before = mesh;
-  internal::Treatment_log_2 log;
+  internal::Bubble_mesh_2 mesh = bubbles::mesh_of(c);
+  const internal::Marked_triangles_2 before = mesh.triangles;
+  internal::Undo_log_2 log;
   internal::Editable_triangulation_2 editable(mesh, &log);
-  for (std::size_t t = 0; t < mesh.inside.size(); t += 3)
-    if (mesh.inside[t])
+  for (std::size_t t = 0; t < mesh.triangles.inside.size(); t += 3)
+    if (mesh.triangles.inside[t])
       editable.cut_off(static_cast<Index>(t));
-  EXPECT_NE(mesh.tr.neighbors, before.tr.neighbors);
-  EXPECT_NE(mesh.inside, before.inside);
-  log.undo(mesh, b);
-  EXPECT_EQ(mesh.tr.neighbors, before.tr.neighbors);
-  EXPECT_EQ(mesh.inside, before.inside);
+  EXPECT_NE(mesh.triangles.neighbors, before.neighbors);
+  EXPECT_NE(mesh.triangles.inside, before.inside);
+  log.undo(mesh);
+  expect_equal(mesh.triangles, before);
 }
 
 TEST(Defects, star_gradient_is_that_of_the_energy)

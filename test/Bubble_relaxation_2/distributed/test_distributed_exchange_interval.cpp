@@ -133,16 +133,13 @@ template <class NamedParameters>
 Traffic_2 traffic(Ranks& ranks, const paper::Domain& domain, const NamedParameters& parameters)
 {
   const auto np = parameters.sizing_function(domain.d);
-  const Case c = read(domain);
-  const Domain_marks_2<paper::CDT> marks(c.cdt, np);
-  const Relaxation_options options = read_options(np);
-  CGAL::Bubble_relaxation_report_2<double> report;
+  Case c{paper::triangulate(domain), nullptr, {}};
+  c.read(np);
+  const Problem_2 problem = c.input->problem();
+  Report report;
   Traffic_2 result;
-  with_limited_sizing_field(c.cdt, np, marks, *c.reading, options, [&](const auto& sizing, const auto&) {
-    Progress progress(options.callback, options.number_of_rounds);
-    simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, c.cdt, *c.reading, sizing, options, progress,
-                         report, {}, &result);
-  });
+  Progress progress(problem.options.callback, problem.options.number_of_rounds);
+  simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, problem, progress, report, {}, &result);
   EXPECT_EQ(result.steps, static_cast<std::int64_t>(report.number_of_steps));
   return result;
 }
