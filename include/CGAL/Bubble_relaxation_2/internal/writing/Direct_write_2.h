@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 

@@ -13,7 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Bubble_state_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
 
 #include <algorithm>

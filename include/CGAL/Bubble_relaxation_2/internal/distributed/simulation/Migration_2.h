@@ -13,7 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Bubble_state_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
