@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +29,6 @@ namespace internal {
 class Crystal_2;
 class Domain_2;
 class Editable_triangulation_2;
-class Greedy_choice_2;
-class Greedy_coloring_2;
 class Neighbor_sets_2;
 class Simulation_2;
 class Undo_log_2;
@@ -40,12 +39,14 @@ struct Growth_proposer;
 /// what the stages tell of what they did, for the user
 using Report = Bubble_relaxation_report_2<double>;
 
-/// a place where a bubble is missing
+/// a place for a bubble
 struct Hole_2
 {
-  double rank; ///< the one with the least is filled first
+  double rank; ///< the one with the least is the best
   double x, y, d;
   Index triangle; ///< of the domain
+
+  bool operator<(const Hole_2& h) const { return std::tie(rank, x, y) < std::tie(h.rank, h.x, h.y); }
 };
 
 /// a bubble on a corner or on an edge of the domain
@@ -99,8 +100,12 @@ public:
   /// are nearer than `reach` times the mean size; returns how many are ours.
   virtual std::size_t share_holes(std::vector<Hole_2>& holes, double /* reach */) { return holes.size(); }
 
-  /// a choice among holes, or among places that are proposed, becomes that of all ranks
-  virtual void agree_on(Greedy_choice_2&) {}
+  /// puts in what others decided on their holes, or on places that they propose
+  virtual void share_choice(std::vector<char>& /* states */) {}
+
+  /// Puts in the values of bubbles that others own.
+  virtual void share(std::vector<char>&) {}
+  virtual void share(std::vector<double>&) {} ///< the same
 
   /// @}
   /// \name Placement
@@ -129,8 +134,8 @@ public:
   /// whether this rank says what becomes of a bubble of the crystal
   virtual bool owns(Index) const { return true; }
 
-  /// adds what others propose and might be in the way of ours
-  virtual void share_proposals(std::vector<Growth_proposal_2>&) {}
+  /// adds what others propose and might be in the way of ours; returns how many are ours
+  virtual std::size_t share_proposals(std::vector<Growth_proposal_2>& proposals) { return proposals.size(); }
 
   /// keeps of the new bubbles those that this rank has to know, and adds such of others
   virtual void exchange_new(std::vector<Growth_proposal_2>&) {}
@@ -217,10 +222,6 @@ public:
   /// adds triangles that others found around bubbles of ours; what we do not know of their corners is `no_index`
   virtual void share_triangles(const Bubbles_2&, std::vector<std::array<Index, 3>>&) {}
 
-  /// Puts in the values of bubbles that others own; returns whether any rank got one that it did not have.
-  virtual bool share(std::vector<char>&) { return false; }
-  virtual bool share(std::vector<double>&) { return false; } ///< the same
-
   /// the bubbles on the outline become those of all ranks
   virtual void share_outline(const Domain_2&, const Bubbles_2&, Outline_bubbles_2&) const {}
 
@@ -233,11 +234,6 @@ public:
 
   /// whether any rank has vertices to treat, and all know enough to go on
   virtual bool goes_on_treating(bool here) { return here; }
-
-  /// makes the colours of candidates what they are if those of other ranks are coloured with them
-  virtual void share_colors(const Editable_triangulation_2&, const std::vector<Index>& /* candidates */,
-                            Greedy_coloring_2&)
-  {}
 
   /// the largest number of colours of all ranks
   virtual std::size_t largest_number(std::size_t here) const { return here; }
