@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_CELL_BLOCKS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_CELL_BLOCKS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
 #include <array>

@@ -71,7 +71,9 @@ public:
       m_team.take(m_generation);
       m_proposals.clear();
       m_propose(m_generation, m_proposals);
-      choose(m_team.share_proposals(m_proposals));
+      const std::size_t number_of_ours = m_proposals.size();
+      m_team.share_proposals(m_proposals);
+      choose(number_of_ours);
       const std::size_t first = m_crystal.size();
       accept();
       m_crystal.link_from(first);

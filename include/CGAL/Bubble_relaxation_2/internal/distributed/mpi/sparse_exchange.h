@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <map>

@@ -23,7 +23,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_proposals_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -137,13 +136,12 @@ public:
 
   bool owns(Index i) const override { return m_holders->is_ours(i); }
 
-  std::size_t share_proposals(std::vector<Growth_proposal_2>& proposals) override
+  void share_proposals(std::vector<Growth_proposal_2>& proposals) override
   {
     m_proposals_sent.clear();
     m_proposals_received.clear();
-    const std::size_t number_of_ours = proposals.size();
     Messages<Growth_proposal_2> out;
-    for (std::size_t k = 0; k < number_of_ours; ++k)
+    for (std::size_t k = 0; k < proposals.size(); ++k)
       for (int rank : m_holders->others(proposals[k].from)) {
         out[rank].push_back(proposals[k]);
         m_proposals_sent[rank].push_back(static_cast<Index>(k));
@@ -154,7 +152,6 @@ public:
         m_proposals_received[message.first].push_back(static_cast<Index>(proposals.size()));
         proposals.push_back(p);
       }
-    return number_of_ours;
   }
 
   void share_choice(std::vector<char>& states) override

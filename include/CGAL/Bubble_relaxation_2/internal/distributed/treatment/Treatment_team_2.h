@@ -16,7 +16,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_inside_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
