@@ -169,8 +169,8 @@ void exchange_known(const Communicator& comm, const Messages<T>& out, Messages<T
   exchange.finish();
 }
 
-/// Puts in the values of what other ranks own. `sent`, `received`: indices of what each pair of ranks shares, in one order
-/// on both sides.
+/// Puts in the values of what other ranks own. `sent`, `received`: indices of what pairs of ranks share, in one order on
+/// both sides.
 template <class T>
 void share_values(const Communicator& comm, const Messages<Index>& sent, const Messages<Index>& received,
                   std::vector<T>& values)

@@ -50,7 +50,8 @@ public:
     : m_comm(comm), m_mesh(mesh)
   {
     for (Index t : triangles_beside_others(mesh))
-      m_beside_others.insert(m_beside_others.end(), mesh.triangles.vertices[t].begin(), mesh.triangles.vertices[t].end());
+      for (Index v : mesh.triangles.vertices[t])
+        m_beside_others.push_back(v);
   }
 
   bool is_collective() const override { return false; }
