@@ -4,6 +4,7 @@
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
 #   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, a grid, CGAL's searches, nanoflann
 #   benchmark.sh phases                           nanoseconds a node of each phase
+#   benchmark.sh compile [--runs 3]               the compiler's time and memory: README's program, compiled core, EFG
 #   benchmark.sh distributed [speed [1e5 ...]]    two MPI ranks against one: seconds, and whether the bits are equal
 #   benchmark.sh distributed [counts [1e5]]       what up to 64 ranks hold and send, and a model of their efficiency
 set -euo pipefail
@@ -12,7 +13,7 @@ cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | influence | phases | distributed) benchmark=$1; shift ;;
+  scaling | compare | influence | phases | compile | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then
@@ -23,6 +24,10 @@ fi
 if [ "$benchmark" = influence ]; then
   scripts/install_dependencies.sh libnanoflann-dev
   benchmark=influence_search
+fi
+if [ "$benchmark" = compile ]; then
+  scripts/install_dependencies.sh python3
+  exec benchmark/Bubble_relaxation_2/compile_times.py "$@"
 fi
 cmake -S . -B build/benchmark -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXATION_2_TESTS=OFF \
   -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF -DBUBBLE_RELAXATION_2_BENCHMARKS=ON > /dev/null

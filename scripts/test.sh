@@ -13,7 +13,7 @@ build_and_test() { # NAME OPTION...
   shift
   echo "==== $name"
   cmake -S . -B "build/$name" -G Ninja -DBUBBLE_RELAXATION_2_TESTS=ON \
-    -DBUBBLE_RELAXATION_2_WARNINGS_AS_ERRORS=ON "$@"
+    -DBUBBLE_RELAXATION_2_COMPILED_CORE=ON -DBUBBLE_RELAXATION_2_WARNINGS_AS_ERRORS=ON "$@"
   cmake --build "build/$name" -- -k 0
   ctest --test-dir "build/$name" --output-on-failure --no-tests=error
 }

@@ -12,7 +12,7 @@
 #include "ranks.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/sizes/read_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
 #include <mpi.h>
 
@@ -56,25 +56,19 @@ Rank_counts count_of_ranks(MPI_Comm ranks, const paper::Domain& domain, const Na
   Sparse_exchange exchange(comm);
   const paper::CDT cdt = paper::triangulate(domain);
   const auto np = parameters.sizing_function(domain.d);
-  const Domain_marks_2<paper::CDT> is_inside(cdt, np);
-  const auto reading = read_domain(cdt, np, is_inside);
-  const Relaxation_options options = read_options(np);
-  Progress progress(options.callback, options.number_of_rounds);
-  CGAL::Bubble_relaxation_report_2<double> report;
+  const Input_2<paper::CDT> input(cdt, np);
+  Progress progress(input.options.callback, input.options.number_of_rounds);
+  Report report;
   Traffic_2 traffic;
-  double bubbles = 0;
-  with_limited_sizing_field(cdt, np, is_inside, *reading, options, [&](const auto& sizing, const auto&) {
-    bubbles = double(simulate_distributed(comm, exchange, agreement, cdt, *reading, sizing, options, progress, report,
-                                          {}, &traffic)
-                       .bubbles.size());
-  });
+  const Placed_part_2 part =
+    simulate_distributed(comm, exchange, agreement, input.problem(), progress, report, {}, &traffic);
   const auto in_a_step = [&](std::int64_t count) {
     return mean_and_most(double(count) / double(report.number_of_steps), ranks);
   };
   const Mean_and_most moves = mean_and_most(double(report.number_of_moves), ranks);
   const double waits = mean_and_most(double(traffic.waits), ranks).mean * comm.size();
   return Rank_counts{comm.size(), double(report.number_of_steps), moves.mean * comm.size(),
-                     mean_and_most(bubbles, ranks), moves, in_a_step(traffic.ghosts), in_a_step(traffic.neighbors),
+                     mean_and_most(double(part.bubbles.size()), ranks), moves, in_a_step(traffic.ghosts), in_a_step(traffic.neighbors),
                      in_a_step(traffic.messages), in_a_step(traffic.bytes), waits};
 }
 

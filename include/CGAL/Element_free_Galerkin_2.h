@@ -11,18 +11,16 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_system_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_solver.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_method_2.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Element_free_Galerkin_report_2.h>
 #include <CGAL/Element_free_Galerkin_solution_2.h>
+#include <CGAL/Influence_domain_2.h>
+#include <CGAL/Moving_least_squares_2.h>
 #include <CGAL/Poisson_problem_2.h>
 #include <CGAL/node_set_2.h>
 
-#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -66,7 +64,8 @@ What is read is copied: triangulation and nodes may change or go away. This head
 template <class CDT>
 class Element_free_Galerkin_2
 {
-  using Discretization = Bubble_relaxation_2::internal::Galerkin_discretization_2<typename CDT::Geom_traits>;
+  using Vector_2 = typename CDT::Geom_traits::Vector_2;
+  using Discretization = Bubble_relaxation_2::internal::Galerkin_discretization_2;
 
 public:
   using Kernel = typename CDT::Geom_traits;
@@ -165,8 +164,16 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   Element_free_Galerkin_2(const CDT& cdt, const Nodes& nodes,
                           const NamedParameters& np = parameters::default_values())
-    : m_discretization(std::make_shared<const Discretization>(cdt, nodes, np))
-  {}
+  {
+    using namespace Bubble_relaxation_2::internal;
+    const Galerkin_options options = read_galerkin_options(np);
+    Galerkin_nodes_2 rounded_nodes(rounded(nodes.points), nodes.sizes, options);
+    Integration_domain_2 domain(cdt, Domain_marks_2<CDT>(cdt, np));
+    const Influence_domain_2<Kernel> influence(nodes, rounded_nodes.radius, np);
+    m_discretization = std::make_shared<const Discretization>(
+      options, std::move(rounded_nodes), std::move(domain), influence.search(), read_mls_options(np),
+      make_parallel_loop<Concurrency<NamedParameters>>());
+  }
 
   /*!
   solves a problem. Exceptions of its functions and of the callback pass through.
@@ -182,36 +189,19 @@ public:
   Solution solve(const Problem& problem) const
   {
     using namespace Bubble_relaxation_2::internal;
-    const Discretization& d = *m_discretization;
+    Galerkin_problem rounded;
+    if (problem.source)
+      rounded.source = [&](const Point& p) { return problem.source(Point_2(p.x(), p.y())); };
+    if (problem.dirichlet)
+      rounded.dirichlet = [&](const Point& p) { return problem.dirichlet(Point_2(p.x(), p.y())); };
+    if (problem.neumann)
+      rounded.neumann = [&](const Point& p, const Direction& n) {
+        return problem.neumann(Point_2(p.x(), p.y()), Vector_2(n.x, n.y));
+      };
+    if (problem.is_dirichlet)
+      rounded.is_dirichlet = [&](const Point& p) { return problem.is_dirichlet(Point_2(p.x(), p.y())); };
     Element_free_Galerkin_report_2 report;
-    report.number_of_nodes = d.nodes.number();
-    report.number_of_cells = d.cells.size();
-    report.number_of_gauss_points = d.cells.size() * d.cell_rule.points_per_cell();
-    report.number_of_boundary_points = d.segments.size() * d.segment_rule.size();
-
-    Progress progress(d.options.callback, 1);
-    std::vector<double> coefficients;
-    Phase_timer integration_time(report.integration_seconds);
-    Galerkin_system_2<Kernel> system(d, problem, progress, report);
-    try {
-      report.is_stopped_by_callback = !progress.report(0) || !system.assemble();
-    } catch (const Deficient_support_error_2&) {
-      d.report_deficient_points();
-      throw;
-    }
-    integration_time.stop();
-    if (!report.is_stopped_by_callback) {
-      Phase_timer solution_time(report.solution_seconds);
-      const auto matrix = system.matrix();
-      const Sparse_solution solution =
-        Sparse_solver(matrix, system.load(), d.options.residual_tolerance)(system.is_nearly_definite());
-      coefficients.assign(solution.x.data(), solution.x.data() + d.nodes.number());
-      report.number_of_non_zeros = static_cast<std::size_t>(matrix.nonZeros());
-      report.residual = solution.residual;
-      report.condition_number = solution.condition_number;
-      solution_time.stop();
-      progress.report(1);
-    }
+    std::vector<double> coefficients = solve_galerkin(*m_discretization, rounded, report);
     return Solution(m_discretization, std::move(coefficients), report);
   }
 

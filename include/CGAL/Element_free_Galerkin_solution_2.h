@@ -11,18 +11,16 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_method_2.h>
 #include <CGAL/Element_free_Galerkin_error_2.h>
 #include <CGAL/Element_free_Galerkin_report_2.h>
+#include <CGAL/Moving_least_squares_2.h>
 
 #include <CGAL/number_utils.h>
+#include <CGAL/use.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,8 +37,7 @@ away. Copies share it. All functions may be called by several threads at once.
 template <class Kernel_>
 class Element_free_Galerkin_solution_2
 {
-  using Discretization = Bubble_relaxation_2::internal::Galerkin_discretization_2<Kernel_>;
-  using Block = typename Discretization::Block;
+  using Discretization = Bubble_relaxation_2::internal::Galerkin_discretization_2;
 
 public:
   using Kernel = Kernel_;
@@ -71,14 +68,14 @@ public:
   double value(const Point_2& p) const
   {
     check();
-    return m_discretization->mls.value(p, m_coefficients);
+    return m_discretization->mls.value(Bubble_relaxation_2::internal::rounded(p), m_coefficients);
   }
 
   /// returns the gradient of u_h at `p`; see `value()`, which throws the same.
   Vector_2 gradient(const Point_2& p) const
   {
     check();
-    return m_discretization->mls.gradient(p, m_coefficients);
+    return m_discretization->mls.template gradient<Vector_2>(Bubble_relaxation_2::internal::rounded(p), m_coefficients);
   }
 
   /*!
@@ -97,7 +94,10 @@ public:
                   const NamedParameters& np = parameters::default_values()) const
   {
     check();
-    return m_discretization->mls.evaluate(points, m_coefficients, number_of_derivatives, np);
+    CGAL_USE(np);
+    using namespace Bubble_relaxation_2::internal;
+    return m_discretization->mls.evaluate(rounded(points), m_coefficients, number_of_derivatives,
+                                          make_parallel_loop<Concurrency<NamedParameters>>());
   }
 
   /*!
@@ -117,30 +117,12 @@ public:
   {
     check();
     using namespace Bubble_relaxation_2::internal;
-    struct Part
-    {
-      Block block;
-      double values, gradients;
-    };
-    const Discretization& d = *m_discretization;
-    const Cell_quadrature_2 rule((std::max)(d.options.gauss_points + 2, std::size_t(5)));
-    double values = 0, gradients = 0;
-    compute_in_order<Part>(
-      d.parallel, d.cells.size(),
-      [&](std::size_t k, Part& part) {
-        part.block.clear();
-        rule.for_each_point(d.cells[k], [&](double x, double y, double w) { part.block.add_point(x, y, w); });
-        part.block.evaluate(d.mls);
-        integrate_error(part.block, u, gradient_of_u, part.values, part.gradients);
-      },
-      [&](const std::vector<Part>& parts, std::size_t n) {
-        for (std::size_t k = 0; k < n; ++k) {
-          values += parts[k].values;
-          gradients += parts[k].gradients;
-        }
-      },
-      [](std::size_t) { return true; });
-    return Element_free_Galerkin_error_2{std::sqrt(values), std::sqrt(values + gradients)};
+    return Galerkin_error_2(
+      *m_discretization, m_coefficients, [&](const Point& p) { return u(Point_2(p.x(), p.y())); },
+      [&](const Point& p) {
+        const Vector_2 v = gradient_of_u(Point_2(p.x(), p.y()));
+        return Direction{CGAL::to_double(v.x()), CGAL::to_double(v.y())};
+      })();
   }
 
 private:
@@ -148,25 +130,6 @@ private:
   {
     if (m_coefficients.empty())
       throw std::logic_error("Bubble_relaxation_2: there is no solution, since the callback stopped the solver");
-  }
-
-  template <class Function, class Gradient>
-  void integrate_error(const Block& b, const Function& u, const Gradient& gradient_of_u, double& values,
-                       double& gradients) const
-  {
-    Eigen::VectorXd c(static_cast<Eigen::Index>(b.nodes.size()));
-    for (std::size_t k = 0; k < b.nodes.size(); ++k)
-      c[static_cast<Eigen::Index>(k)] = m_coefficients[static_cast<std::size_t>(b.nodes[k])];
-    const Eigen::VectorXd value = b.phi * c, dx = b.dx * c, dy = b.dy * c;
-    values = gradients = 0;
-    for (std::size_t q = 0; q < b.size(); ++q) {
-      const auto k = static_cast<Eigen::Index>(q);
-      const Vector_2 exact = gradient_of_u(b.point(q));
-      const double e = value[k] - u(b.point(q));
-      const double ex = dx[k] - CGAL::to_double(exact.x()), ey = dy[k] - CGAL::to_double(exact.y());
-      values += b.weights[k] * e * e;
-      gradients += b.weights[k] * (ex * ex + ey * ey);
-    }
   }
 
   std::shared_ptr<const Discretization> m_discretization;

@@ -107,7 +107,7 @@ public:
       static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
     const Domain_marks_2<CDT> is_inside(cdt, np);
     const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np));
-    const Sizes_2 sizes = wanted_sizes(cdt, np, is_inside, reading);
+    const Sizes_2 sizes = wanted_sizes(np, is_inside, reading);
     // every vertex of the user's is a place to look at d: none is taken as a mere split of a constraint
     const Domain_reading_2<CDT> all(cdt, is_inside, [](typename CDT::Vertex_handle) { return true; });
     build(all.domain, all.given.pinned, sizes, maximum);

@@ -12,7 +12,6 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_search_2.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -20,13 +19,9 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -159,28 +154,26 @@ public:
   Influence_domain_2(std::vector<Point_2> points, double radius) : m_points(share(std::move(points)))
   {
     Bubble_relaxation_2::internal::check_positive("radius", radius);
-    build([radius](std::size_t) { return radius; });
+    m_search = make_search(*m_points, {radius});
   }
 
   /// gives each of any points a radius of its own.
   Influence_domain_2(std::vector<Point_2> points, std::vector<double> radii) : m_points(share(std::move(points)))
   {
-    check("radii", "radius", radii, m_points->size());
-    build([&radii](std::size_t i) { return radii[i]; });
+    Bubble_relaxation_2::internal::check_numbers("radii", "radius", radii, m_points->size());
+    m_search = make_search(*m_points, radii);
   }
 
   std::size_t size() const { return m_points->size(); } ///< the number of nodes
 
   const Point_2& point(Node_index i) const { return (*m_points)[static_cast<std::size_t>(i)]; } ///< where node `i` is
 
-  double radius(Node_index i) const { return disc(i).radius; } ///< the radius of node `i`
+  /// the radius of node `i`
+  double radius(Node_index i) const { return m_search->disc(static_cast<std::size_t>(i)).radius; }
 
 #ifndef DOXYGEN_RUNNING
-  /// place and radius of node `i` in the very numbers of `double` that queries take
-  Bubble_relaxation_2::internal::Influence_disc_2 disc(Node_index i) const
-  {
-    return m_search->disc(static_cast<std::size_t>(i));
-  }
+  /// places and radii in the very numbers of `double` that queries take
+  std::shared_ptr<const Search> search() const { return m_search; }
 #endif
 
   /*!
@@ -202,7 +195,7 @@ public:
   Node_index nearest_node(const Point_2& p) const
   {
     const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-    check_place(x, y);
+    Bubble_relaxation_2::internal::check_point(x, y);
     return m_search->nearest(x, y);
   }
 
@@ -222,7 +215,7 @@ private:
     const double factor =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::support_factor), 2.5);
     Bubble_relaxation_2::internal::check_positive("support_factor", factor);
-    check("nodes.sizes", "size", nodes.sizes, nodes.points.size());
+    Bubble_relaxation_2::internal::check_numbers("nodes.sizes", "size", nodes.sizes, nodes.points.size());
     std::vector<double> radii;
     radii.reserve(nodes.sizes.size());
     for (double d : nodes.sizes)
@@ -230,52 +223,14 @@ private:
     return radii;
   }
 
-  template <class Radius>
-  void build(const Radius& radius)
+  /// \param radii one for all, or one each
+  static std::shared_ptr<Search> make_search(const std::vector<Point_2>& points, const std::vector<double>& radii)
   {
-    using Bubble_relaxation_2::internal::Influence_disc_2;
-    using Bubble_relaxation_2::internal::in_words;
-    const std::vector<Point_2>& points = *m_points;
-    if (points.size() > static_cast<std::size_t>((std::numeric_limits<Node_index>::max)()))
-      throw std::length_error("Bubble_relaxation_2: " + std::to_string(points.size()) +
-                              " nodes are more than their indices can number");
-    std::vector<Influence_disc_2> discs;
+    std::vector<Bubble_relaxation_2::internal::Influence_disc_2> discs;
     discs.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double x = CGAL::to_double(points[i].x()), y = CGAL::to_double(points[i].y());
-      if (!std::isfinite(x) || !std::isfinite(y))
-        throw std::invalid_argument("Bubble_relaxation_2: parameter points: node " + std::to_string(i) + " at " +
-                                    in_words(x, y) + " must be finite");
-      discs.push_back(Influence_disc_2{x, y, radius(i)});
-    }
-    check_extent(discs);
-    m_search = std::make_shared<Search>(std::move(discs));
-  }
-
-  /// In `double` places are not told apart, and squares have no value, where some discs are far too large for others or
-  /// too far away from them.
-  static void check_extent(const std::vector<Bubble_relaxation_2::internal::Influence_disc_2>& discs)
-  {
-    using Bubble_relaxation_2::internal::in_words;
-    constexpr double most_radii = 1e15, largest = 1e153;
-    std::vector<double> radii;
-    std::size_t farthest = 0;
-    double extent = 0;
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-      const double dx = std::abs(discs[i].x - discs[0].x), dy = std::abs(discs[i].y - discs[0].y);
-      const double reach = (std::max)(dx, dy) + discs[i].radius;
-      farthest = reach > extent ? i : farthest;
-      extent = (std::max)(extent, reach);
-      radii.push_back(discs[i].radius);
-    }
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    if (!radii.empty() && !(extent <= most_radii * *middle && extent <= largest))
-      throw std::invalid_argument("Bubble_relaxation_2: the influence domain of node " + std::to_string(farthest) + " at " +
-                                  in_words(discs[farthest].x, discs[farthest].y) + ", of radius " +
-                                  in_words(discs[farthest].radius) + ", reaches " + in_words(extent) +
-                                  " from the first node, which must be at most 1e15 times the median radius, " +
-                                  in_words(*middle) + ", and at most 1e153");
+    for (std::size_t i = 0; i < points.size(); ++i)
+      discs.push_back({CGAL::to_double(points[i].x()), CGAL::to_double(points[i].y()), radii[radii.size() > 1 ? i : 0]});
+    return std::make_shared<Search>(std::move(discs));
   }
 
   template <class NamedParameters>
@@ -285,27 +240,6 @@ private:
       parameters::get_parameter(np, internal_np::influence_search), Influence_search::BUCKETS);
     if (search == Influence_search::EXPANSION)
       m_search->use_neighbors(nodes.neighbor_offsets, nodes.neighbors);
-  }
-
-  /// `parameter` tells for each of `n` nodes a positive number, such as its `what`
-  static void check(const char* parameter, const std::string& what, const std::vector<double>& numbers, std::size_t n)
-  {
-    const std::string start = std::string("Bubble_relaxation_2: parameter ") + parameter;
-    if (numbers.size() != n)
-      throw std::invalid_argument(start + " has " + std::to_string(numbers.size()) + " numbers for " +
-                                  std::to_string(n) + " nodes");
-    for (std::size_t i = 0; i < n; ++i)
-      if (!(numbers[i] > 0) || !std::isfinite(numbers[i]))
-        throw std::invalid_argument(start + ": the " + what + " " +
-                                    Bubble_relaxation_2::internal::in_words(numbers[i]) + " of node " +
-                                    std::to_string(i) + " must be positive and finite");
-  }
-
-  static void check_place(double x, double y)
-  {
-    if (!std::isfinite(x) || !std::isfinite(y))
-      throw std::invalid_argument("Bubble_relaxation_2: parameter p = " +
-                                  Bubble_relaxation_2::internal::in_words(x, y) + " must be finite");
   }
 
   std::shared_ptr<const std::vector<Point_2>> m_points;
@@ -324,24 +258,27 @@ class Influence_domain_2<Kernel_>::Query
 {
 public:
   /// prepares for queries of `influence`.
-  explicit Query(const Influence_domain_2& influence) : m_search(influence.m_search) {}
+  explicit Query(const Influence_domain_2& influence) : m_query(influence.m_search) {}
 
   /// replaces what `result` has by the nodes i with |p - x<sub>i</sub>| < `factor` r<sub>i</sub>, in ascending order.
   void operator()(const Point_2& p, double factor, std::vector<Node_index>& result)
   {
     const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-    check_place(x, y);
+    Bubble_relaxation_2::internal::check_point(x, y);
     Bubble_relaxation_2::internal::check_positive("factor", factor);
-    m_search->find(x, y, factor, m_state, result);
+    m_query(x, y, factor, result);
   }
 
   /// returns how many of the queries an expansion might not have answered in full, so that they were answered as
   /// by default.
-  std::size_t number_of_fallbacks() const { return m_state.number_of_fallbacks; }
+  std::size_t number_of_fallbacks() const { return m_query.number_of_fallbacks(); }
+
+#ifndef DOXYGEN_RUNNING
+  Bubble_relaxation_2::internal::Influence_query_2& query() { return m_query; }
+#endif
 
 private:
-  std::shared_ptr<const Search> m_search;
-  typename Search::State m_state;
+  Bubble_relaxation_2::internal::Influence_query_2 m_query;
 };
 
 } // namespace CGAL

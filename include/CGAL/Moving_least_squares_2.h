@@ -11,21 +11,15 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Local_fit_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_evaluation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_fitting_2.h>
+#include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Deficient_support_error_2.h>
 #include <CGAL/Influence_domain_2.h>
 
-#include <CGAL/number_utils.h>
 #include <CGAL/use.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,6 +65,7 @@ public:
   using Influence = Influence_domain_2<Kernel>; ///< knows the nodes and their supports
   using Query = typename Influence::Query;      ///< searches nodes for one thread
 
+#ifdef DOXYGEN_RUNNING
   /// The shape functions at a point. To use an object again saves the allocation of memory.
   struct Shape_functions
   {
@@ -80,10 +75,6 @@ public:
     double enlargement = 1;      ///< what the support radii were multiplied by to suffice
     /// an upper bound; exact if above the limit
     double condition_number = 0;
-
-  private:
-    friend class Moving_least_squares_2;
-    Bubble_relaxation_2::internal::Local_fit_2 m_fit;
   };
 
   /// An approximation at many points: an element a point in each array that was asked for.
@@ -93,6 +84,10 @@ public:
     std::size_t number_of_enlarged_supports = 0; ///< at how many points supports had to be enlarged
     double largest_enlargement = 1;              ///< and the most that they had to be multiplied by
   };
+#else
+  using Shape_functions = Bubble_relaxation_2::internal::Mls_shapes_2;
+  using Values = Bubble_relaxation_2::internal::Mls_values_2;
+#endif
 
   /*!
   takes nodes with their supports from `influence`. It keeps a copy, which shares nodes and search structure with it
@@ -128,11 +123,9 @@ public:
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Moving_least_squares_2(Influence influence, const NamedParameters& np = parameters::default_values())
-    : m_options(Bubble_relaxation_2::internal::read_mls_options(np)), m_influence(std::move(influence))
-  {
-    if (m_influence.size() == 0)
-      throw std::invalid_argument("Bubble_relaxation_2: parameter influence has no nodes");
-  }
+    : m_influence(std::move(influence)),
+      m_approximation(m_influence.search(), Bubble_relaxation_2::internal::read_mls_options(np))
+  {}
 
   /// the nodes and their supports
   const Influence& influence() const { return m_influence; }
@@ -158,13 +151,7 @@ public:
   /// does the same with a search that is fastest if each point is near the last one; one object a thread.
   void operator()(const Point_2& p, int number_of_derivatives, Query& query, Shape_functions& result) const
   {
-    check_point(p);
-    check_number_of_derivatives(number_of_derivatives);
-    Bubble_relaxation_2::internal::Mls_fitting_2<Influence, Shape_functions> fitting(m_influence, m_options, query,
-                                                                                     result.m_fit, result);
-    if (!fitting.fit(p, number_of_derivatives))
-      throw fitting.error(p, fitting.sufficient_enlargement(p, 1), 1);
-    result.m_fit.write(number_of_derivatives, result);
+    m_approximation.find_shapes(Bubble_relaxation_2::internal::rounded(p), number_of_derivatives, query.query(), result);
   }
 
   /*!
@@ -177,22 +164,14 @@ public:
   template <class Coefficients>
   double value(const Point_2& p, const Coefficients& coefficients) const
   {
-    check_number_of_coefficients(coefficients.size());
-    Shape_functions shapes;
-    (*this)(p, 0, shapes);
-    return Bubble_relaxation_2::internal::sum_of_shapes(shapes.nodes, shapes.values, coefficients);
+    return m_approximation.value(Bubble_relaxation_2::internal::rounded(p), coefficients);
   }
 
   /// returns the gradient of the approximation at `p`, with the arguments and exceptions of `value()`.
   template <class Coefficients>
   Vector_2 gradient(const Point_2& p, const Coefficients& coefficients) const
   {
-    check_number_of_coefficients(coefficients.size());
-    Shape_functions shapes;
-    (*this)(p, 1, shapes);
-    using Bubble_relaxation_2::internal::sum_of_shapes;
-    return Vector_2(sum_of_shapes(shapes.nodes, shapes.dx, coefficients),
-                    sum_of_shapes(shapes.nodes, shapes.dy, coefficients));
+    return m_approximation.template gradient<Vector_2>(Bubble_relaxation_2::internal::rounded(p), coefficients);
   }
 
   /*!
@@ -221,40 +200,17 @@ public:
                   const NamedParameters& np = parameters::default_values()) const
   {
     CGAL_USE(np);
-    check_number_of_derivatives(number_of_derivatives);
-    check_number_of_coefficients(coefficients.size());
-    for (const Point_2& p : points)
-      check_point(p);
     using namespace Bubble_relaxation_2::internal;
-    const Mls_evaluation_2<Moving_least_squares_2, Concurrency<NamedParameters>> evaluation(m_influence, m_options,
-                                                                                            points);
-    return evaluation(coefficients, number_of_derivatives);
+    std::vector<double> numbers(coefficients.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      numbers[i] = coefficients[i];
+    return m_approximation.evaluate(rounded(points), numbers, number_of_derivatives,
+                                    make_parallel_loop<Concurrency<NamedParameters>>());
   }
 
 private:
-  static void check_point(const Point_2& p)
-  {
-    using Bubble_relaxation_2::internal::in_words;
-    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-    if (!std::isfinite(x) || !std::isfinite(y))
-      throw std::invalid_argument("Bubble_relaxation_2: parameter p = " + in_words(x, y) + " must be finite");
-  }
-
-  static void check_number_of_derivatives(int n)
-  {
-    if (n < 0 || n > 2)
-      Bubble_relaxation_2::internal::throw_invalid_parameter("number_of_derivatives", n, "0, 1 or 2");
-  }
-
-  void check_number_of_coefficients(std::size_t n) const
-  {
-    if (n != m_influence.size())
-      throw std::invalid_argument("Bubble_relaxation_2: parameter coefficients has " + std::to_string(n) +
-                                  " numbers for " + std::to_string(m_influence.size()) + " nodes");
-  }
-
-  Bubble_relaxation_2::internal::Mls_options m_options;
   Influence m_influence;
+  Bubble_relaxation_2::internal::Mls_approximation_2 m_approximation;
 };
 
 } // namespace CGAL

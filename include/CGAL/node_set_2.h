@@ -12,7 +12,7 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
-#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_nodes.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -83,7 +83,7 @@ auto node_set_2(const CDT& mesh, const NamedParameters& np = parameters::default
   const Threads threads = threads_of<Concurrency<NamedParameters>>();
   const Domain_marks_2<CDT> is_inside(mesh, np);
   const Domain_reading_2<CDT> reading(mesh, is_inside, is_pinned<CDT>(np));
-  const Interpolated_field_2 sizes = mean_edge_length_field(mesh, is_inside);
+  const Sizes_2 sizes = sizes_of_mesh(is_inside, is_inside.inside());
   Bubbles_2 bubbles;
   const auto add = [&](const std::vector<Point>& points, Bubbles_2::Dimension dimension) {
     for (const Point& p : points)

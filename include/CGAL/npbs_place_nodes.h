@@ -12,10 +12,8 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
-#include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_nodes.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -54,12 +52,7 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
   const Problem_2 problem = input.problem();
   reading_time.stop();
   Progress progress(input.options.callback, input.options.number_of_rounds);
-  Bubbles_2 bubbles = relax_bubbles(problem, progress, nodes.report);
-  if (is_treatment_due(input.options, nodes.report))
-    bubbles = make_mesh(problem, std::move(bubbles), nodes.report).bubbles;
-  // the simulation does not ask d again for every little displacement
-  parallel_for(input.options.threads, bubbles.size(),
-               [&](std::size_t i) { bubbles.d[i] = input.sizes(bubbles.x[i], bubbles.y[i]); });
+  const Bubbles_2 bubbles = make_nodes(problem, progress, nodes.report);
   write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
   nodes.report.number_of_vertices = nodes.size();
   progress.report(1);

@@ -12,10 +12,8 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
-#include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_mesh.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -216,8 +214,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
   const Problem_2 problem = input.problem();
   reading_time.stop();
   Progress progress(input.options.callback, input.options.number_of_rounds);
-  const Bubble_mesh_2 mesh = make_mesh(problem, relax_bubbles(problem, progress, report), report);
-  evaluate(mesh, problem.wanted, input.options.threads, report);
+  const Bubble_mesh_2 mesh = make_mesh(problem, progress, report);
   progress.report(1);
   // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
   Restore_on_throw<CDT> guard(cdt);

@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_TEST_GALERKIN_PROBLEMS_H
 
 #include "domains.h"
+#include "random_seeds.h"
 
 #include <CGAL/Element_free_Galerkin_2.h>
 
@@ -81,7 +82,7 @@ inline Exact quadratic()
 /// are left out
 inline Nodes grid(int n, double jitter = 0, const std::function<bool(const Point&)>& is_hole = nullptr)
 {
-  std::mt19937 random(7);
+  std::mt19937 random(random_seeds::seed(7));
   Nodes nodes;
   const double h = 1. / (n - 1);
   const auto shift = [&](int i) {

@@ -9,6 +9,8 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_INFLUENCE_CHECKS_H
 #define BUBBLE_RELAXATION_2_TEST_INFLUENCE_CHECKS_H
 
+#include "random_seeds.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Influence_domain_2.h>
 
@@ -50,7 +52,7 @@ inline Numbers brute_force(const Influence& influence, const Point& p, double fa
 /// points in `box` widened, near nodes, on nodes, and far away
 inline Points places(const Points& nodes, std::size_t n)
 {
-  std::mt19937 random(7);
+  std::mt19937 random(random_seeds::seed(7));
   std::uniform_real_distribution<double> uniform(0, 1);
   CGAL::Bbox_2 box;
   for (const Point& p : nodes)
@@ -113,7 +115,7 @@ inline std::size_t number_of_expansions(const Influence& influence, const Points
 
 inline Points random_points(std::size_t n, double width = 1, double x0 = 0)
 {
-  std::mt19937 random(5);
+  std::mt19937 random(random_seeds::seed(5));
   std::uniform_real_distribution<double> uniform(0, width);
   Points points;
   for (std::size_t i = 0; i < n; ++i) {

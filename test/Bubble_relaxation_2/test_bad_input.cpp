@@ -9,6 +9,7 @@
 // Bad input throws an exception that names the parameter and its value, and nothing is lost.
 
 #include "domains.h"
+#include "expect_throw.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -49,6 +50,37 @@ void expect_throw(CDT& cdt, const Parameters& parameters, const std::vector<std:
 }
 
 CDT square() { return domains::make({domains::square(0, 0, 1)}); }
+
+/// the same mesh with other parameters, to the last bit; returns the report
+template <class Parameters, class Others>
+auto expect_same_mesh(const Parameters& parameters, const Others& others)
+{
+  CDT cdt = square(), other = square();
+  const auto report = CGAL::npbs_relax(cdt, parameters);
+  CGAL::npbs_relax(other, others);
+  validation::expect_valid_mesh(cdt);
+  validation::expect_report_adds_up(cdt, report);
+  EXPECT_NEAR(validation::domain_area(cdt), 1, 1e-12);
+  EXPECT_GT(report.quality.minimum_quality(), 0.5);
+  EXPECT_TRUE(validation::triangles(cdt) == validation::triangles(other));
+  return report;
+}
+
+/// the least maximum_number_of_bubbles that is not refused
+std::size_t least_maximum(double d)
+{
+  std::size_t refused = 0, taken = 100000;
+  while (taken - refused > 1) {
+    const std::size_t middle = (refused + taken) / 2;
+    try {
+      CGAL::npbs_place_nodes(square(), P::sizing_function(d).number_of_rounds(0).maximum_number_of_bubbles(middle));
+      taken = middle;
+    } catch (const std::length_error&) {
+      refused = middle;
+    }
+  }
+  return taken;
+}
 
 struct My_error : std::runtime_error
 {
@@ -109,7 +141,13 @@ TEST(Bad_size, too_many_bubbles)
   expect_throw<std::length_error>(
     cdt, P::sizing_function([](const Point& p) { return 1e-7 + 1e-6 * std::abs(p.x()); }),
     {"maximum_number_of_bubbles"});
-  EXPECT_NO_THROW(CGAL::npbs_relax(cdt, P::sizing_function(0.05).maximum_number_of_bubbles(1000)));
+  expect_same_mesh(P::sizing_function(0.05).maximum_number_of_bubbles(1000), P::sizing_function(0.05));
+  // the expected number itself is enough, and one less is too few
+  const std::size_t least = least_maximum(0.05);
+  expect_same_mesh(P::sizing_function(0.05).maximum_number_of_bubbles(least), P::sizing_function(0.05));
+  expect_throw<std::length_error>(cdt, P::sizing_function(0.05).maximum_number_of_bubbles(least - 1),
+                                  {"maximum_number_of_bubbles", std::to_string(least - 1)});
+  EXPECT_NEAR(double(least), 511, 30) << "it is about the number of vertices that the mesh has";
 }
 
 TEST(Bad_size, too_many_bubbles_on_edges)
@@ -165,14 +203,18 @@ TEST(Bad_parameter, counts_are_integers)
                                         {"maximum_number_of_bubbles"});
   }
   expect_throw<std::invalid_argument>(cdt, size.number_of_rounds(2.5f), {"number_of_rounds", "2.5", "integer"});
-  EXPECT_NO_THROW(CGAL::npbs_relax(cdt, size.number_of_rounds(2.).number_of_iterations(3.f)));
+  // other types of the same numbers, which are followed
+  const auto report = expect_same_mesh(size.number_of_rounds(2.).number_of_iterations(3.f),
+                                       size.number_of_rounds(2).number_of_iterations(3));
+  EXPECT_EQ(report.number_of_rounds, 2u);
+  EXPECT_EQ(report.number_of_steps, 6u);
 }
 
 TEST(Bad_parameter, more_bubbles_than_there_are_indices)
 {
   CDT cdt = square();
   const auto size = P::sizing_function(0.1);
-  EXPECT_NO_THROW(CGAL::npbs_relax(cdt, size.maximum_number_of_bubbles(2147483647)));
+  expect_same_mesh(size.maximum_number_of_bubbles(2147483647), size);
   expect_throw<std::invalid_argument>(cdt, size.maximum_number_of_bubbles(2147483648u),
                                       {"maximum_number_of_bubbles", "2147483648", "2147483647"});
   expect_throw<std::invalid_argument>(cdt, size.maximum_number_of_bubbles(std::size_t(-1)),
@@ -182,18 +224,23 @@ TEST(Bad_parameter, more_bubbles_than_there_are_indices)
 TEST(Bad_parameter, wild_but_valid_values_give_a_valid_mesh)
 {
   const auto size = P::sizing_function(0.1).number_of_rounds(2);
-  const auto run = [](const auto& parameters) {
+  const auto run = [](const auto& parameters, std::size_t evaluations_per_step = 1) {
     CDT cdt = square();
-    CGAL::npbs_relax(cdt, parameters);
+    const validation::Snapshot before = validation::snapshot(cdt);
+    const auto report = CGAL::npbs_relax(cdt, parameters);
     validation::expect_valid_mesh(cdt);
-    EXPECT_NEAR(validation::domain_area(cdt), 1, 1e-9);
+    validation::expect_vertices_kept(before.vertices, validation::snapshot(cdt));
+    validation::expect_constraints_kept(before, validation::snapshot(cdt));
+    validation::expect_report_adds_up(cdt, report, evaluations_per_step);
+    EXPECT_NEAR(validation::domain_area(cdt), 1, 1e-12);
+    EXPECT_NEAR(double(report.number_of_vertices), 142, 25);
   };
   run(size.time_step(1e6));
   run(size.force_coefficient(1e12));
   run(size.mass(1e-12));
   run(size.damping(1e9));
-  run(size.integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4).time_step(1e3));
-  run(size.integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4).time_step(1e3).force_coefficient(1e200));
+  run(size.integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4).time_step(1e3), 4);
+  run(size.integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4).time_step(1e3).force_coefficient(1e200), 4);
   run(size.number_of_iterations(0));
   run(size.displacement_tolerance(1e9));
   run(size.neighbor_radius(20.));
@@ -257,10 +304,12 @@ TEST(Bad_domain, seed_that_is_no_point)
 TEST(Bad_input, place_nodes_checks_as_well)
 {
   const CDT cdt = square();
-  EXPECT_THROW(CGAL::npbs_place_nodes(cdt, P::sizing_function(-1.)), std::invalid_argument);
-  EXPECT_THROW(CGAL::npbs_place_nodes(cdt, P::sizing_function(0.1).time_step(not_a_number)),
-               std::invalid_argument);
-  EXPECT_THROW(CGAL::npbs_place_nodes(CDT(), P::sizing_function(0.1)), std::invalid_argument);
+  ::expect_throw<std::invalid_argument>([&] { CGAL::npbs_place_nodes(cdt, P::sizing_function(-1.)); },
+                                        {"sizing_function", "-1"});
+  ::expect_throw<std::invalid_argument>(
+    [&] { CGAL::npbs_place_nodes(cdt, P::sizing_function(0.1).time_step(not_a_number)); }, {"time_step", "nan"});
+  ::expect_throw<std::invalid_argument>([] { CGAL::npbs_place_nodes(CDT(), P::sizing_function(0.1)); },
+                                        {"dimension"});
 }
 
 TEST(Callback, stops_at_any_call)

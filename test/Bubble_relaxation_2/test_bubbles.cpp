@@ -9,6 +9,8 @@
 // bubbles that are kept, in whatever order; of those in one place one stays, of the lowest dimension, and of these the
 // first
 
+#include "random_seeds.h"
+
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 
 #include <gtest/gtest.h>
@@ -73,8 +75,8 @@ TEST(Bubbles, those_that_are_selected_stay_in_their_order)
       for (int i = 0; i < 10; ++i) {
         add_bubble(all, i);
         if (has_parts) {
-          all.number.push_back(100 + i);
-          all.is_foreign.push_back(i % 2);
+          all.id.push_back(100 + i);
+          all.owner.push_back(i % 2);
         }
       }
       for (Index i : order)
@@ -87,20 +89,21 @@ TEST(Bubbles, those_that_are_selected_stay_in_their_order)
       EXPECT_EQ(all.vy, expected.vy);
       EXPECT_EQ(all.s, expected.s);
       EXPECT_EQ(all.dimension, expected.dimension);
-      EXPECT_EQ(all.place, expected.place);
-      EXPECT_EQ(all.tag, expected.tag);
-      ASSERT_EQ(all.number.size(), has_parts ? order.size() : 0);
-      ASSERT_EQ(all.is_foreign.size(), all.number.size());
-      for (std::size_t k = 0; k < all.number.size(); ++k) {
-        EXPECT_EQ(all.number[k], 100 + order[k]);
-        EXPECT_EQ(all.is_foreign[k], order[k] % 2);
+      EXPECT_EQ(all.host, expected.host);
+      EXPECT_EQ(all.pin, expected.pin);
+      ASSERT_EQ(all.id.size(), has_parts ? order.size() : 0);
+      ASSERT_EQ(all.owner.size(), all.id.size());
+      for (std::size_t k = 0; k < all.id.size(); ++k) {
+        EXPECT_EQ(all.id[k], 100 + order[k]);
+        EXPECT_EQ(all.owner[k], order[k] % 2);
+        EXPECT_EQ(all.is_ours(k), order[k] % 2 == 0);
       }
     }
 }
 
 TEST(Coincident_bubbles, few_places)
 {
-  std::mt19937 engine(1);
+  std::mt19937 engine(random_seeds::seed(1));
   for (int n : {0, 1, 2, 10, 1000}) {
     Bubbles_2 b;
     for (int i = 0; i < n; ++i)
@@ -111,7 +114,7 @@ TEST(Coincident_bubbles, few_places)
 
 TEST(Coincident_bubbles, many_places)
 {
-  std::mt19937 engine(2);
+  std::mt19937 engine(random_seeds::seed(2));
   std::uniform_real_distribution<double> uniform(-1, 1);
   Bubbles_2 b;
   for (int i = 0; i < 50000; ++i)
@@ -152,7 +155,7 @@ TEST(Coincident_bubbles, zeros_are_one_place)
 
 TEST(Coincident_bubbles, few_are_looked_at_if_none_coincide)
 {
-  std::mt19937_64 engine(3);
+  std::mt19937_64 engine(random_seeds::seed(3));
   std::uniform_real_distribution<double> uniform(0, 1);
   for (double scale : {1e-9, 1., 1e9}) {
     Bubbles_2 lattice, random;

@@ -9,6 +9,7 @@
 // Threads do not change a bit.
 
 #include "../../demo/Bubble_relaxation_2/paper_domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -26,7 +27,7 @@
 TEST(Size_of_the_mesh, on_an_edge_does_not_depend_on_what_was_asked_before)
 {
   // random points on both sides of x = 0.3, edges between them on x = 0.3
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(0., 1.);
   paper::CDT cdt;
   const std::vector<paper::Point> outline{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -34,8 +35,9 @@ TEST(Size_of_the_mesh, on_an_edge_does_not_depend_on_what_was_asked_before)
   cdt.insert_constraint(paper::Point(0.3, 0.01), paper::Point(0.3, 0.99));
   for (int k = 0; k < 300; ++k)
     cdt.insert(paper::Point(uniform(random), uniform(random)));
-  const auto field = CGAL::Bubble_relaxation_2::internal::mean_edge_length_field(
-    cdt, [&](paper::CDT::Face_handle f) { return !cdt.is_infinite(f); });
+  using namespace CGAL::Bubble_relaxation_2::internal;
+  const Domain_marks_2<paper::CDT> marks(cdt, CGAL::parameters::default_values());
+  const auto field = mean_edge_length_field(marks, marks.inside());
   for (int k = 0; k < 1000; ++k) {
     const double y = 0.01 + 0.98 * uniform(random);
     field(0.29, y); // leaves the search on the left

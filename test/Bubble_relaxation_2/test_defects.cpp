@@ -11,6 +11,7 @@
 #include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "distributed/bubbles.h"
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -103,6 +104,9 @@ CDT::Vertex_handle inner_vertex(const CDT& cdt, const Point& p) { return cdt.loc
 
 } // namespace
 
+/// the smallest q of each domain at these scales is hardly better
+constexpr double least_quality[] = {0.9, 0.825, 0.88, 0.85, 0.925, 0.915, 0.905, 0.91, 0.905};
+
 class Treated_domain : public testing::TestWithParam<int>
 {};
 
@@ -115,8 +119,8 @@ TEST_P(Treated_domain, has_no_bad_triangles)
     CDT treated, untreated;
     const auto with = relax(domain, treated, P::mass(1.));
     const auto without = relax(domain, untreated, P::defect_treatment(false));
-    EXPECT_GE(with.quality.minimum_quality(), 0.78);
-    EXPECT_GE(with.quality.minimum_angle(), 35);
+    EXPECT_GE(with.quality.minimum_quality(), least_quality[GetParam()]);
+    EXPECT_GE(with.quality.minimum_angle(), 40);
     EXPECT_GE(with.quality.minimum_quality(), without.quality.minimum_quality());
     EXPECT_GE(with.quality.mean_quality(), without.quality.mean_quality());
     EXPECT_EQ(with.number_of_treated_vertices > 0, without.quality.minimum_quality() < 0.95);
@@ -126,102 +130,42 @@ TEST_P(Treated_domain, has_no_bad_triangles)
 
 INSTANTIATE_TEST_SUITE_P(All, Treated_domain, testing::Range(0, 9));
 
-TEST(Defects, treatment_can_be_undone)
-{
-  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 600, validation::seed());
-  internal::Bubbles_2 b = c.bubbles;
-  internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
-  const internal::Marked_triangulation_2 before = mesh;
-  const internal::Treatment_alone alone;
-  internal::Defect_treatment_2<CGAL::Sequential_tag> treat(c.domain(), mesh, b, alone);
-  EXPECT_GT(treat().size(), 100u);
-  EXPECT_NE(b.x, c.bubbles.x);
-  EXPECT_NE(b.s, c.bubbles.s);
-  EXPECT_NE(b.place, c.bubbles.place);
-  EXPECT_NE(mesh.tr.vertices, before.tr.vertices);
-  EXPECT_NE(mesh.edges, before.edges);
-  treat.undo();
-  EXPECT_EQ(b.x, c.bubbles.x);
-  EXPECT_EQ(b.y, c.bubbles.y);
-  EXPECT_EQ(b.s, c.bubbles.s);
-  EXPECT_EQ(b.place, c.bubbles.place);
-  EXPECT_EQ(mesh.tr.points, before.tr.points);
-  EXPECT_EQ(mesh.tr.vertices, before.tr.vertices);
-  EXPECT_EQ(mesh.tr.neighbors, before.tr.neighbors);
-  EXPECT_EQ(mesh.edges, before.edges);
-  EXPECT_EQ(mesh.inside, before.inside);
-}
-
-TEST(Defects, triangles_that_were_cut_off_can_be_put_back)
-{
-  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 100, validation::seed());
-  internal::Bubbles_2 b = c.bubbles;
-  internal::Marked_triangulation_2 mesh = internal::triangulate(c.domain(), b);
-  const internal::Marked_triangulation_2 before = mesh;
-  internal::Treatment_log_2 log;
-  internal::Editable_triangulation_2 editable(mesh, &log);
-  for (std::size_t t = 0; t < mesh.inside.size(); t += 3)
-    if (mesh.inside[t])
-      editable.cut_off(static_cast<Index>(t));
-  EXPECT_NE(mesh.tr.neighbors, before.tr.neighbors);
-  EXPECT_NE(mesh.inside, before.inside);
-  log.undo(mesh, b);
-  EXPECT_EQ(mesh.tr.neighbors, before.tr.neighbors);
-  EXPECT_EQ(mesh.inside, before.inside);
-}
-
 TEST(Defects, restored_delaunay_property_is_that_of_the_points)
 {
   const Domain domain = paper::square_with_hole(0.5);
   const CDT cdt = paper::triangulate(domain);
   const auto nodes = CGAL::npbs_place_nodes(cdt, P::sizing_function(domain.d));
   std::vector<internal::Point> points(nodes.points.begin(), nodes.points.end());
-  internal::Marked_triangulation_2 mesh, expected;
+  internal::Bubble_mesh_2 mesh;
+  internal::Marked_triangles_2 expected;
   const std::vector<internal::Domain_edge_2> no_edges;
-  ASSERT_EQ(internal::mark_triangulation(points, no_edges, mesh), internal::Marking_error::NONE);
-  mesh.inside.assign(mesh.inside.size(), 1);
+  ASSERT_EQ(internal::mark_triangulation(points, no_edges, mesh.triangles), internal::Marking_error::NONE);
+  mesh.triangles.inside.assign(mesh.triangles.inside.size(), 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    mesh.bubbles.add(points[i], nodes.sizes[i], internal::Bubbles_2::FACE, 0);
   internal::Editable_triangulation_2 editable(mesh);
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> shift(-0.25, 0.25); // of d; triangles stay counterclockwise
   std::vector<Index> moved;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (nodes.dimensions[i] == 2) {
       const double d = nodes.sizes[i];
       points[i] = internal::Point(points[i].x() + d * shift(random), points[i].y() + d * shift(random));
-      editable.move(static_cast<Index>(i), points[i]);
+      mesh.bubbles.x[i] = points[i].x();
+      mesh.bubbles.y[i] = points[i].y();
       moved.push_back(static_cast<Index>(i));
     }
   EXPECT_GT(editable.restore_delaunay(moved), 0u);
   ASSERT_EQ(internal::mark_triangulation(points, no_edges, expected), internal::Marking_error::NONE);
-  const auto triangles = [](const internal::Marked_triangulation_2& m) {
+  const auto triangles = [](const internal::Marked_triangles_2& m) {
     std::set<std::array<Index, 3>> result;
-    for (auto t : m.tr.vertices) {
+    for (auto t : m.vertices) {
       std::sort(t.begin(), t.end());
       result.insert(t);
     }
     return result;
   };
-  EXPECT_EQ(triangles(mesh), triangles(expected));
-}
-
-TEST(Defects, star_gradient_is_that_of_the_energy)
-{
-  internal::Star_quality_2 star(internal::Point(10, 20), 0.5);
-  const std::vector<internal::Point> ring{{10.5, 20.1}, {10.2, 20.5}, {9.7, 20.3},
-                                          {9.5, 19.9},  {9.9, 19.6},  {10.4, 19.5}};
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    star.add(ring[i], ring[(i + 1) % ring.size()]);
-  using Vector = internal::Star_quality_2::Vector;
-  constexpr double h = 1e-5;
-  for (const Vector& at : {Vector{0, 0}, Vector{0.1, -0.2}}) {
-    const Vector g = star.gradient(at);
-    EXPECT_NEAR(g.x, (star.energy({at.x + h, at.y}) - star.energy({at.x - h, at.y})) / (2 * h),
-                1e-6 * std::abs(g.x));
-    EXPECT_NEAR(g.y, (star.energy({at.x, at.y + h}) - star.energy({at.x, at.y - h})) / (2 * h),
-                1e-6 * std::abs(g.y));
-  }
-  EXPECT_LT(star.smallest({2, 0}), 0);
-  EXPECT_EQ(star.energy({2, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(triangles(mesh.triangles), triangles(expected));
 }
 
 TEST(Defects, surgery_removes_and_inserts)
@@ -244,7 +188,7 @@ TEST(Defects, surgery_removes_and_inserts)
                               .number_of_rounds(1).number_of_iterations(1).time_step(1e-3));
     EXPECT_EQ(report.number_of_vertices,
               n + report.number_of_insertions - report.number_of_deletions);
-    EXPECT_GE(report.quality.minimum_quality(), 0.8);
+    EXPECT_GE(report.quality.minimum_quality(), 0.92);
     validation::expect_valid_mesh(cdt);
   }
 }
@@ -255,7 +199,7 @@ TEST(Defects, a_given_mesh_is_never_made_worse)
     const Domain domain = paper::all_domains(1)[seed % 8];
     CDT cdt;
     relax(domain, cdt, P::mass(1.));
-    std::mt19937 random(validation::seed() + seed);
+    std::mt19937 random(random_seeds::seed(static_cast<unsigned>(seed)));
     std::uniform_real_distribution<double> parameter(0, 1);
     const auto before = CGAL::mesh_quality_2(cdt);
     // steps that throw the bubbles about
@@ -270,7 +214,7 @@ TEST(Defects, a_given_mesh_is_never_made_worse)
 
 TEST(Defects, angles_away_from_sharp_corners_of_random_domains)
 {
-  const unsigned first = validation::seed();
+  const unsigned first = random_seeds::seed();
   for (unsigned seed = first; seed < first + 60; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -283,7 +227,7 @@ TEST(Defects, angles_away_from_sharp_corners_of_random_domains)
     domain.d = [=](const Point& p) { return d0 + g * std::hypot(p.x() - x, p.y() - y); };
     CDT cdt;
     relax(domain, cdt, P::mass(1.));
-    EXPECT_GE(smallest_angle_away_from(sharp_corners(domain), cdt), 30);
+    EXPECT_GE(smallest_angle_away_from(sharp_corners(domain), cdt), 33); // 33.4 is the least of 400
   }
 }
 
@@ -293,9 +237,9 @@ TEST(Outline_limit, grades_from_a_short_piece)
   CDT limited, not_limited;
   const auto with = relax(domain, limited, P::mass(1.));
   const auto without = relax(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
-  EXPECT_LT(without.quality.minimum_angle(), 10);
-  EXPECT_GE(with.quality.minimum_angle(), 34);
-  EXPECT_LE(with.number_of_vertices, without.number_of_vertices + 200);
+  EXPECT_LT(without.quality.minimum_angle(), 2);
+  EXPECT_GE(with.quality.minimum_angle(), 41.5);
+  EXPECT_NEAR(double(with.number_of_vertices), 323, 5);
 }
 
 TEST(Outline_limit, makes_a_narrow_channel_finer)
@@ -306,8 +250,8 @@ TEST(Outline_limit, makes_a_narrow_channel_finer)
   CDT limited, not_limited;
   const auto with = relax(domain, limited, P::mass(1.));
   const auto without = relax(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
-  EXPECT_LT(without.quality.minimum_angle(), 25);
-  EXPECT_GE(with.quality.minimum_angle(), 38);
+  EXPECT_LT(without.quality.minimum_angle(), 11);
+  EXPECT_GE(with.quality.minimum_angle(), 39);
 }
 
 TEST(Outline_limit, leaves_an_outline_alone_that_fits)

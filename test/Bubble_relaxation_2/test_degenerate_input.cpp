@@ -9,6 +9,8 @@
 // Geometry that breaks meshers: touching, thin, tiny, huge and far away.
 
 #include "domains.h"
+#include "expect_throw.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/npbs_relax.h>
@@ -38,38 +40,41 @@ TEST(Degenerate_input, hole_touches_the_boundary_in_a_vertex)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1), {{0, 0}, {0.6, 0.3}, {0.3, 0.6}}});
   const auto report = relax_and_validate(cdt, size(0.05));
-  EXPECT_NEAR(validation::domain_area(cdt), 1 - 0.135, 1e-9);
-  EXPECT_GT(report.quality.mean_quality(), 0.95);
+  EXPECT_NEAR(validation::domain_area(cdt), 1 - 0.135, 1e-12);
+  EXPECT_GE(report.quality.mean_quality(), 0.985);
+  EXPECT_GE(report.quality.minimum_quality(), 0.7); // in the corner of 37 degrees
 }
 
 TEST(Degenerate_input, two_components_joined_in_a_point)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(1, 1, 1)});
   const auto report = relax_and_validate(cdt, size(0.1));
-  EXPECT_NEAR(validation::domain_area(cdt), 2, 1e-9);
-  EXPECT_GT(report.quality.mean_quality(), 0.95);
+  EXPECT_NEAR(validation::domain_area(cdt), 2, 1e-12);
+  EXPECT_GE(report.quality.mean_quality(), 0.983);
+  EXPECT_GE(report.quality.minimum_quality(), 0.915);
 }
 
 TEST(Degenerate_input, two_separate_components)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(3, 1, 1)});
   const auto report = relax_and_validate(cdt, size(0.1));
-  EXPECT_NEAR(validation::domain_area(cdt), 2, 1e-9);
-  EXPECT_GT(report.quality.mean_quality(), 0.95);
+  EXPECT_NEAR(validation::domain_area(cdt), 2, 1e-12);
+  EXPECT_GE(report.quality.mean_quality(), 0.983);
+  EXPECT_GE(report.quality.minimum_quality(), 0.915);
 }
 
 TEST(Degenerate_input, corner_of_one_degree)
 {
   CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, std::tan(3.14159265358979 / 180)}}});
   relax_and_validate(cdt, size(0.02));
-  EXPECT_NEAR(validation::domain_area(cdt), 0.5 * std::tan(3.14159265358979 / 180), 1e-9);
+  EXPECT_NEAR(validation::domain_area(cdt), 0.5 * std::tan(3.14159265358979 / 180), 1e-15);
 }
 
 TEST(Degenerate_input, slit_thinner_than_a_bubble)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1), {{0.2, 0.5}, {0.8, 0.5}, {0.8, 0.501}, {0.2, 0.501}}});
   relax_and_validate(cdt, size(0.05));
-  EXPECT_NEAR(validation::domain_area(cdt), 1 - 0.0006, 1e-9);
+  EXPECT_NEAR(validation::domain_area(cdt), 1 - 0.0006, 1e-12);
 }
 
 TEST(Degenerate_input, hole_as_thin_as_a_rounding)
@@ -97,7 +102,7 @@ TEST(Degenerate_input, sides_that_would_cross_when_bubbles_split_them_are_refuse
 {
   CDT cdt = domains::make({domains::square(0, 0, 4), {{1, 1}, {3, 1}, {2, std::nextafter(1., 2.)}}});
   const validation::Snapshot before = validation::snapshot(cdt);
-  EXPECT_THROW(CGAL::npbs_relax(cdt, size(0.4)), std::runtime_error);
+  expect_throw<std::runtime_error>([&] { CGAL::npbs_relax(cdt, size(0.4)); }, {"nearer"});
   const validation::Snapshot after = validation::snapshot(cdt);
   EXPECT_EQ(after.vertices, before.vertices);
   EXPECT_EQ(after.constraints, before.constraints);
@@ -108,7 +113,7 @@ TEST(Degenerate_input, channel_thinner_than_a_bubble)
   CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 0.49}, {2, 0.49}, {2, 0}, {3, 0}, {3, 1}, {2, 1},
                             {2, 0.51}, {1, 0.51}, {1, 1}, {0, 1}}});
   relax_and_validate(cdt, size(0.08));
-  EXPECT_NEAR(validation::domain_area(cdt), 2.02, 1e-9);
+  EXPECT_NEAR(validation::domain_area(cdt), 2.02, 1e-12);
 }
 
 TEST(Degenerate_input, nearly_coincident_vertices)
@@ -167,8 +172,7 @@ TEST(Degenerate_input, size_that_falls_below_all_roundings)
     };
     const auto report = relax_and_validate(
       cdt, CGAL::parameters::sizing_function(d).number_of_rounds(1).number_of_iterations(5));
-    EXPECT_GT(report.number_of_vertices, 500u);
-    EXPECT_LT(report.number_of_vertices, 20000u);
+    EXPECT_NEAR(double(report.number_of_vertices), x == 0 ? 4745 : 1738, 50);
   }
 }
 
@@ -184,8 +188,8 @@ TEST_P(Scaled_and_shifted, slanted_domain)
       p = {scale * p.first + shift, scale * p.second - shift};
   CDT cdt = domains::make({outer, hole});
   const auto report = relax_and_validate(cdt, size(0.05 * scale));
-  EXPECT_GT(report.quality.mean_quality(), 0.97);
-  EXPECT_GT(report.quality.minimum_quality(), 0.6);
+  EXPECT_GE(report.quality.mean_quality(), 0.987);
+  EXPECT_GE(report.quality.minimum_quality(), 0.82);
   EXPECT_EQ(report.quality.number_of_vertices(), report.number_of_vertices);
 }
 
@@ -200,12 +204,14 @@ INSTANTIATE_TEST_SUITE_P(Coordinates, Scaled_and_shifted,
 TEST(Degenerate_input, random_stars)
 {
   for (unsigned k = 0; k < 20; ++k) {
-    const unsigned seed = validation::seed() + k;
+    const unsigned seed = random_seeds::seed(k);
     SCOPED_TRACE(seed);
     CDT cdt = domains::make(domains::random_star(seed));
     const auto report = relax_and_validate(cdt, size(0.07));
     const std::vector<Outline> star = domains::random_star(seed);
     EXPECT_NEAR(validation::domain_area(cdt), domains::area(star[0]) - domains::area(star[1]), 1e-12);
-    EXPECT_GT(report.quality.mean_quality(), 0.93);
+    // of 400 stars the least are 0.98596 and 0.817
+    EXPECT_GE(report.quality.mean_quality(), 0.985);
+    EXPECT_GE(report.quality.minimum_quality(), 0.8);
   }
 }

@@ -9,10 +9,11 @@
 // The domain: which faces belong to it, chains and corners, walks.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/expected_number_of_bubbles.h>
 
 using namespace CGAL::Bubble_relaxation_2::internal;
@@ -41,12 +42,17 @@ double marked_area(const CDT& cdt, const Parameters& parameters)
   return sum;
 }
 
-std::unique_ptr<Domain_reading_2<CDT>> read(const CDT& cdt)
+/// what is read of a triangulation, whatever d
+struct Reading
 {
-  const Domain_marks_2<CDT> is_inside(cdt, CGAL::parameters::default_values());
-  return std::make_unique<Domain_reading_2<CDT>>(cdt, is_inside,
-                                                 [](CDT::Vertex_handle) { return false; });
-}
+  explicit Reading(const CDT& cdt) : input(cdt, P::sizing_function(1.).limit_by_outline(false)) {}
+
+  const Input_2<CDT> input;
+  const Domain_2& domain = input.problem().domain;
+  const Given_mesh_2& given = input.problem().given;
+};
+
+std::unique_ptr<Reading> read(const CDT& cdt) { return std::make_unique<Reading>(cdt); }
 
 CDT nested()
 {
@@ -98,8 +104,8 @@ TEST(Domain_reading, vertices_on_straight_edges_are_no_corners)
   EXPECT_EQ(reading->domain.corners().size(), 3u);
   ASSERT_EQ(reading->domain.edges().size(), 3u);
   std::size_t splits = 0;
-  for (const auto& chain : reading->graph->chains())
-    splits += chain.splits.size();
+  for (const std::vector<Point>& on_edge : reading->given.on_edge)
+    splits += on_edge.size();
   EXPECT_EQ(splits, 2u);
 }
 
@@ -161,16 +167,16 @@ TEST(Domain_reading, free_vertices)
   cdt.insert(domains::Point(0.7, 0.7)); // in the domain
   cdt.insert(domains::Point(0.3, 0.3)); // in the hole
   cdt.insert(domains::Point(2, 3));     // outside
-  EXPECT_EQ(read(cdt)->free.size(), 1u);
+  EXPECT_EQ(read(cdt)->given.free.size(), 1u);
 }
 
 TEST(Walk, stops_at_edges_of_the_domain_exactly_when_it_must)
 {
   // compare with the exact intersection of the segment with all edges
-  CDT cdt = domains::make(domains::random_star(validation::seed()));
+  CDT cdt = domains::make(domains::random_star(random_seeds::seed()));
   const auto reading = read(cdt);
   const Domain_2& domain = reading->domain;
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(-1., 1.);
   std::size_t blocked = 0, free = 0;
   while (blocked + free < 5000) {
@@ -201,10 +207,10 @@ TEST(Walk, stops_at_edges_of_the_domain_exactly_when_it_must)
 
 TEST(Walk, locates_every_point_from_every_triangle)
 {
-  CDT cdt = domains::make(domains::random_star(validation::seed()));
+  CDT cdt = domains::make(domains::random_star(random_seeds::seed()));
   const auto reading = read(cdt);
   const auto& tr = reading->domain.triangulation();
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(-1.1, 1.1);
   std::size_t inside = 0, outside = 0;
   for (int k = 0; k < 500; ++k) {
@@ -240,13 +246,13 @@ TEST(Expected_number, is_the_integral_of_the_density)
 {
   CDT cdt = domains::make({domains::square(-1, -1, 2), domains::polygon(0, 0, 0.5, 400)});
   const auto reading = read(cdt);
-  const auto uniform = [](const Point&) { return 0.01; };
+  const Sizes_2 uniform([](double, double) { return 0.01; });
   const double area = 4 - 3.14159265 * 0.25;
-  EXPECT_NEAR(Expected_number_of_bubbles<decltype(uniform)>(reading->domain, uniform, 1e9)
+  EXPECT_NEAR(Expected_number_of_bubbles(reading->domain, uniform, 1e9)
                 .integral_over_faces(),
               2 / std::sqrt(3.) * area / 1e-4, 10);
   // d = r/80 on a ring of radii 0.5 and 1 and the corners outside: by brute force
-  const auto graded = [](const Point& p) { return std::hypot(p.x(), p.y()) / 80; };
+  const Sizes_2 graded([](double x, double y) { return std::hypot(x, y) / 80; });
   double sum = 0;
   const int n = 2000;
   for (int i = 0; i < n; ++i)
@@ -255,7 +261,7 @@ TEST(Expected_number, is_the_integral_of_the_density)
       if (std::hypot(p.x(), p.y()) > 0.5)
         sum += 2 / std::sqrt(3.) / (graded(p) * graded(p)) * 4 / n / n;
     }
-  EXPECT_NEAR(Expected_number_of_bubbles<decltype(graded)>(reading->domain, graded, 1e9)
+  EXPECT_NEAR(Expected_number_of_bubbles(reading->domain, graded, 1e9)
                 .integral_over_faces(), sum, 0.01 * sum);
 }
 
@@ -264,10 +270,10 @@ TEST(Expected_number, is_that_of_the_hexagonal_packing)
   CDT cdt = domains::make({domains::square(0, 0, 1)});
   domains::insert(cdt, {{0.2, 0.2}, {0.8, 0.3}}, false);
   const auto reading = read(cdt);
-  const auto uniform = [](const Point&) { return 0.01; };
+  const Sizes_2 uniform([](double, double) { return 0.01; });
   // corners and ends, edges, and the area less half a cell for the outline's and one for the line's bubbles
   const double line = std::hypot(0.6, 0.1) * 100 - 1;
-  EXPECT_NEAR(Expected_number_of_bubbles<decltype(uniform)>(reading->domain, uniform, 1e9)(),
+  EXPECT_NEAR(Expected_number_of_bubbles(reading->domain, uniform, 1e9)(),
               6 + 4 * 99 + line + 2 / std::sqrt(3.) * 1e4 - 0.5 * 4 * 99 - line, 1e-6);
 }
 
@@ -275,8 +281,8 @@ TEST(Expected_number, of_an_edge_is_the_integral_of_the_inverse_size)
 {
   CDT cdt = domains::make({{{0, 0}, {1, 0}, {0, 1}}});
   const auto reading = read(cdt);
-  const auto graded = [](const Point& p) { return 0.001 + 0.1 * p.x(); };
-  Expected_number_of_bubbles<decltype(graded)> expected(reading->domain, graded, 1e9);
+  const Sizes_2 graded([](double x, double) { return 0.001 + 0.1 * x; });
+  Expected_number_of_bubbles expected(reading->domain, graded, 1e9);
   for (std::size_t e = 0; e < 3; ++e) {
     const double dx = std::abs(reading->domain.source(e).x() - reading->domain.target(e).x());
     const double length = reading->domain.length(e);

@@ -26,7 +26,10 @@ double integral(const std::vector<Background_cell_2>& cells, std::size_t n, int 
   return sum;
 }
 
-Integration_domain_2 domain(const CDT& cdt) { return Integration_domain_2(cdt, CGAL::parameters::default_values()); }
+Integration_domain_2 domain(const CDT& cdt)
+{
+  return Integration_domain_2(cdt, Domain_marks_2<CDT>(cdt, CGAL::parameters::default_values()));
+}
 
 } // namespace
 

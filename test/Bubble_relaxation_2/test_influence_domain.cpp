@@ -10,6 +10,7 @@
 
 #include "expect_throw.h"
 #include "influence_checks.h"
+#include "random_seeds.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/node_set_2.h>
@@ -31,7 +32,7 @@ TEST(Influence_domain, random_nodes_with_one_radius)
 TEST(Influence_domain, radii_of_huge_ratio)
 {
   const Points points = random_points(1500);
-  std::mt19937 random(3);
+  std::mt19937 random(random_seeds::seed(3));
   std::uniform_real_distribution<double> exponent(-9, 0.5);
   std::vector<double> r;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -63,7 +64,7 @@ TEST(Influence_domain, graded_towards_a_point)
 TEST(Influence_domain, clusters_and_coincident_nodes)
 {
   Points points;
-  std::mt19937 random(11);
+  std::mt19937 random(random_seeds::seed(11));
   std::normal_distribution<double> normal;
   for (double spread : {1., 1e-3, 1e-9, 0.})
     for (int k = 0; k < 200; ++k)
@@ -95,7 +96,7 @@ void expect_short_lists(const Points& points, const std::vector<double>& r)
 TEST(Influence_domain, no_mixture_of_radii_makes_long_lists)
 {
   const Points points = random_points(20000);
-  std::mt19937 random(3);
+  std::mt19937 random(random_seeds::seed(3));
   std::uniform_real_distribution<double> uniform(0, 1);
   std::vector<double> any, few_large, all_large(points.size(), 5.);
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -10,6 +10,7 @@
 
 #include "expect_throw.h"
 #include "influence_checks.h"
+#include "random_seeds.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/npbs_place_nodes.h>
@@ -189,7 +190,7 @@ TEST(Influence_expansion, expansion_with_random_radii_where_neighbour_sets_do_no
 {
   std::size_t expanded = 0, asked = 0;
   for (unsigned seed = 0; seed < 10; ++seed) {
-    std::mt19937 random(seed);
+    std::mt19937 random(random_seeds::seed(seed));
     std::uniform_real_distribution<double> uniform(0, 1);
     Points points;
     std::vector<double> radii;

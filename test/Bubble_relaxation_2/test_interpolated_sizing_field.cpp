@@ -9,6 +9,7 @@
 // A sizing field that is given by sizes at the vertices of another triangulation.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Interpolated_sizing_field_2.h>
@@ -55,9 +56,9 @@ CGAL::Interpolated_sizing_field_2<Triangulation> field(const Triangulation& t, c
   return {t, Sizes<Triangulation>(t, f).map()};
 }
 
-std::vector<Point> random_points(int n, unsigned seed)
+std::vector<Point> random_points(int n, unsigned k)
 {
-  std::mt19937 random(seed);
+  std::mt19937 random(random_seeds::seed(k));
   std::uniform_real_distribution<double> uniform(0, 1);
   std::vector<Point> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int k = 0; k < n; ++k)
@@ -90,7 +91,7 @@ void expect_invalid(const Function& f, const std::vector<std::string>& words)
 
 TEST(Interpolated_sizing_field, is_linear_inside_and_nearest_outside)
 {
-  const std::vector<Point> points = random_points(1000, validation::seed());
+  const std::vector<Point> points = random_points(1000, 0);
   const Delaunay t(points.begin(), points.end());
   const auto d = field(t, linear);
   for (const Point& p : random_points(1000, 3))
@@ -111,7 +112,7 @@ TEST(Interpolated_sizing_field, finds_the_nearest_point_of_any_hull)
   const Delaunay t(points.begin(), points.end());
   const auto x = field(t, [](const Point& p) { return 2 + p.x(); });
   const auto y = field(t, [](const Point& p) { return 2 + p.y(); });
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> uniform(-3, 3);
   for (int k = 0; k < 2000; ++k) {
     const Point q(uniform(random), uniform(random));
@@ -140,7 +141,7 @@ TEST(Interpolated_sizing_field, counts_marked_faces_only)
 
 TEST(Interpolated_sizing_field, has_the_same_bits_in_any_order_and_thread)
 {
-  std::vector<Point> points = random_points(500, validation::seed());
+  std::vector<Point> points = random_points(500, 0);
   const Delaunay t(points.begin(), points.end());
   std::reverse(points.begin(), points.end());
   Delaunay other;

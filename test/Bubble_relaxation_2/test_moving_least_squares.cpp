@@ -10,6 +10,7 @@
 // smoothness, and that bits do not depend on the order of questions or on threads.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "shape_functions.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -43,7 +44,7 @@ const Nodes& graded()
     const auto d = [](const Point& p) { return 0.02 + 0.1 * std::hypot(p.x() - 0.1, p.y()); };
     const auto set = CGAL::npbs_place_nodes(cdt, P::sizing_function(d));
     Nodes n{set.points, set.sizes, {}};
-    std::mt19937 random(5);
+    std::mt19937 random(random_seeds::seed(5));
     std::uniform_real_distribution<double> uniform(-1., 1.);
     while (n.points.size() < 3000) {
       const Point p(uniform(random), uniform(random));

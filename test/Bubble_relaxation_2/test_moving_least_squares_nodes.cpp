@@ -10,6 +10,7 @@
 // with coordinates that no `double` is. And who keeps the nodes.
 
 #include "expect_throw.h"
+#include "random_seeds.h"
 #include "shape_functions.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -27,9 +28,9 @@ namespace P = CGAL::parameters;
 using Error = CGAL::Deficient_support_error_2;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
-std::vector<Point> random_points(std::size_t n, unsigned seed)
+std::vector<Point> random_points(std::size_t n, unsigned k)
 {
-  std::mt19937 random(seed);
+  std::mt19937 random(random_seeds::seed(k));
   std::uniform_real_distribution<double> uniform(0., 1.);
   std::vector<Point> points;
   while (points.size() < n) {

@@ -6,13 +6,18 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// The paper's domains, meshed with the defaults and with the paper's parameters: invariants, and bounds
-// of quality with a margin to what paper_figures prints.
+// The paper's domains, meshed with the defaults and with the paper's parameters: invariants, and bounds of quality close
+// to what is measured. The bits are the same in every run, so that no margin is needed for chance.
 
 #include "../../demo/Bubble_relaxation_2/paper_domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
+#include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
+
+#include <chrono>
+#include <utility>
 
 namespace {
 
@@ -43,11 +48,47 @@ auto relax_and_validate(const Domain& domain, CDT& cdt, const Parameters& parame
   return report;
 }
 
-/// numbers of vertices for which the quality is promised, and the scales of d that give them about
-constexpr double sizes[] = {1000, 10000};
+/// what is measured of the meshes of the defaults, from which a loss is seen
+struct Measured
+{
+  double number_of_vertices, mean_quality, minimum_quality, minimum_angle, irregular_share, mean_length_ratio,
+    length_ratio_deviation;
+};
+
+/// the scales of d that give about 1000 and 10000 vertices
 constexpr double size_factors[][2] = {{0.627, 0.191}, {1.046, 0.33},  {1.065, 0.33},  {0.673, 0.207},
                                       {1.028, 0.324}, {0.783, 0.242}, {0.563, 0.17}, {1.239, 0.374},
                                       {1.095, 0.3415}};
+
+constexpr Measured measured[2][9] = {
+  {{1036, 0.9926, 0.919, 42.4, 0.0749, 1.0005, 0.0476},
+   {1064, 0.9935, 0.888, 42.5, 0.0684, 0.9965, 0.0492},
+   {1054, 0.9926, 0.919, 42.8, 0.0738, 0.9989, 0.0525},
+   {1019, 0.9935, 0.919, 42.5, 0.0724, 1.0026, 0.0472},
+   {1058, 0.9865, 0.929, 44.0, 0.1003, 1.0040, 0.0619},
+   {1036, 0.9924, 0.935, 44.6, 0.0665, 0.9986, 0.0482},
+   {985, 0.9893, 0.913, 42.3, 0.1175, 0.9965, 0.0571},
+   {1076, 0.9862, 0.909, 41.9, 0.1214, 0.9810, 0.0697},
+   {986, 0.9935, 0.990, 55.1, 0.0000, 1.0057, 0.0077}},
+  {{10553, 0.9981, 0.919, 42.8, 0.0188, 0.9980, 0.0268},
+   {10123, 0.9978, 0.906, 42.4, 0.0216, 1.0014, 0.0281},
+   {10342, 0.9982, 0.912, 41.6, 0.0193, 1.0007, 0.0265},
+   {10068, 0.9978, 0.918, 41.8, 0.0233, 1.0013, 0.0276},
+   {10408, 0.9931, 0.931, 44.3, 0.0491, 1.0045, 0.0464},
+   {10377, 0.9957, 0.935, 44.4, 0.0384, 1.0022, 0.0378},
+   {10256, 0.9957, 0.934, 44.5, 0.0367, 0.9996, 0.0367},
+   {10171, 0.9952, 0.905, 43.5, 0.0534, 0.9987, 0.0390},
+   {10010, 0.9993, 0.996, 57.8, 0.0000, 0.9999, 0.0061}}};
+
+/// with the paper's parameters: the mean and the smallest q
+constexpr double measured_of_paper[][2] = {{0.9751, 0.698}, {0.9898, 0.689}, {0.9822, 0.641}, {0.9813, 0.569}, {0.9732, 0.629},
+                                           {0.9787, 0.736}, {0.9767, 0.716}, {0.9861, 0.606}, {0.9814, 0.674}};
+
+/// as many as are measured, up to a hundredth
+void expect_about(std::size_t n, double measured)
+{
+  EXPECT_NEAR(double(n), measured, 0.01 * measured + 1);
+}
 
 class Paper_domain : public testing::TestWithParam<int>
 {
@@ -66,13 +107,17 @@ TEST_P(Paper_domain, defaults)
     const validation::Snapshot before = validation::snapshot(paper::triangulate(d));
     const auto report = relax_and_validate(d, cdt, CGAL::parameters::mass(1.));
     const auto& q = report.quality;
-    EXPECT_NEAR(double(report.number_of_vertices), sizes[size], 0.1 * sizes[size]);
-    EXPECT_GE(q.mean_quality(), size == 0 ? 0.983 : 0.991);
-    EXPECT_GE(q.minimum_quality(), 0.80);
-    EXPECT_GE(q.minimum_angle(), 38);
-    EXPECT_LE(q.irregular_share(), size == 0 ? 0.135 : 0.065);
-    EXPECT_NEAR(q.mean_length_ratio(), 1, size == 0 ? 0.025 : 0.015);
-    EXPECT_LE(q.length_ratio_deviation(), size == 0 ? 0.07 : 0.052);
+    const Measured& m = measured[size][GetParam()];
+    expect_about(report.number_of_vertices, m.number_of_vertices);
+    EXPECT_GE(q.mean_quality(), m.mean_quality - 0.0007);
+    EXPECT_GE(q.minimum_quality(), m.minimum_quality - 0.012);
+    EXPECT_GE(q.minimum_angle(), m.minimum_angle - 1);
+    EXPECT_LE(q.irregular_share(), m.irregular_share + 0.005);
+    EXPECT_NEAR(q.mean_length_ratio(), m.mean_length_ratio, 0.003);
+    EXPECT_LE(q.length_ratio_deviation(), m.length_ratio_deviation + 0.002);
+    // what is promised of all of them
+    EXPECT_GE(q.minimum_quality(), 0.88);
+    EXPECT_GE(q.minimum_angle(), 41);
     // the population control leaves no pair nearer than 0.62, and later steps move bubbles apart
     validation::expect_no_vertices_nearer(cdt, d.d, 0.6, before.vertices);
   }
@@ -86,9 +131,8 @@ TEST_P(Paper_domain, paper_parameters)
   const auto report = relax_and_validate(
     d, cdt,
     CGAL::npbs_paper_parameters().number_of_iterations(d.iterations).number_of_rounds(d.rounds));
-  const std::set<int> best{6, 7, 12, 13};
-  EXPECT_GE(report.quality.mean_quality(), best.count(d.figure) > 0 ? 0.95 : 0.90);
-  EXPECT_GE(report.quality.minimum_quality(), 0.2);
+  EXPECT_GE(report.quality.mean_quality(), measured_of_paper[GetParam()][0] - 0.001);
+  EXPECT_GE(report.quality.minimum_quality(), measured_of_paper[GetParam()][1] - 0.02);
   EXPECT_EQ(report.number_of_force_evaluations, 4 * report.number_of_steps);
 }
 
@@ -122,23 +166,66 @@ TEST_P(Paper_domain, same_bits_at_another_scale)
 
 INSTANTIATE_TEST_SUITE_P(All, Paper_domain, testing::Range(0, 9));
 
-TEST(Relax, order_of_insertion_hardly_matters)
+namespace {
+
+/// the outlines edge by edge, in any order and either direction, some vertices before them
+CDT in_any_order(const Domain& domain, std::mt19937& random)
 {
-  Domain d = paper::l_shape(1);
-  CDT first, second;
-  const auto report = relax_and_validate(d, first, CGAL::parameters::mass(1.));
-  std::rotate(d.outlines[0].begin(), d.outlines[0].begin() + 2, d.outlines[0].end());
-  std::reverse(d.outlines[0].begin(), d.outlines[0].end());
-  const auto again = relax_and_validate(d, second, CGAL::parameters::mass(1.));
-  // only the vertices' own order in the triangulation is another
-  EXPECT_EQ(validation::snapshot(first).vertices, validation::snapshot(second).vertices);
-  EXPECT_EQ(validation::snapshot(first).constraints, validation::snapshot(second).constraints);
-  EXPECT_EQ(report.quality.mean_quality(), again.quality.mean_quality());
-  EXPECT_EQ(report.quality.mean_length_ratio(), again.quality.mean_length_ratio());
+  std::vector<std::pair<paper::Point, paper::Point>> edges;
+  std::vector<paper::Point> vertices;
+  for (const paper::Outline& o : domain.outlines)
+    for (std::size_t i = 0; i < o.size(); ++i) {
+      edges.emplace_back(o[i], o[(i + 1) % o.size()]);
+      if (random() % 2 == 0)
+        std::swap(edges.back().first, edges.back().second);
+      if (random() % 3 == 0)
+        vertices.push_back(o[i]);
+    }
+  std::shuffle(vertices.begin(), vertices.end(), random);
+  std::shuffle(edges.begin(), edges.end(), random);
+  CDT cdt;
+  for (const paper::Point& p : vertices)
+    cdt.insert(p);
+  for (const auto& e : edges)
+    cdt.insert_constraint(e.first, e.second);
+  return cdt;
+}
+
+} // namespace
+
+/// Points, constraints, triangles and statistics are the same to the last bit. Only the order of the vertices and
+/// faces in the triangulation may be another.
+TEST(Relax, order_of_insertion_changes_no_bit)
+{
+  std::mt19937 random(random_seeds::seed());
+  std::size_t other_orders = 0;
+  for (const Domain& d : paper::all_domains(1.3)) {
+    SCOPED_TRACE(d.name);
+    CDT first;
+    const auto report = relax_and_validate(d, first, CGAL::parameters::mass(1.));
+    for (int run = 0; run < 6; ++run) {
+      CDT other = in_any_order(d, random);
+      ASSERT_TRUE(validation::snapshot(other) == validation::snapshot(paper::triangulate(d)));
+      const auto again = CGAL::npbs_relax(other, CGAL::parameters::sizing_function(d.d));
+      EXPECT_TRUE(validation::snapshot(other) == validation::snapshot(first));
+      EXPECT_TRUE(validation::triangles(other) == validation::triangles(first));
+      EXPECT_EQ(again.quality.mean_quality(), report.quality.mean_quality());
+      EXPECT_EQ(again.quality.minimum_quality(), report.quality.minimum_quality());
+      EXPECT_EQ(again.quality.mean_length_ratio(), report.quality.mean_length_ratio());
+      EXPECT_EQ(again.quality.length_ratio_deviation(), report.quality.length_ratio_deviation());
+      EXPECT_EQ(again.number_of_steps, report.number_of_steps);
+      EXPECT_EQ(again.number_of_moves, report.number_of_moves);
+      EXPECT_EQ(again.number_of_insertions, report.number_of_insertions);
+      EXPECT_EQ(again.number_of_deletions, report.number_of_deletions);
+      other_orders += coordinates(other) != coordinates(first);
+    }
+  }
+  EXPECT_GT(other_orders, 40u) << "the orders were the same";
 }
 
 TEST(Relax, number_of_vertices_follows_the_size)
 {
+  double measured = 0;
   for (double d : {0.2, 0.1, 0.05}) {
     CDT cdt;
     Domain square{0, "square", {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
@@ -146,7 +233,9 @@ TEST(Relax, number_of_vertices_follows_the_size)
     const auto report = relax_and_validate(square, cdt, CGAL::parameters::mass(1.));
     // the hexagonal lattice, and half a row at the boundary
     const double expected = 2 / std::sqrt(3.) / (d * d) + 0.5 * 4 / d + 1;
-    EXPECT_NEAR(double(report.number_of_vertices), expected, 0.1 * expected);
+    EXPECT_NEAR(double(report.number_of_vertices), expected, 0.05 * expected + 2);
+    measured = measured == 0 ? 43 : measured == 43 ? 142 : 511;
+    expect_about(report.number_of_vertices, measured);
   }
 }
 
@@ -159,21 +248,71 @@ TEST(Relax, no_rounds_give_the_initial_placement)
                          CGAL::parameters::number_of_rounds(0).initial_placement(placement));
     EXPECT_EQ(report.number_of_steps, 0u);
     EXPECT_EQ(report.number_of_vertices, report.number_of_initial_bubbles);
-    EXPECT_GT(report.quality.mean_quality(), 0.9);
+    EXPECT_GE(report.quality.mean_quality(), 0.981);
   }
 }
 
 TEST(Relax, report_adds_up)
 {
-  CDT cdt;
-  const auto report = relax_and_validate(paper::graded_circle(1), cdt, CGAL::parameters::mass(1.));
-  EXPECT_EQ(report.number_of_vertices,
-            report.number_of_initial_bubbles + report.number_of_insertions -
-              report.number_of_deletions);
-  EXPECT_EQ(report.number_of_force_evaluations, report.number_of_steps);
-  EXPECT_EQ(report.number_of_triangles, report.quality.number_of_triangles());
-  EXPECT_GE(report.number_of_renewals, report.number_of_rounds);
-  EXPECT_EQ(report.converged, report.stop_reason == CGAL::Bubble_stop_reason::CONVERGED);
-  EXPECT_GT(report.seconds.motion, 0);
-  EXPECT_GT(report.seconds.total(), report.seconds.motion);
+  namespace P = CGAL::parameters;
+  const auto expect = [](const Domain& domain, const auto& np, std::size_t evaluations_per_step,
+                         std::size_t rounds, std::size_t iterations) {
+    SCOPED_TRACE(domain.name);
+    CDT cdt;
+    std::size_t calls = 0;
+    const auto start = std::chrono::steady_clock::now();
+    const auto report = relax_and_validate(domain, cdt, np.callback([&calls](double) { return ++calls > 0; }));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    validation::expect_report_adds_up(cdt, report, evaluations_per_step);
+    // none of these bubbles came to lie in one place
+    EXPECT_EQ(report.number_of_vertices,
+              report.number_of_initial_bubbles + report.number_of_insertions - report.number_of_deletions);
+    const auto placed = CGAL::npbs_place_nodes(
+      paper::triangulate(domain), np.number_of_rounds(0).defect_treatment(false).sizing_function(domain.d));
+    EXPECT_EQ(report.number_of_initial_bubbles, placed.size());
+    EXPECT_LE(report.number_of_rounds, rounds);
+    EXPECT_GE(report.number_of_rounds, 1u);
+    EXPECT_LE(report.number_of_steps, report.number_of_rounds * iterations);
+    EXPECT_GE(report.number_of_steps, report.number_of_rounds);
+    EXPECT_EQ(calls, report.number_of_steps + 1) << "at each step, and at the end";
+    EXPECT_GE(report.number_of_moves, report.number_of_steps);
+    EXPECT_LE(report.seconds.total(), seconds.count());
+    const CGAL::Bubble_relaxation_seconds& s = report.seconds;
+    for (double phase : {s.reading, s.placement, s.renewal, s.motion, s.writing, s.evaluation})
+      EXPECT_GT(phase, 0);
+    EXPECT_NEAR(s.total(), s.reading + s.placement + s.renewal + s.motion + s.population + s.treatment + s.writing +
+                             s.evaluation, 1e-12);
+    // d along the edges of the mesh
+    double steepest = 0, at_steepest = 0;
+    std::size_t edges = 0, steep = 0;
+    for (const auto& e : cdt.finite_edges()) {
+      if (!e.first->is_in_domain() && !e.first->neighbor(e.second)->is_in_domain())
+        continue;
+      const paper::Point &p = e.first->vertex(cdt.ccw(e.second))->point(), &q = e.first->vertex(cdt.cw(e.second))->point();
+      const double gradient = std::abs(domain.d(p) - domain.d(q)) / std::sqrt(CGAL::squared_distance(p, q));
+      ++edges;
+      steep += gradient > report.steep_size_gradient;
+      steepest = (std::max)(steepest, gradient);
+      if (std::hypot(0.5 * (p.x() + q.x()) - report.steepest_x, 0.5 * (p.y() + q.y()) - report.steepest_y) < 1e-12)
+        at_steepest = gradient;
+    }
+    EXPECT_NEAR(report.largest_size_gradient, steepest, 1e-9 * steepest);
+    EXPECT_NEAR(at_steepest, steepest, 1e-9 * steepest);
+    EXPECT_NEAR(report.steep_share, double(steep) / double(edges), 1e-12);
+    return report;
+  };
+  bool has_inserted = false, has_deleted = false, has_treated = false;
+  for (const Domain& domain : {paper::graded_circle(1), paper::l_shape(0.8), paper::octagram(1.1)}) {
+    for (const auto& report :
+         {expect(domain, P::mass(1.), 1, 10, 30), expect(domain, P::defect_treatment(false), 1, 10, 30),
+          expect(domain, P::population_control(CGAL::Bubble_population::NONE).number_of_rounds(3), 1, 3, 30),
+          expect(domain, CGAL::npbs_paper_parameters().number_of_rounds(4).number_of_iterations(60), 4, 4, 60)}) {
+      has_inserted = has_inserted || report.number_of_insertions > 0;
+      has_deleted = has_deleted || report.number_of_deletions > 0;
+      has_treated = has_treated || report.number_of_treated_vertices > 0;
+    }
+  }
+  EXPECT_TRUE(has_inserted);
+  EXPECT_TRUE(has_deleted);
+  EXPECT_TRUE(has_treated);
 }

@@ -10,6 +10,7 @@
 // allocator puts vertices and faces, and in whatever order the domain was inserted.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -189,7 +190,7 @@ TYPED_TEST_SUITE(Reproducibility, Triangulations);
 
 TYPED_TEST(Reproducibility, does_not_depend_on_addresses)
 {
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   Disturbed_heap heap;
   for (const Test_domain& domain : test_domains(random)) {
     const auto first = relax_repeatedly(make<TypeParam>(domain.outlines, domain.inner));
@@ -206,7 +207,7 @@ TYPED_TEST(Reproducibility, does_not_depend_on_addresses)
 
 TYPED_TEST(Reproducibility, does_not_depend_on_the_order_of_insertion)
 {
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   for (const Test_domain& domain : test_domains(random)) {
     const auto first = relax_repeatedly(make<TypeParam>(domain.outlines, domain.inner));
     for (int run = 0; run < 4; ++run) {
@@ -223,7 +224,7 @@ TYPED_TEST(Reproducibility, does_not_depend_on_the_order_of_insertion)
 
 TYPED_TEST(Reproducibility, does_not_depend_on_the_order_of_free_vertices)
 {
-  std::mt19937 random(validation::seed());
+  std::mt19937 random(random_seeds::seed());
   std::uniform_real_distribution<double> coordinate(-1, 1);
   std::vector<typename TypeParam::Point> points;
   for (int i = 0; i < 400; ++i)

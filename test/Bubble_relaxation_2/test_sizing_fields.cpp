@@ -9,6 +9,7 @@
 // Sizing fields: limited in their gradation, interpolated, and the minimum of several.
 
 #include "domains.h"
+#include "random_seeds.h"
 #include "validation.h"
 
 #include <CGAL/Constant_sizing_field_2.h>
@@ -34,7 +35,7 @@ double distance(const Point& p, double x, double y) { return std::hypot(p.x() - 
 /// points in the unit square, the same in every run, on a grid of its boundary and anywhere inside
 std::vector<Point> probes(int n)
 {
-  std::mt19937 random(7);
+  std::mt19937 random(random_seeds::seed(7));
   std::uniform_real_distribution<double> uniform(0, 1);
   std::vector<Point> points;
   for (int k = 0; k < n; ++k) {
@@ -173,7 +174,7 @@ TEST(Gradation_limited_sizing_field, answers_outside_with_the_nearest_size)
 
 TEST(Gradation_limited_sizing_field, has_the_same_bits_in_any_order_and_thread)
 {
-  const std::vector<domains::Outline> outlines = domains::random_star(validation::seed());
+  const std::vector<domains::Outline> outlines = domains::random_star(random_seeds::seed());
   const auto d = [](const Point& p) { return p.x() > 0.3 ? 0.3 : 0.01; };
   const CDT cdt = domains::make(outlines), other = domains::make({outlines[1], outlines[0]});
   const CGAL::Gradation_limited_sizing_field_2 h(cdt, 0.2, P::sizing_function(d));

@@ -9,16 +9,16 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_VALIDATION_H
 #define BUBBLE_RELAXATION_2_TEST_VALIDATION_H
 
+#include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Mesh_quality_2.h>
+#include <CGAL/radius_ratio_2.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
 #include <limits>
-#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -91,11 +91,15 @@ inline void expect_constraints_kept(const Snapshot& before, const Snapshot& afte
   const double rounding = 32 * std::numeric_limits<double>::epsilon() * largest;
   for (const Segment& s : before.constraints) {
     double covered = 0;
-    for (const Segment& t : after.constraints)
-      if (off(s, t.first) <= rounding && off(s, t.second) <= rounding &&
-          along(s, t.first) >= -rounding && along(s, t.first) <= length(s) + rounding &&
-          along(s, t.second) >= -rounding && along(s, t.second) <= length(s) + rounding)
-        covered += length(t);
+    for (const Segment& t : after.constraints) {
+      // vertices that only split constraints may be others, so either may be the longer one
+      const bool s_is_longer = length(s) >= length(t);
+      const Segment &line = s_is_longer ? s : t, &piece = s_is_longer ? t : s;
+      if (off(line, piece.first) <= rounding && off(line, piece.second) <= rounding) {
+        const auto ends = std::minmax({along(line, piece.first), along(line, piece.second)});
+        covered += (std::max)(0., (std::min)(ends.second, length(line)) - (std::max)(ends.first, 0.));
+      }
+    }
     EXPECT_NEAR(covered, length(s), 1e-9 * length(s) + 64 * rounding)
       << "constraint from (" << s.first.first << ", " << s.first.second << ") to ("
       << s.second.first << ", " << s.second.second << ")";
@@ -106,6 +110,50 @@ inline void expect_vertices_kept(const std::set<Xy>& vertices, const Snapshot& a
 {
   for (const Xy& p : vertices)
     EXPECT_EQ(after.vertices.count(p), 1u) << "vertex (" << p.first << ", " << p.second << ")";
+}
+
+/// The vertices that no relaxation may move: ends and bends of constraints, and those that the user pinned. A bend is
+/// more than what the rounding of its vertices makes.
+template <class CDT, class Is_pinned>
+std::set<Xy> fixed_vertices(const CDT& cdt, const Is_pinned& is_pinned)
+{
+  double largest = 0;
+  for (auto v : cdt.finite_vertex_handles())
+    largest = (std::max)({largest, std::abs(xy(v).first), std::abs(xy(v).second)});
+  std::set<Xy> result;
+  for (typename CDT::Vertex_handle v : cdt.finite_vertex_handles()) {
+    std::vector<Xy> ends;
+    if (cdt.are_there_incident_constraints(v)) {
+      auto e = cdt.incident_edges(v), start = e;
+      do {
+        const auto a = e->first->vertex(cdt.ccw(e->second)), b = e->first->vertex(cdt.cw(e->second));
+        if (cdt.is_constrained(*e))
+          ends.push_back(xy(a == v ? b : a));
+      } while (++e != start);
+    }
+    const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest;
+    const bool is_straight = ends.size() == 2 && off({ends[0], ends[1]}, xy(v)) <= rounding &&
+                             along({ends[0], xy(v)}, ends[1]) > length({ends[0], xy(v)});
+    if (is_pinned(v) || (!ends.empty() && !is_straight))
+      result.insert(xy(v));
+  }
+  return result;
+}
+
+/// the triangles of the domain, by their corners
+using Triangle = std::array<Xy, 3>;
+
+template <class CDT>
+std::vector<Triangle> triangles(const CDT& cdt)
+{
+  std::vector<Triangle> result;
+  for (auto f : cdt.finite_face_handles())
+    if (f->is_in_domain()) {
+      result.push_back({xy(f->vertex(0)), xy(f->vertex(1)), xy(f->vertex(2))});
+      std::sort(result.back().begin(), result.back().end());
+    }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 /// the area of the faces that are in the domain
@@ -167,17 +215,49 @@ void expect_no_vertices_nearer(const CDT& cdt, const Sizing& d, double least,
   }
 }
 
-/// the seed of random input: given in the environment or drawn, and printed
-inline unsigned seed()
+/// The report tells of the mesh that is there, counted anew, and its numbers go together.
+template <class CDT, class Report>
+void expect_report_adds_up(const CDT& cdt, const Report& report, std::size_t evaluations_per_step = 1)
 {
-  static const unsigned value = [] {
-    const char* given = std::getenv("BUBBLE_RELAXATION_2_SEED");
-    const unsigned s = given != nullptr ? static_cast<unsigned>(std::atoi(given))
-                                        : std::random_device()();
-    std::cout << "BUBBLE_RELAXATION_2_SEED=" << s << '\n';
-    return s;
-  }();
-  return value;
+  std::set<typename CDT::Vertex_handle> vertices, on_border;
+  std::size_t number_of_triangles = 0;
+  double sum = 0, least = 1;
+  for (auto f : cdt.finite_face_handles())
+    if (f->is_in_domain()) {
+      ++number_of_triangles;
+      const double q =
+        CGAL::to_double(CGAL::radius_ratio_2(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()));
+      sum += q;
+      least = (std::min)(least, q);
+      for (int i = 0; i < 3; ++i) {
+        vertices.insert(f->vertex(i));
+        if (f->is_constrained(i)) {
+          on_border.insert(f->vertex(cdt.ccw(i)));
+          on_border.insert(f->vertex(cdt.cw(i)));
+        }
+      }
+    }
+  const auto& q = report.quality;
+  EXPECT_EQ(report.number_of_vertices, vertices.size());
+  EXPECT_EQ(report.number_of_triangles, number_of_triangles);
+  EXPECT_EQ(q.number_of_vertices(), vertices.size());
+  EXPECT_EQ(q.number_of_triangles(), number_of_triangles);
+  EXPECT_LE(q.number_of_interior_vertices(), vertices.size() - on_border.size());
+  EXPECT_NEAR(q.mean_quality(), sum / double(number_of_triangles), 1e-9);
+  EXPECT_NEAR(q.minimum_quality(), least, 1e-9);
+  std::size_t bars = 0;
+  for (std::size_t bar : q.histogram())
+    bars += bar;
+  EXPECT_EQ(bars, number_of_triangles);
+  // those in one place with another are removed, and not counted
+  EXPECT_LE(report.number_of_vertices + report.number_of_deletions,
+            report.number_of_initial_bubbles + report.number_of_insertions);
+  EXPECT_EQ(report.number_of_force_evaluations, evaluations_per_step * report.number_of_steps);
+  EXPECT_LE(report.number_of_moves,
+            report.number_of_steps * (report.number_of_initial_bubbles + report.number_of_insertions));
+  EXPECT_LE(report.number_of_returns, report.number_of_moves);
+  EXPECT_EQ(report.number_of_renewals > 0, report.number_of_rounds > 0);
+  EXPECT_EQ(report.converged, report.stop_reason == CGAL::Bubble_stop_reason::CONVERGED);
 }
 
 } // namespace validation

@@ -10,12 +10,14 @@
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_BUBBLES_H
 
 #include "../../../demo/Bubble_relaxation_2/paper_domains.h"
+#include "../random_seeds.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
-#include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/npbs_relax.h>
 
+#include <cmath>
 #include <memory>
 #include <random>
 #include <vector>
@@ -24,40 +26,66 @@
 namespace bubbles {
 
 using namespace CGAL::Bubble_relaxation_2::internal;
-using Reading = Domain_reading_2<paper::CDT>;
+using Input = Input_2<paper::CDT>;
+
+/// d at coordinates
+inline Sizes_2 sizes_of(const paper::Sizing& d)
+{
+  return Sizes_2([d](double x, double y) { return d(Point(x, y)); });
+}
 
 struct Case
 {
   paper::CDT cdt;
-  std::unique_ptr<Reading> reading;
+  std::unique_ptr<Input> input;
   Bubbles_2 bubbles;
 
-  const Domain_2& domain() const { return reading->domain; }
+  /// reads the domain and the parameters, which have to exist as long as the input is asked for sizes
+  template <class NamedParameters>
+  void read(const NamedParameters& np)
+  {
+    input = std::make_unique<Input>(cdt, np);
+  }
+
+  const Domain_2& domain() const { return input->problem().domain; }
+  const Given_mesh_2& given() const { return input->problem().given; }
 };
 
 inline Case read(const paper::Domain& domain)
 {
   Case c{paper::triangulate(domain), nullptr, {}};
-  const auto np = CGAL::parameters::default_values();
-  const Domain_marks_2<paper::CDT> marks(c.cdt, np);
-  c.reading = read_domain(c.cdt, np, marks);
+  c.read(CGAL::parameters::sizing_function(domain.d).limit_by_outline(false));
   return c;
+}
+
+/// d as a simulation in the domain of `c` asks it \pre `d` outlives this
+template <class Size>
+Sizes_2 sizes_in(const Case& c, const Size& d)
+{
+  Sizes_2 result([&d](double x, double y) { return d(Point(x, y)); });
+  count_bubbles(c.domain(), default_maximum_number_of_bubbles, "d", result);
+  return result;
 }
 
 /// bubbles that have almost come to rest, or had little time for it
 inline Case relaxed(const paper::Domain& domain, int rounds = 2, int iterations = 20)
 {
-  Case c = read(domain);
+  Case c{paper::triangulate(domain), nullptr, {}};
   const auto np =
     CGAL::parameters::sizing_function(domain.d).number_of_rounds(rounds).number_of_iterations(iterations);
-  const Domain_marks_2<paper::CDT> marks(c.cdt, np);
-  const Relaxation_options options = read_options(np);
-  CGAL::Bubble_relaxation_report_2<double> report;
-  Progress progress(options.callback, options.number_of_rounds);
-  with_limited_sizing_field(c.cdt, np, marks, *c.reading, options, [&](const auto& sizing, const auto&) {
-    c.bubbles = simulate_bubbles<CGAL::Sequential_tag>(c.cdt, *c.reading, sizing, options, progress, report);
-  });
+  c.read(np);
+  Report report;
+  Progress progress({}, static_cast<std::size_t>(rounds));
+  c.bubbles = relax_bubbles(c.input->problem(), progress, report);
   return c;
+}
+
+/// the mesh of all bubbles
+inline Bubble_mesh_2 mesh_of(const Case& c)
+{
+  Bubble_mesh_2 result{c.bubbles, {}};
+  triangulate(c.domain(), result);
+  return result;
 }
 
 /// corners, and `cuts` bubbles on each edge at equal distances
@@ -96,7 +124,7 @@ inline Case random(const paper::Domain& domain, int n, unsigned seed)
   const CGAL::Bbox_2 box = c.domain().bbox();
   const double d = std::sqrt((box.xmax() - box.xmin()) * (box.ymax() - box.ymin()) / n);
   add_outline(c, 3, d);
-  std::mt19937 engine(seed);
+  std::mt19937 engine(random_seeds::seed(seed));
   std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
   for (int i = 0; i < n; ++i) {
     const double px = x(engine);
@@ -130,9 +158,7 @@ inline Case lattice(int n)
   c.cdt.insert_constraint(Point(1, 1), Point(2, s - 2));
   c.cdt.insert_constraint(Point(m, 2), Point(s - 2, m - 2));
   c.cdt.insert_constraint(Point(m, m + 2), Point(s - 1.5, s - 1.5));
-  const auto np = CGAL::parameters::default_values();
-  const Domain_marks_2<paper::CDT> marks(c.cdt, np);
-  c.reading = read_domain(c.cdt, np, marks);
+  c.read(CGAL::parameters::sizing_function(square.d).limit_by_outline(false));
   for (std::size_t i = 0; i < c.domain().corners().size(); ++i)
     c.bubbles.add(c.domain().corners()[i], 1, Bubbles_2::CORNER, Index(i));
   for (int row = 0; row <= n; ++row)
@@ -159,7 +185,7 @@ inline Case lattice(int n)
 /// forgets some of the bubbles that are not on the outline
 inline void thin_out(Bubbles_2& b, double share, unsigned seed)
 {
-  std::mt19937 engine(seed);
+  std::mt19937 engine(random_seeds::seed(seed));
   std::uniform_real_distribution<double> uniform(0, 1);
   for (std::size_t i = 0; i < b.size(); ++i)
     if (b.is_in_face(i) && uniform(engine) < share)

@@ -9,13 +9,13 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_EQUAL_BUBBLES_H
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_EQUAL_BUBBLES_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Known_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 
 #include <gtest/gtest.h>
 
 namespace bubbles {
 
-/// all but the velocity and the number
+/// all but the velocity and the identity
 inline void expect_equal(const CGAL::Bubble_relaxation_2::internal::Bubble_record_2& a,
                          const CGAL::Bubble_relaxation_2::internal::Bubble_record_2& b)
 {
@@ -23,8 +23,8 @@ inline void expect_equal(const CGAL::Bubble_relaxation_2::internal::Bubble_recor
   EXPECT_EQ(a.y, b.y);
   EXPECT_EQ(a.d, b.d);
   EXPECT_EQ(a.s, b.s);
-  EXPECT_EQ(a.place, b.place);
-  EXPECT_EQ(a.tag, b.tag);
+  EXPECT_EQ(a.host, b.host);
+  EXPECT_EQ(a.pin, b.pin);
   EXPECT_EQ(a.dimension, b.dimension);
 }
 

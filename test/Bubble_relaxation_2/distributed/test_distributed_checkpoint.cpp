@@ -21,12 +21,12 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using namespace bubbles;
-using Report = CGAL::Bubble_relaxation_report_2<double>;
 namespace fs = std::filesystem;
 namespace P = CGAL::parameters;
 
@@ -132,18 +132,16 @@ template <class Size, class NamedParameters>
 Result simulate(Ranks& ranks, const paper::Domain& domain, const Size& size, const NamedParameters& parameters)
 {
   const auto np = parameters.sizing_function(size);
-  const Case c = read(domain);
-  const Domain_marks_2<paper::CDT> marks(c.cdt, np);
-  Relaxation_options options = read_options(np);
+  Case c{paper::triangulate(domain), nullptr, {}};
+  c.read(np);
+  Relaxation_options& options = c.input->options;
   if (options.number_of_rounds == default_number_of_rounds)
     options.number_of_rounds = most_rounds;
-  Result result{{{}, Hilbert_partition_2(hilbert_curve(c.domain()), {})}, {}};
-  with_limited_sizing_field(c.cdt, np, marks, *c.reading, options, [&](const auto& sizing, const auto&) {
-    Progress progress(options.callback, options.number_of_rounds);
-    result.part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, c.cdt, *c.reading, sizing,
-                                       options, progress, result.report);
-  });
-  return result;
+  Report report;
+  Progress progress(options.callback, options.number_of_rounds);
+  Placed_part_2 part =
+    simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, c.input->problem(), progress, report);
+  return Result{std::move(part), report};
 }
 
 /// all bubbles and all counts as one number, which is the same for any number of ranks
@@ -151,12 +149,12 @@ std::uint64_t fingerprint(const Communicator& comm, const Result& result)
 {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < result.part.bubbles.size(); ++i) {
-    const Bubble_record_2 r = record(result.part.bubbles.bubbles, i, result.part.bubbles.numbers[i]);
+    const Bubble_record_2 r = record(result.part.bubbles, i);
     Hash_of_numbers hash;
     for (double x : {r.x, r.y, r.d, r.vx, r.vy, r.s})
       hash.add(x);
-    hash.add(r.number);
-    for (std::int32_t k : {r.place, r.tag, r.dimension})
+    hash.add(r.id);
+    for (std::int32_t k : {r.host, r.pin, r.dimension})
       hash.add(k);
     sum += hash.value();
   }

@@ -8,6 +8,7 @@
 
 // The halo: what bubbles of this rank look at is known here, however bubbles wander, and owners tell of their sets
 
+#include "../random_seeds.h"
 #include "union_of_ranks.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
@@ -34,7 +35,7 @@ using namespace CGAL::Bubble_relaxation_2::internal;
 class Halo : public testing::Test
 {
 protected:
-  Halo() : m_engine(1), m_halo(m_comm, m_exchange, m_traffic, radius)
+  Halo() : m_engine(random_seeds::seed(1)), m_halo(m_comm, m_exchange, m_traffic, radius)
   {
     for (int i = 0; i < 300; ++i)
       m_all.add(Point(uniform(), uniform()), 0.02 * std::pow(4, uniform()), Bubbles_2::FACE, 0);
@@ -50,7 +51,8 @@ protected:
   void distribute()
   {
     m_here = Bubbles_2();
-    m_halo.start(m_partition);
+    m_here.rank = m_comm.rank();
+    m_halo.start(m_here, m_partition);
     for (std::size_t i = 0; i < m_all.size(); ++i)
       if (m_partition.owner(m_all.x[i], m_all.y[i]) == m_comm.rank())
         add_here(record(m_all, i, static_cast<std::int64_t>(i)), m_comm.rank());
@@ -62,8 +64,8 @@ protected:
 
   void add_here(const Bubble_record_2& r, int owner)
   {
-    add(m_here, r, owner != m_comm.rank());
-    m_halo.add(m_here, static_cast<Index>(m_here.size()) - 1, owner);
+    add(m_here, r, owner);
+    m_halo.add(m_here, static_cast<Index>(m_here.size()) - 1);
   }
 
   void look_after(const std::vector<Index>& those)
@@ -71,7 +73,7 @@ protected:
     Bubbles_here_2 finder(m_here);
     m_halo.look_after(
       m_here, those, finder,
-      [&](Index i) { return Bubble_state_2{record(m_here, i, m_here.number[i]), Bubble_memory_2()}; },
+      [&](Index i) { return Bubble_state_2{record(m_here, i), Bubble_memory_2()}; },
       [&](const Bubble_state_2& s, int owner) {
         add_here(s.bubble, owner);
         finder.add(m_here, static_cast<Index>(m_here.size()) - 1);
@@ -81,9 +83,9 @@ protected:
   /// whether what is around the bubbles of this rank is known here, and they are not far from its part
   void expect_good_halo() const
   {
-    const std::set<std::int64_t> known(m_here.number.begin(), m_here.number.end());
+    const std::set<std::int64_t> known(m_here.id.begin(), m_here.id.end());
     for (std::size_t k = 0; k < m_number_of_own; ++k) {
-      const std::size_t i = static_cast<std::size_t>(m_here.number[k]);
+      const std::size_t i = static_cast<std::size_t>(m_here.id[k]);
       for (std::size_t j = 0; j < m_all.size(); ++j) {
         const double distance = std::hypot(m_all.x[i] - m_all.x[j], m_all.y[i] - m_all.y[j]);
         const bool is_needed = distance < needed_reach * (std::max)(m_all.d[i], m_all.d[j]);
@@ -134,7 +136,7 @@ TEST_F(Halo, is_good_however_bubbles_wander)
     std::vector<Index> outgrown;
     bool is_far = false;
     for (std::size_t k = 0; k < m_here.size(); ++k) {
-      const std::size_t i = static_cast<std::size_t>(m_here.number[k]);
+      const std::size_t i = static_cast<std::size_t>(m_here.id[k]);
       m_here.x[k] = m_all.x[i];
       m_here.y[k] = m_all.y[i];
       m_here.d[k] = m_all.d[i];
@@ -165,7 +167,7 @@ TEST_F(Halo, has_no_bubbles_that_are_gone)
   std::iota(all_here.begin(), all_here.end(), Index(0));
   for (Index i : all_here) {
     m_here.x[i] += 0.5 * m_here.d[i];
-    if (m_here.number[i] % 2 == 0)
+    if (m_here.id[i] % 2 == 0)
       m_here.remove(i);
   }
   const std::vector<Index> those = m_halo.almost_outgrown(m_here, all_here);

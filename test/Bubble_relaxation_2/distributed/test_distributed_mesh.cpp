@@ -8,6 +8,7 @@
 
 // CGAL::Distributed::triangulate(): points come from any rank, all ranks get their part, or all throw the same
 
+#include "../random_seeds.h"
 #include "bubbles.h"
 #include "same_exception.h"
 #include "union_of_ranks.h"
@@ -55,7 +56,7 @@ bool is_here(std::size_t i, Spread spread)
   case Spread::ALL_ON_LAST:
     return r + 1 == p;
   default:
-    std::mt19937 engine(static_cast<unsigned>(i));
+    std::mt19937 engine(random_seeds::seed(static_cast<unsigned>(i)));
     return engine() % p == r;
   }
 }
@@ -71,10 +72,10 @@ Points bare_points(const Case& c, Spread spread)
 
 Points with_properties(const Case& c, const std::vector<std::int64_t>& numbers, Spread spread)
 {
-  Numbered_bubbles_2 own;
+  Bubbles_2 own;
   for (std::size_t i = 0; i < c.bubbles.size(); ++i)
     if (is_here(i, spread))
-      own.add(record(c.bubbles, i, numbers[i]));
+      add_own(own, record(c.bubbles, i, numbers[i]));
   Points points;
   write_bubbles(own, points);
   return points;
@@ -118,7 +119,7 @@ std::vector<std::int64_t> numbers_along_curve(const Case& c)
 
 void expect_whole(const Mesh& mesh, const Case& c, const std::vector<std::int64_t>& numbers)
 {
-  const Marked_triangulation_2 whole = triangulate(c.domain(), c.bubbles);
+  const Marked_triangles_2 whole = mesh_of(c).triangles;
   EXPECT_TRUE(union_of(mesh) == distributed::triangles(whole, numbers, whole.inside));
   EXPECT_EQ(mesh.rank(), rank());
   EXPECT_EQ(mesh.number_of_ranks(), size());
@@ -164,15 +165,14 @@ TEST(Distributed_mesh, of_points_with_properties)
   const Case c = relaxed(domain);
   std::vector<std::int64_t> numbers(c.bubbles.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  std::shuffle(numbers.begin(), numbers.end(), std::mt19937(1));
+  std::shuffle(numbers.begin(), numbers.end(), std::mt19937(random_seeds::seed(1)));
   for (std::int64_t& number : numbers)
     number = number * 1000000007 + 5;
   const Mesh mesh = CGAL::Distributed::triangulate(with_properties(c, numbers, Spread::RANDOM), c.cdt,
                                                    MPI_COMM_WORLD, parameters::sizing_function(domain.d));
   expect_whole(mesh, c, numbers);
-  CGAL::Bubble_relaxation_report_2<double> report;
-  const CGAL::Bubble_relaxation_2::internal::Checked_sizing_field_2<Point, paper::Sizing> sizing(domain.d);
-  evaluate<CGAL::Sequential_tag>(triangulate(c.domain(), c.bubbles), sizing, report);
+  Report report;
+  evaluate(mesh_of(c), sizes_of(domain.d), Threads(), report);
   EXPECT_EQ(mesh.quality().mean_quality(), report.quality.mean_quality());
   EXPECT_EQ(mesh.quality().length_ratio_deviation(), report.quality.length_ratio_deviation());
   EXPECT_EQ(mesh.quality().number_of_triangles(), report.quality.number_of_triangles());
@@ -198,27 +198,27 @@ TEST(Distributed_mesh, corners_of_the_domain_need_not_be_among_the_points)
 TEST(Distributed_mesh, point_sets_keep_bubbles)
 {
   const Case c = relaxed(paper::graded_square(1));
-  Numbered_bubbles_2 before;
+  Bubbles_2 before;
   for (std::size_t i = 0; i < c.bubbles.size(); ++i) {
-    before.add(record(c.bubbles, i, 3 * static_cast<std::int64_t>(i)));
-    before.bubbles.vx[i] = 0.1 * double(i);
+    add_own(before, record(c.bubbles, i, 3 * static_cast<std::int64_t>(i)));
+    before.vx[i] = 0.1 * double(i);
   }
   Points points;
   write_bubbles(before, points);
   const auto no_size = [](const Point&) -> double { throw std::logic_error("there is a property"); };
-  const Numbered_bubbles_2 after = read_bubbles(points, c.domain(), no_size);
-  EXPECT_EQ(after.numbers, before.numbers);
-  EXPECT_EQ(after.bubbles.x, before.bubbles.x);
-  EXPECT_EQ(after.bubbles.y, before.bubbles.y);
-  EXPECT_EQ(after.bubbles.d, before.bubbles.d);
-  EXPECT_EQ(after.bubbles.vx, before.bubbles.vx);
-  EXPECT_EQ(after.bubbles.dimension, before.bubbles.dimension);
+  const Bubbles_2 after = read_bubbles(points, c.domain(), no_size);
+  EXPECT_EQ(after.id, before.id);
+  EXPECT_EQ(after.x, before.x);
+  EXPECT_EQ(after.y, before.y);
+  EXPECT_EQ(after.d, before.d);
+  EXPECT_EQ(after.vx, before.vx);
+  EXPECT_EQ(after.dimension, before.dimension);
   for (std::size_t i = 0; i < c.bubbles.size(); ++i) {
     if (!c.bubbles.is_in_face(i)) {
-      EXPECT_EQ(after.bubbles.place[i], before.bubbles.place[i]);
+      EXPECT_EQ(after.host[i], before.host[i]);
     }
     if (c.bubbles.is_on_edge(i)) {
-      EXPECT_EQ(after.bubbles.s[i], before.bubbles.s[i]);
+      EXPECT_EQ(after.s[i], before.s[i]);
     }
   }
 }
@@ -228,18 +228,18 @@ TEST(Distributed_mesh, bubbles_are_found_where_they_are_without_properties)
   for (const paper::Domain& domain : paper::all_domains(1)) {
     SCOPED_TRACE(domain.name);
     const Case c = relaxed(domain);
-    const Numbered_bubbles_2 found =
+    const Bubbles_2 found =
       read_bubbles(bare_points(c, Spread::ROUND_ROBIN), c.domain(), [](const Point&) { return 0.5; });
     std::size_t k = 0;
     for (std::size_t i = 0; i < c.bubbles.size(); ++i) {
       if (!is_here(i, Spread::ROUND_ROBIN))
         continue;
-      EXPECT_EQ(int(found.bubbles.dimension[k]), int(c.bubbles.dimension[i]));
+      EXPECT_EQ(int(found.dimension[k]), int(c.bubbles.dimension[i]));
       if (!c.bubbles.is_in_face(i)) {
-        EXPECT_EQ(found.bubbles.place[k], c.bubbles.place[i]);
+        EXPECT_EQ(found.host[k], c.bubbles.host[i]);
       }
       if (c.bubbles.is_on_edge(i)) {
-        EXPECT_NEAR(found.bubbles.s[k], c.bubbles.s[i], 1e-12);
+        EXPECT_NEAR(found.s[k], c.bubbles.s[i], 1e-12);
       }
       ++k;
     }

@@ -9,6 +9,7 @@
 // all ways to start, and all ways to go on, by ranks are those of one rank: from points that are given on any rank,
 // from the vertices of the domain's triangulation, and as in the paper
 
+#include "../random_seeds.h"
 #include "bubbles.h"
 #include "equal_bubbles.h"
 
@@ -70,15 +71,15 @@ CDT with_bubbles(const Case& c)
 }
 
 /// some of the bubbles, at random; the last rank has most, and the first has none of those in faces
-Numbered_bubbles_2 scattered(const Ranks& ranks, const Bubbles_2& b)
+Bubbles_2 scattered(const Ranks& ranks, const Bubbles_2& b)
 {
-  Numbered_bubbles_2 result;
-  std::mt19937 engine(7);
+  Bubbles_2 result;
+  std::mt19937 engine(random_seeds::seed(7));
   for (std::size_t i = 0; i < b.size(); ++i) {
     const int rank = (std::min)(static_cast<int>(engine() % 16), ranks.comm.size() - 1);
     const bool is_for_last = rank == 0 && b.is_in_face(i);
     if ((is_for_last ? ranks.comm.size() - 1 : rank) == ranks.comm.rank())
-      result.add(record(b, i, no_index));
+      add_own(result, record(b, i, no_index));
   }
   return result;
 }
@@ -93,60 +94,54 @@ Relaxation_options options_with(bool is_given, Bubble_placement placement)
 
 void expect_parts_make_the_whole(const Ranks& ranks, const Placed_part_2& placed, const Bubbles_2& whole)
 {
-  const Numbered_bubbles_2& part = placed.bubbles;
+  const Bubbles_2& part = placed.bubbles;
   EXPECT_EQ(ranks.comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.size()));
   for (std::size_t i = 0; i < part.size(); ++i) {
-    const std::size_t number = static_cast<std::size_t>(part.numbers[i]);
+    const std::size_t number = static_cast<std::size_t>(part.id[i]);
     ASSERT_LT(number, whole.size());
-    EXPECT_EQ(placed.partition.owner(part.bubbles.x[i], part.bubbles.y[i]), ranks.comm.rank());
-    expect_equal(record(part.bubbles, i, 0), record(whole, number, 0));
+    EXPECT_EQ(placed.partition.owner(part.x[i], part.y[i]), ranks.comm.rank());
+    expect_equal(record(part, i), record(whole, number, 0));
     if (testing::Test::HasFailure())
       return; // one is enough
   }
 }
 
-/// Simulates on one rank what is read in `whole`, and on all ranks what is read in `bare` and `points`; both by d.
-void expect_same(Ranks& ranks, const Case& whole, const Case& bare, const Numbered_bubbles_2& points,
-                 const Size& d, const Relaxation_options& options)
+/// simulates the same problem on one rank and on all, as far as these read another triangulation or `points`
+void expect_same(Ranks& ranks, const Problem_2& of_one, const Problem_2& of_all, const Bubbles_2& points = {})
 {
-  const auto np = CGAL::parameters::sizing_function(d).limit_by_outline(false);
-  const Domain_marks_2<CDT> marks(bare.cdt, np);
-  with_limited_sizing_field(bare.cdt, np, marks, *bare.reading, options, [&](const auto& sizing, const auto&) {
-    CGAL::Bubble_relaxation_report_2<double> first, second;
-    Progress of_first(options.callback, 1), of_second(options.callback, 1);
-    const Bubbles_2 all =
-      simulate_bubbles<CGAL::Sequential_tag>(whole.cdt, *whole.reading, sizing, options, of_first, first);
-    const Placed_part_2 part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, bare.cdt,
-                                                    *bare.reading, sizing, options, of_second, second, points);
-    EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
-    EXPECT_EQ(second.number_of_steps, first.number_of_steps);
-    EXPECT_GT(all.size(), 500u);
-    expect_parts_make_the_whole(ranks, part, all);
-    expect_parts_make_the_whole(
-      ranks,
-      given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, *bare.reading, sizing, points),
-      given_bubbles<CGAL::Sequential_tag>(*whole.reading, sizing));
-  });
+  Report first, second;
+  Progress of_first(of_one.options.callback, 1), of_second(of_all.options.callback, 1);
+  const Bubbles_2 all = relax_bubbles(of_one, of_first, first);
+  const Placed_part_2 part =
+    simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, of_all, of_second, second, points);
+  EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
+  EXPECT_EQ(second.number_of_steps, first.number_of_steps);
+  EXPECT_GT(all.size(), 500u);
+  expect_parts_make_the_whole(ranks, part, all);
+}
+
+/// Simulates on one rank what is read in `whole`, and on all ranks what is read in `bare` and `points`; both by d.
+void expect_same(Ranks& ranks, const Case& whole, const Case& bare, const Bubbles_2& points, const Size& d,
+                 const Relaxation_options& options)
+{
+  const Sizes_2 sizes = sizes_in(bare, d);
+  const Problem_2 of_one{whole.domain(), whole.given(), options, sizes, sizes},
+    of_all{bare.domain(), bare.given(), options, sizes, sizes};
+  expect_same(ranks, of_one, of_all, points);
+  expect_parts_make_the_whole(
+    ranks, given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, of_all, points),
+    given_bubbles(of_one));
 }
 
 /// from the domain alone
 void expect_same(Ranks& ranks, const paper::Domain& domain, const Relaxation_options& options)
 {
-  const Case bare = read(domain);
+  Case bare{paper::triangulate(domain), nullptr, {}};
   const auto np = CGAL::parameters::sizing_function(domain.d).limit_by_outline(options.limit_by_outline);
-  const Domain_marks_2<CDT> marks(bare.cdt, np);
-  with_limited_sizing_field(bare.cdt, np, marks, *bare.reading, options, [&](const auto& sizing, const auto&) {
-    CGAL::Bubble_relaxation_report_2<double> first, second;
-    Progress of_first(options.callback, 1), of_second(options.callback, 1);
-    const Bubbles_2 all =
-      simulate_bubbles<CGAL::Sequential_tag>(bare.cdt, *bare.reading, sizing, options, of_first, first);
-    const Placed_part_2 part = simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, bare.cdt,
-                                                    *bare.reading, sizing, options, of_second, second);
-    EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
-    EXPECT_EQ(second.number_of_steps, first.number_of_steps);
-    EXPECT_GT(all.size(), 500u);
-    expect_parts_make_the_whole(ranks, part, all);
-  });
+  bare.read(np);
+  const Input& input = *bare.input;
+  const Problem_2 problem{bare.domain(), bare.given(), options, input.wanted, input.sizes};
+  expect_same(ranks, problem, problem);
 }
 
 /// a mesh to start from: a domain with bubbles, and its triangulation with them
@@ -162,9 +157,8 @@ struct Given
   void read_mesh(const std::vector<Point>& pinned = {})
   {
     mesh.cdt = with_bubbles(bare);
-    const auto np = CGAL::parameters::vertex_is_constrained_map(Pinned_map{&pinned});
-    const Domain_marks_2<CDT> marks(mesh.cdt, np);
-    mesh.reading = read_domain(mesh.cdt, np, marks);
+    mesh.read(CGAL::parameters::sizing_function(domain.d).limit_by_outline(false).vertex_is_constrained_map(
+      Pinned_map{&pinned}));
   }
 
   const paper::Domain domain;
@@ -258,7 +252,7 @@ TEST_P(Ways_to_start, with_pinned_points)
     if (b.is_in_face(i)) {
       pinned.push_back(b.point(i));
       b.dimension[i] = Bubbles_2::CORNER;
-      b.place[i] = no_index;
+      b.host[i] = no_index;
     }
   ASSERT_GT(pinned.size(), 5u);
   given.read_mesh(pinned);
@@ -268,25 +262,21 @@ TEST_P(Ways_to_start, with_pinned_points)
   expect_same(ranks, given.mesh, given.mesh, {}, finer, options);
 }
 
-struct Same_everywhere
-{
-  double operator()(double, double) const { return 0.05; }
-  double operator()(const Point&) const { return 0.05; }
-  const double expected_number = 1000;
-};
-
 TEST(Given_points, in_one_place_are_refused_on_all_ranks)
 {
   Ranks ranks;
   Given given(0);
-  Numbered_bubbles_2 points = scattered(ranks, given.bare.bubbles);
+  Bubbles_2 points = scattered(ranks, given.bare.bubbles);
+  Sizes_2 sizes([](double, double) { return 0.05; }); // the same everywhere
+  sizes.expected_number = 1000;
+  const Relaxation_options options;
+  const Problem_2 problem{given.bare.domain(), given.bare.given(), options, sizes, sizes};
   const auto place = [&] {
-    given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, *given.bare.reading, Same_everywhere(),
-                              points);
+    given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, problem, points);
   };
   EXPECT_NO_THROW(place());
   if (ranks.comm.rank() == ranks.comm.size() - 1)
-    points.add(record(points.bubbles, points.size() - 1, no_index));
+    add_own(points, record(points, points.size() - 1));
   EXPECT_THROW(place(), std::invalid_argument);
 }
 

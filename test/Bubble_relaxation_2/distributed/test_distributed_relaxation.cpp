@@ -8,6 +8,7 @@
 
 // CGAL::Distributed::npbs_relax(): all ranks together make the points, the neighbour sets and the report of one
 
+#include "../random_seeds.h"
 #include "relaxed_points.h"
 #include "union_of_ranks.h"
 
@@ -181,7 +182,7 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
   const Communicator comm(MPI_COMM_WORLD);
   Agreement agreement(comm);
   Sparse_exchange exchange(comm);
-  std::mt19937 engine(1);
+  std::mt19937 engine(random_seeds::seed(1));
   std::uniform_real_distribution<double> uniform(0, 1);
   Bubbles_2 all;
   for (int i = 0; i < 400; ++i) {
@@ -189,11 +190,11 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
     all.add(Point(x, y), std::pow(30, -uniform(engine)), Bubbles_2::FACE, 0); // a large one may see most others
   }
   const Hilbert_partition_2 partition = distributed::partition(CGAL::Bbox_2(0, 0, 1, 1), all, comm.size(), true);
-  Numbered_bubbles_2 own;
+  Bubbles_2 own;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const int home = partition.owner(all.x[i], all.y[i]);
     if ((i % 5 == 0 ? (home + 1) % comm.size() : home) == comm.rank()) // some have left home
-      own.add(record(all, i, 3 * static_cast<std::int64_t>(i)));
+      add_own(own, record(all, i, 3 * static_cast<std::int64_t>(i)));
   }
   CGAL::Distributed::Relaxation_2<paper::K> written;
   write_neighbors(with_neighbors(own, partition, 0.4, comm, agreement, exchange), written);
@@ -201,13 +202,13 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
   std::set<std::int64_t> ghosts;
   for (std::size_t k = 0; k < own.size(); ++k) {
     std::vector<std::int64_t> neighbors;
-    const std::size_t i = static_cast<std::size_t>(own.numbers[k] / 3);
+    const std::size_t i = static_cast<std::size_t>(own.id[k] / 3);
     for (std::size_t j = 0; j < all.size(); ++j) {
       const double distance = std::hypot(all.x[i] - all.x[j], all.y[i] - all.y[j]);
       if (j == i || !(distance < 0.2 * (all.d[i] + all.d[j])))
         continue;
       neighbors.push_back(3 * static_cast<std::int64_t>(j));
-      if (!std::binary_search(own.numbers.begin(), own.numbers.end(), neighbors.back()))
+      if (!std::binary_search(own.id.begin(), own.id.end(), neighbors.back()))
         ghosts.insert(neighbors.back());
     }
     const auto first = written.neighbors.begin();

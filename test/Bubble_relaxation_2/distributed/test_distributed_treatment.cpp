@@ -8,6 +8,7 @@
 
 // ranks treat the defects of a mesh as one does
 
+#include "../random_seeds.h"
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
@@ -39,14 +40,14 @@ std::vector<std::int64_t> numbers_of(const Bubbles_2& b)
   return numbers;
 }
 
-void expect_bubbles_are_those(const Bubbles_2& whole, const Numbered_bubbles_2& part)
+void expect_bubbles_are_those(const Bubbles_2& whole, const Bubbles_2& part)
 {
   std::size_t different = 0;
   for (std::size_t i = 0; i < part.size(); ++i) {
-    ASSERT_LT(static_cast<std::size_t>(part.numbers[i]), whole.size());
-    const Bubble_record_2 a = record(part.bubbles, i, 0),
-                          b = record(whole, static_cast<std::size_t>(part.numbers[i]), 0);
-    different += a.x != b.x || a.y != b.y || a.d != b.d || a.s != b.s || a.place != b.place ||
+    ASSERT_LT(static_cast<std::size_t>(part.id[i]), whole.size());
+    const Bubble_record_2 a = record(part, i),
+                          b = record(whole, static_cast<std::size_t>(part.id[i]), 0);
+    different += a.x != b.x || a.y != b.y || a.d != b.d || a.s != b.s || a.host != b.host ||
                  a.dimension != b.dimension;
   }
   EXPECT_EQ(different, 0u);
@@ -60,9 +61,9 @@ struct Outcome
 
 Outcome expect_same_treatment(const Case& c, const Options& options = Options())
 {
-  Bubble_mesh_2 whole{c.bubbles, triangulate(c.domain(), c.bubbles)};
+  Bubble_mesh_2 whole = mesh_of(c);
   const Relaxation_options all;
-  const Treatment_counts expected = treat_defects<CGAL::Sequential_tag>(c.domain(), all, whole);
+  const Treatment_counts expected = treat_defects(c.domain(), all, whole);
 
   const Communicator comm(MPI_COMM_WORLD);
   Agreement agreement(comm);
@@ -76,18 +77,18 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);
   EXPECT_EQ(counts.deleted, expected.deleted);
-  EXPECT_EQ(treat.smallest_quality(mesh), smallest_quality(whole.triangulation));
+  EXPECT_EQ(treat.smallest_quality(mesh), smallest_quality(whole));
 
-  const Numbered_bubbles_2 part = treat.bubbles(mesh);
+  const Bubbles_2 part = treat.bubbles(mesh);
   EXPECT_EQ(comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.bubbles.size()));
   expect_bubbles_are_those(whole.bubbles, part);
   for (std::size_t i = 0; i < part.size(); ++i)
-    EXPECT_EQ(partition.owner(part.bubbles.x[i], part.bubbles.y[i]), comm.rank());
+    EXPECT_EQ(partition.owner(part.x[i], part.y[i]), comm.rank());
 
   // the mesh has become that of the bubbles where they are now
-  auto owned = gather_records(comm, distributed::triangles(mesh.triangulation, mesh.known.numbers, mesh.is_owned));
+  auto owned = gather_records(comm, distributed::triangles(mesh.triangles, mesh.bubbles.id, mesh.is_owned));
   std::sort(owned.begin(), owned.end());
-  const Marked_triangulation_2& t = whole.triangulation;
+  const Marked_triangles_2& t = whole.triangles;
   EXPECT_TRUE(owned == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
   return Outcome{expected, mesh.number_of_widenings, mesh.number_of_failed_treatments};
 }
@@ -114,8 +115,8 @@ void make_defect(Case& c, Index i, double dx = 0.3, double dy = 0.1)
   Bubbles_2& b = c.bubbles;
   Point p(b.x[i] + dx, b.y[i] + dy);
   if (b.is_on_edge(i)) {
-    b.s[i] += dx / c.domain().length(b.place[i]);
-    p = c.domain().point_on_edge(b.place[i], b.s[i]);
+    b.s[i] += dx / c.domain().length(b.host[i]);
+    p = c.domain().point_on_edge(b.host[i], b.s[i]);
   }
   b.x[i] = p.x();
   b.y[i] = p.y();
@@ -192,7 +193,7 @@ TEST(Distributed_treatment, moves_that_come_too_near_to_other_ranks)
 // candidates of several ranks may meet where none of them moves
 TEST(Distributed_treatment, defects_at_any_distance_from_other_ranks)
 {
-  std::mt19937 random(7); // the same on all ranks
+  std::mt19937 random(random_seeds::seed(7)); // the same on all ranks
   std::uniform_real_distribution<double> shift(-0.35, 0.35);
   std::size_t inside = 0, widened = 0;
   for (double clearance : {1.5, 2.5, 3.5, 4.5, 5.5}) {

@@ -8,6 +8,7 @@
 
 // the union of what ranks own is the triangulation of all bubbles
 
+#include "../random_seeds.h"
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
@@ -51,7 +52,7 @@ std::vector<std::int64_t> numbers_of(const Case& c, const Options& options)
   std::vector<std::int64_t> numbers(c.bubbles.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   if (options.shuffle_numbers) {
-    std::mt19937 engine(5);
+    std::mt19937 engine(random_seeds::seed(5));
     std::shuffle(numbers.begin(), numbers.end(), engine);
     for (std::int64_t& n : numbers)
       n = 10000000000 * (n % 3) + 7 * n; // neither dense nor small
@@ -64,20 +65,20 @@ void expect_union_is_the_whole(const Case& c, const Options& options = Options()
   Ranks ranks;
   const std::vector<std::int64_t> numbers = numbers_of(c, options);
   const Distributed_mesh_2 part = ranks.triangulate(c, numbers, options);
-  const Marked_triangulation_2 whole = triangulate(c.domain(), c.bubbles);
+  const Marked_triangles_2 whole = mesh_of(c).triangles;
   const auto all = distributed::triangles(whole, numbers, whole.inside);
 
   auto owned = gather_records(
-    ranks.comm, distributed::triangles(part.triangulation, part.known.numbers, part.is_owned));
+    ranks.comm, distributed::triangles(part.triangles, part.bubbles.id, part.is_owned));
   std::sort(owned.begin(), owned.end());
   EXPECT_EQ(owned.size(), all.size());
   EXPECT_TRUE(owned == all);
 
   // and around its own bubbles a rank sees all that there is
   std::vector<std::int64_t> own;
-  for (std::size_t i = 0; i < part.known.size(); ++i)
-    if (part.known.owners[i] == ranks.comm.rank())
-      own.push_back(part.known.numbers[i]);
+  for (std::size_t i = 0; i < part.bubbles.size(); ++i)
+    if (part.bubbles.owner[i] == ranks.comm.rank())
+      own.push_back(part.bubbles.id[i]);
   std::vector<distributed::Triangle> around;
   for (const auto& t : all)
     for (std::int64_t v : t.vertices)
@@ -85,8 +86,8 @@ void expect_union_is_the_whole(const Case& c, const Options& options = Options()
         around.push_back(t);
         break;
       }
-  EXPECT_TRUE(around == distributed::triangles(part.triangulation, part.known.numbers, part.is_final));
-  EXPECT_TRUE(std::is_sorted(part.known.numbers.begin(), part.known.numbers.end()));
+  EXPECT_TRUE(around == distributed::triangles(part.triangles, part.bubbles.id, part.is_final));
+  EXPECT_TRUE(std::is_sorted(part.bubbles.id.begin(), part.bubbles.id.end()));
 }
 
 Options reach(double r)
@@ -174,12 +175,12 @@ TEST(Distributed_triangulation, points_on_circles_and_edges_through_them)
 
 TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
 {
-  std::mt19937 engine(3);
+  std::mt19937 engine(random_seeds::seed(3));
   std::uniform_real_distribution<double> uniform(0, 1), flatness(-18, 0);
   const CGAL::Bbox_2 domain(0, 0, 1, 1);
   std::size_t in_boxes = 0;
   for (int k = 0; k < 3000; ++k) {
-    Marked_triangulation_2 mesh;
+    Bubble_mesh_2 mesh;
     const Point p(uniform(engine), uniform(engine)), q(uniform(engine), uniform(engine));
     const double t = uniform(engine), off = std::pow(10, flatness(engine));
     const Point r(p.x() + t * (q.x() - p.x()) - off * (q.y() - p.y()),
@@ -187,17 +188,18 @@ TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
     if (CGAL::orientation(p, q, r) != CGAL::LEFT_TURN)
       continue;
     const Index hidden = static_cast<Index>(engine() % 4); // the last one: none
-    mesh.tr.points = {p, q, r};
-    mesh.tr.vertices = {{0, 1, 2}};
-    mesh.edges = {{no_index, no_index, no_index}};
+    for (const Point& vertex : {p, q, r})
+      mesh.bubbles.add(vertex, 1, Bubbles_2::FACE, 0);
+    mesh.triangles.vertices = {{0, 1, 2}};
+    mesh.triangles.edges = {{no_index, no_index, no_index}};
     if (hidden < 3)
-      mesh.edges[0][hidden] = 0;
+      mesh.triangles.edges[0][hidden] = 0;
     const CGAL::Bbox_2 box = box_that_matters(mesh, 0, domain);
     const Triangle_question_2 question = make_question(mesh, 0, box, 0, 0);
     for (int i = 0; i < 50; ++i) {
       // at all distances from the vertices
       const double d = std::pow(10, flatness(engine) / 6), angle = 7 * uniform(engine);
-      const Point& near = mesh.tr.points[engine() % 3];
+      const Point near = mesh.bubbles.point(engine() % 3);
       const Point x(near.x() + d * std::cos(angle), near.y() + d * std::sin(angle));
       const bool is_in_domain = x.x() >= 0 && x.x() <= 1 && x.y() >= 0 && x.y() <= 1;
       if (!is_in_domain || !question.concerns(x))
@@ -230,9 +232,9 @@ TEST(Distributed_triangulation, one_rank_has_all)
   const Distributed_mesh_2 part = distributed_triangulate(
     c.domain(), distributed::own_part(c.bubbles, numbers, partition, ranks.comm.rank()), partition, ranks.comm,
     ranks.agreement, ranks.exchange);
-  const Marked_triangulation_2 whole = triangulate(c.domain(), c.bubbles);
+  const Marked_triangles_2 whole = mesh_of(c).triangles;
   const auto owned = gather_records(
-    ranks.comm, distributed::triangles(part.triangulation, part.known.numbers, part.is_owned));
+    ranks.comm, distributed::triangles(part.triangles, part.bubbles.id, part.is_owned));
   EXPECT_TRUE(owned == distributed::triangles(whole, numbers, whole.inside));
   EXPECT_EQ(part.number_of_answers, 0u);
 }
@@ -243,14 +245,14 @@ TEST(Distributed_triangulation, a_rank_holds_no_more_than_it_needs)
   Ranks ranks;
   const Distributed_mesh_2 part = ranks.triangulate(c, numbers_of(c, Options()), Options());
   const double n = double(c.bubbles.size()), p = ranks.comm.size();
-  EXPECT_LT(double(part.known.size()), n / p + 25 * std::sqrt(n / p) + 20);
+  EXPECT_LT(double(part.bubbles.size()), n / p + 25 * std::sqrt(n / p) + 20);
 }
 
 TEST(Distributed_triangulation, bubbles_in_one_place_are_found_on_all_ranks)
 {
   Case c = random(paper::trunk(1), 200, 2);
   const std::size_t last = c.bubbles.size() - 1;
-  c.bubbles.add(c.bubbles.point(last), 0.1, Bubbles_2::FACE, c.bubbles.place[last]);
+  c.bubbles.add(c.bubbles.point(last), 0.1, Bubbles_2::FACE, c.bubbles.host[last]);
   Ranks ranks;
   EXPECT_THROW(ranks.triangulate(c, numbers_of(c, Options()), Options()), std::runtime_error);
 }

@@ -34,10 +34,10 @@ struct Triangle
   bool operator==(const Triangle& other) const { return tie() == other.tie(); }
 };
 
-inline Triangle triangle(const Marked_triangulation_2& mesh, std::size_t t,
+inline Triangle triangle(const Marked_triangles_2& mesh, std::size_t t,
                          const std::vector<std::int64_t>& numbers)
 {
-  const auto& v = mesh.tr.vertices[t];
+  const auto& v = mesh.vertices[t];
   int first = 0;
   for (int i = 1; i < 3; ++i)
     if (numbers[v[i]] < numbers[v[first]])
@@ -52,12 +52,12 @@ inline Triangle triangle(const Marked_triangulation_2& mesh, std::size_t t,
 }
 
 /// the triangles of the domain that are marked, sorted
-inline std::vector<Triangle> triangles(const Marked_triangulation_2& mesh,
+inline std::vector<Triangle> triangles(const Marked_triangles_2& mesh,
                                        const std::vector<std::int64_t>& numbers,
                                        const std::vector<char>& marks)
 {
   std::vector<Triangle> result;
-  for (std::size_t t = 0; t < mesh.tr.number_of_triangles(); ++t)
+  for (std::size_t t = 0; t < mesh.number_of_triangles(); ++t)
     if (marks[t])
       result.push_back(triangle(mesh, t, numbers));
   std::sort(result.begin(), result.end());
@@ -65,17 +65,18 @@ inline std::vector<Triangle> triangles(const Marked_triangulation_2& mesh,
 }
 
 /// this rank's bubbles
-inline Numbered_bubbles_2 own_part(const Bubbles_2& all, const std::vector<std::int64_t>& numbers,
-                                   const Hilbert_partition_2& partition, int rank)
+inline Bubbles_2 own_part(const Bubbles_2& all, const std::vector<std::int64_t>& numbers,
+                          const Hilbert_partition_2& partition, int rank)
 {
-  Known_bubbles_2 known(Numbered_bubbles_2{all, numbers}, rank);
+  Bubbles_2 result = all;
+  result.id = numbers;
   std::vector<Index> own;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (partition.owner(all.x[i], all.y[i]) == rank)
       own.push_back(static_cast<Index>(i));
-  known.select(own);
-  known.sort();
-  return Numbered_bubbles_2{known.bubbles, known.numbers};
+  result.select(own);
+  result.sort_by_id();
+  return result;
 }
 
 /// cuts the curve in pieces with as many bubbles each; with `with_gaps` every third rank gets none

@@ -28,9 +28,9 @@ public:
   /// `field(x, y)`: the size there; it may refer to what outlives this
   template <class Field>
   explicit Sizes_2(Field field)
-    : m_field(std::make_shared<const Field>(std::move(field))), m_call([](const void* f, double x, double y) -> double {
-        return (*static_cast<const Field*>(f))(x, y);
-      })
+    : Sizes_2(
+        new Field(std::move(field)), [](const void* f) { delete static_cast<const Field*>(f); },
+        [](const void* f, double x, double y) -> double { return (*static_cast<const Field*>(f))(x, y); })
   {}
 
   double operator()(double x, double y) const { return m_call(m_field.get(), x, y); }
@@ -40,8 +40,14 @@ public:
   double expected_number = 0;
 
 private:
+  using Destroy = void (*)(const void*);
+  using Call = double (*)(const void*, double, double);
+
+  // the pointer's own classes are the same for all fields: they are compiled once
+  Sizes_2(const void* field, Destroy destroy, Call call) : m_field(field, destroy), m_call(call) {}
+
   std::shared_ptr<const void> m_field;
-  double (*m_call)(const void*, double, double);
+  Call m_call;
 };
 
 /// the smaller of two in each place

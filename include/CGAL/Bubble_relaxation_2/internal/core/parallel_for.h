@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -31,7 +30,15 @@ namespace internal {
 class Threads
 {
 public:
-  using Part = std::function<void(std::size_t, std::size_t)>;
+  /// refers to what is to be done with the numbers from `first` to `last`, without. It owns nothing: unlike a
+  /// `std::function` it costs the compiler no classes, and there is one for each loop.
+  struct Part
+  {
+    const void* function;
+    void (*call)(const void* function, std::size_t first, std::size_t last);
+
+    void operator()(std::size_t first, std::size_t last) const { call(function, first, last); }
+  };
 
   /// calls `part(first, last)` for parts of [0, n), of about `grain` each
   using Run = void (*)(std::size_t n, std::size_t grain, const Part& part);
@@ -75,10 +82,11 @@ Threads threads_of()
 template <class Function>
 void parallel_for(const Threads& threads, std::size_t n, const Function& f, std::size_t grain = 1024)
 {
-  threads.run(n, grain, [&f](std::size_t first, std::size_t last) {
+  const auto call = [](const void* function, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i != last; ++i)
-      f(i);
-  });
+      (*static_cast<const Function*>(function))(i);
+  };
+  threads.run(n, grain, Threads::Part{&f, call});
 }
 
 /// the same with the threads of a tag

@@ -77,58 +77,25 @@ void read_checkpoint_options(const NamedParameters& np, Relaxation_options& o)
   }
 }
 
-/// Reads the named parameters that steer the simulation. Defaults of the time step and the damping
-/// depend on the integrator: the paper's are in length units, those of the default in units of d.
-/// \throws std::invalid_argument naming the parameter and its value
-template <class NamedParameters>
-Relaxation_options read_options(const NamedParameters& np)
+/// Takes the value of a parameter if there is one.
+template <class NamedParameters, class Tag, class T>
+void take(const NamedParameters& np, Tag tag, T& value)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  if constexpr (Is_given<NamedParameters, Tag>::value)
+    value = parameters::get_parameter(np, tag);
+}
 
-  Relaxation_options o;
-  o.integrator = choose_parameter(get_parameter(np, internal_np::integrator), o.integrator);
-  const bool in_length_units = o.integrator == Bubble_integrator::RUNGE_KUTTA_4;
-  o.force_coefficient = choose_parameter(get_parameter(np, internal_np::force_coefficient), 1.);
-  o.mass = choose_parameter(get_parameter(np, internal_np::mass), 1.);
-  o.damping = choose_parameter(get_parameter(np, internal_np::damping),
-                               in_length_units ? 3.8429 : o.damping);
-  o.time_step = choose_parameter(get_parameter(np, internal_np::time_step),
-                                 in_length_units ? 0.02 : o.time_step);
-  o.number_of_iterations = read_count(
-    "number_of_iterations",
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations),
-                     default_number_of_iterations), 0);
-  o.number_of_rounds = read_count(
-    "number_of_rounds",
-    choose_parameter(get_parameter(np, internal_np::number_of_rounds), default_number_of_rounds), 0);
-  o.neighbor_radius = choose_parameter(get_parameter(np, internal_np::neighbor_radius), 1.7);
-  o.renewal_interval = read_count(
-    "renewal_interval",
-    choose_parameter(get_parameter(np, internal_np::renewal_interval), std::size_t(0)), 0);
-  o.placement_is_given =
-    Is_given<NamedParameters, internal_np::initial_placement_t>::value;
-  o.placement = choose_parameter(get_parameter(np, internal_np::initial_placement), o.placement);
-  o.population = choose_parameter(get_parameter(np, internal_np::population_control), o.population);
-  o.defect_treatment =
-    choose_parameter(get_parameter(np, internal_np::defect_treatment), o.defect_treatment);
-  o.limit_by_outline =
-    choose_parameter(get_parameter(np, internal_np::limit_by_outline), o.limit_by_outline);
-  o.displacement_tolerance = choose_parameter(
-    get_parameter(np, internal_np::displacement_tolerance),
-    in_length_units ? 1e-3 : default_displacement_tolerance);
-  o.maximum_number_of_bubbles = read_count(
-    "maximum_number_of_bubbles",
-    choose_parameter(get_parameter(np, internal_np::maximum_number_of_bubbles),
-                     default_maximum_number_of_bubbles), 1,
-    static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
-  o.callback = choose_parameter(get_parameter(np, internal_np::callback),
-                                std::function<bool(double)>());
-  o.exchange_interval = read_count(
-    "exchange_interval",
-    choose_parameter(get_parameter(np, internal_np::exchange_interval), std::size_t(0)), 0);
-  read_checkpoint_options(np, o);
+template <class NamedParameters, class Tag>
+void take_count(const NamedParameters& np, Tag tag, const char* name, std::size_t& value, std::size_t least,
+                std::size_t largest = (std::numeric_limits<std::size_t>::max)())
+{
+  if constexpr (Is_given<NamedParameters, Tag>::value)
+    value = read_count(name, parameters::get_parameter(np, tag), least, largest);
+}
 
+/// \throws std::invalid_argument naming the parameter and its value
+inline void check_options(const Relaxation_options& o)
+{
   check_positive("force_coefficient", o.force_coefficient);
   check_positive("mass", o.mass);
   check_not_negative("damping", o.damping);
@@ -137,6 +104,41 @@ Relaxation_options read_options(const NamedParameters& np)
   if (!(o.neighbor_radius > 1.5) || !std::isfinite(o.neighbor_radius))
     throw_invalid_parameter("neighbor_radius", o.neighbor_radius,
                             "finite and greater than 1.5, where the force ends");
+}
+
+/// Reads the named parameters that steer the simulation. Defaults of the time step and the damping
+/// depend on the integrator: the paper's are in length units, those of the default in units of d.
+/// \throws std::invalid_argument naming the parameter and its value
+template <class NamedParameters>
+Relaxation_options read_options(const NamedParameters& np)
+{
+  Relaxation_options o;
+  take(np, internal_np::integrator, o.integrator);
+  if (o.integrator == Bubble_integrator::RUNGE_KUTTA_4) {
+    o.damping = 3.8429;
+    o.time_step = 0.02;
+    o.displacement_tolerance = 1e-3;
+  }
+  take(np, internal_np::force_coefficient, o.force_coefficient);
+  take(np, internal_np::mass, o.mass);
+  take(np, internal_np::damping, o.damping);
+  take(np, internal_np::time_step, o.time_step);
+  take_count(np, internal_np::number_of_iterations, "number_of_iterations", o.number_of_iterations, 0);
+  take_count(np, internal_np::number_of_rounds, "number_of_rounds", o.number_of_rounds, 0);
+  take(np, internal_np::neighbor_radius, o.neighbor_radius);
+  take_count(np, internal_np::renewal_interval, "renewal_interval", o.renewal_interval, 0);
+  o.placement_is_given = Is_given<NamedParameters, internal_np::initial_placement_t>::value;
+  take(np, internal_np::initial_placement, o.placement);
+  take(np, internal_np::population_control, o.population);
+  take(np, internal_np::defect_treatment, o.defect_treatment);
+  take(np, internal_np::limit_by_outline, o.limit_by_outline);
+  take(np, internal_np::displacement_tolerance, o.displacement_tolerance);
+  take_count(np, internal_np::maximum_number_of_bubbles, "maximum_number_of_bubbles", o.maximum_number_of_bubbles,
+             1, static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
+  take(np, internal_np::callback, o.callback);
+  take_count(np, internal_np::exchange_interval, "exchange_interval", o.exchange_interval, 0);
+  read_checkpoint_options(np, o);
+  check_options(o);
   return o;
 }
 

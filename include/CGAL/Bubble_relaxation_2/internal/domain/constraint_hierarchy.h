@@ -27,52 +27,6 @@ template <class Cdt>
 struct Has_constraint_hierarchy<Cdt, std::void_t<typename Cdt::Constraint_hierarchy_tag>>
   : std::is_same<typename Cdt::Constraint_hierarchy_tag, Tag_true> {};
 
-/// Which vertices may only split a constraint. A plain triangulation cannot tell: all that look so.
-template <class Cdt, bool = Has_constraint_hierarchy<Cdt>::value>
-class Splitting_vertices
-{
-  using Vertex_handle = typename Cdt::Vertex_handle;
-
-public:
-  explicit Splitting_vertices(const Cdt&) {}
-
-  bool operator()(Vertex_handle, Vertex_handle, Vertex_handle) const { return true; }
-};
-
-/// With a hierarchy: the vertices that were not given as points of a constraint, on pieces that belong
-/// to one constraint only.
-template <class Cdt>
-class Splitting_vertices<Cdt, true>
-{
-  using Vertex_handle = typename Cdt::Vertex_handle;
-
-public:
-  explicit Splitting_vertices(const Cdt& cdt) : m_cdt(cdt), m_is_input(false)
-  {
-    for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
-      const auto first = cdt.vertices_in_constraint_begin(*c);
-      const auto end = cdt.vertices_in_constraint_end(*c);
-      Vertex_handle last = *first;
-      for (auto v = first; v != end; ++v) {
-        last = *v;
-        if (v == first || v.input())
-          m_is_input[*v] = true;
-      }
-      m_is_input[last] = true;
-    }
-  }
-
-  bool operator()(Vertex_handle before, Vertex_handle v, Vertex_handle after) const
-  {
-    return !m_is_input[v] && m_cdt.number_of_enclosing_constraints(before, v) == 1 &&
-           m_cdt.number_of_enclosing_constraints(v, after) == 1;
-  }
-
-private:
-  const Cdt& m_cdt;
-  Unique_hash_map<Vertex_handle, bool> m_is_input;
-};
-
 /// Whether constraints know the hierarchy that they belong to (CGAL 6.1).
 template <class Constraint_id, class = void>
 struct Knows_its_hierarchy : std::false_type {};

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_REMOVE_COINCIDENT_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
@@ -80,7 +81,7 @@ inline std::vector<Index> perhaps_in_one_place(const Bubbles_2& b)
 inline void remove_those_in_one_place(Bubbles_2& b)
 {
   std::vector<Index> those = perhaps_in_one_place(b);
-  std::sort(those.begin(), those.end(), [&b](Index i, Index j) {
+  sort_indices(those, [&b](Index i, Index j) {
     return std::tie(b.x[i], b.y[i], b.dimension[i], i) < std::tie(b.x[j], b.y[j], b.dimension[j], j);
   });
   std::size_t last = 0;

@@ -24,6 +24,12 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+[[noreturn]] inline void throw_invalid_size(double x, double y, double d)
+{
+  throw std::invalid_argument("Bubble_relaxation_2: parameter sizing_function: d" + in_words(x, y) + " = " +
+                              in_words(d) + " must be positive and finite");
+}
+
 /// The user's d(x, y) as the simulation calls it: in doubles, and with a clear exception where the
 /// value is no length. Instead of a function the user may give a number, of any type that becomes one of
 /// the kernel's. `Held`: a function object that is kept, or a reference to one that stays where it is
@@ -48,7 +54,7 @@ public:
   {
     const double d = value(x, y);
     if (!(d > 0) || !std::isfinite(d))
-      throw_invalid(x, y, d);
+      throw_invalid_size(x, y, d);
     return d;
   }
 
@@ -66,12 +72,6 @@ private:
       return CGAL::to_double(std::as_const(m_f)(User_point(x, y)));
     else
       return m_number;
-  }
-
-  [[noreturn]] static void throw_invalid(double x, double y, double d)
-  {
-    throw std::invalid_argument("Bubble_relaxation_2: parameter sizing_function: d" + in_words(x, y) + " = " +
-                                in_words(d) + " must be positive and finite");
   }
 
   Held m_f;

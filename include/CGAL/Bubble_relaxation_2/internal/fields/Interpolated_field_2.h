@@ -193,24 +193,23 @@ inline std::vector<double> mean_edge_lengths(std::size_t number_of_vertices,
   return sum;
 }
 
-/// The size that a mesh has: at each vertex the mean length of its edges in the domain.
-template <class Cdt, class Is_inside>
-Interpolated_field_2 mean_edge_length_field(const Cdt& cdt, const Is_inside& is_inside)
+/// The size that a mesh has: at each vertex the mean length of its edges in the domain. `inside`: of each triangle
+inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh, const std::vector<char>& inside)
 {
-  auto flat = flatten_triangulation(cdt);
-  const Flat_triangulation_2& tr = flat.tr;
-  std::vector<char> inside;
-  for (auto f : flat.faces)
-    inside.push_back(is_inside(f) ? 1 : 0);
+  Sorted_triangulation_2 sorted(mesh); // so that it does not matter how the mesh came about
+  const Flat_triangulation_2& tr = sorted.tr;
+  std::vector<char> is_inside;
+  for (Index t : sorted.triangles)
+    is_inside.push_back(inside[t]);
   std::vector<Edge_length> edges;
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-    for (int i = 0; i < 3 && inside[t]; ++i) {
+    for (int i = 0; i < 3 && is_inside[t]; ++i) {
       const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)], n = tr.neighbors[t][i];
-      if (a < b || n == no_index || !inside[n]) // else it is added from the other side
+      if (a < b || n == no_index || !is_inside[n]) // else it is added from the other side
         edges.push_back({{a, b}, std::sqrt(CGAL::squared_distance(tr.points[a], tr.points[b]))});
     }
   std::vector<double> sizes = mean_edge_lengths(tr.points.size(), std::move(edges));
-  return Interpolated_field_2(std::move(flat.tr), std::move(inside), std::move(sizes));
+  return Interpolated_field_2(std::move(sorted.tr), std::move(is_inside), std::move(sizes));
 }
 
 } // namespace internal

@@ -12,10 +12,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -38,7 +38,7 @@ public:
     const std::size_t n = places.size();
     m_order.resize(n);
     std::iota(m_order.begin(), m_order.end(), Index(0));
-    std::sort(m_order.begin(), m_order.end(), [&places](Index a, Index b) { return places[a] < places[b]; });
+    sort_indices(m_order, [&places](Index a, Index b) { return places[a] < places[b]; });
     m_is_possible.resize(n);
     parallel_for(
       threads, n, [&](std::size_t k) { m_is_possible[k] = is_possible(places[k]); }, grain);

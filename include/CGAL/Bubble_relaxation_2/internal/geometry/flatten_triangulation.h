@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -24,8 +25,182 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A triangulation copied to arrays: vertices in the order of their points and triangles in the order of
-/// their vertices, so that it does not matter how it came about.
+/// The numbers of vertices, or of faces, by their addresses. The user's types are forgotten here, so that all that
+/// is done with numbers is compiled once.
+class Address_numbers
+{
+public:
+  /// \param size of the objects in memory
+  explicit Address_numbers(std::size_t size) : m_size(size), m_numbers(no_index) {}
+
+  void add(void* object)
+  {
+    m_numbers[key(object)] = static_cast<Index>(m_addresses.size());
+    m_addresses.push_back(object);
+  }
+
+  /// `no_index` if it was not added
+  Index operator()(const void* object) const { return m_numbers[key(object)]; }
+
+  const std::vector<void*>& addresses() const { return m_addresses; }
+
+private:
+  struct Identity
+  {
+    std::size_t operator()(std::size_t key) const { return key; }
+  };
+
+  /// objects that follow each other in memory have consecutive keys, as the hash map likes them
+  std::size_t key(const void* object) const { return reinterpret_cast<std::uintptr_t>(object) / m_size; }
+
+  std::size_t m_size;
+  Unique_hash_map<std::size_t, Index, Identity> m_numbers;
+  std::vector<void*> m_addresses;
+};
+
+/// Vertices and faces of one of CGAL's triangulations by their addresses, which containers have instead of handles:
+/// all of them are of one type then.
+template <class Triangulation>
+struct Handles
+{
+  using Tds = typename Triangulation::Triangulation_data_structure;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+
+  static Vertex_handle vertex(void* address)
+  {
+    return Tds::Vertex_range::s_iterator_to(*static_cast<typename Tds::Vertex*>(address));
+  }
+
+  static Face_handle face(void* address)
+  {
+    return Tds::Face_range::s_iterator_to(*static_cast<typename Tds::Face*>(address));
+  }
+};
+
+/// A user's triangulation in arrays: its finite vertices and faces in the order in which it lists them.
+struct Triangulation_copy_2
+{
+  Flat_triangulation_2 tr;
+  Address_numbers vertices, faces; ///< infinite ones have no number
+
+  /// \pre `t` has dimension 2
+  template <class Triangulation>
+  explicit Triangulation_copy_2(const Triangulation& t)
+    : vertices(sizeof(typename Triangulation::Vertex)), faces(sizeof(typename Triangulation::Face))
+  {
+    reserve(t.number_of_vertices(), t.number_of_faces());
+    for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
+      add_vertex(&*v, CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+    for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
+      faces.add(&*f);
+    for (void* f : faces.addresses()) {
+      const auto& face = *static_cast<typename Triangulation::Face*>(f);
+      add_triangle({&*face.vertex(0), &*face.vertex(1), &*face.vertex(2)},
+                   {&*face.neighbor(0), &*face.neighbor(1), &*face.neighbor(2)});
+    }
+  }
+
+private:
+  using Addresses = std::array<const void*, 3>;
+
+  void reserve(std::size_t number_of_vertices, std::size_t number_of_faces)
+  {
+    tr.points.reserve(number_of_vertices);
+    tr.vertices.reserve(number_of_faces);
+    tr.neighbors.reserve(number_of_faces);
+  }
+
+  void add_vertex(void* vertex, double x, double y)
+  {
+    vertices.add(vertex);
+    tr.points.emplace_back(x, y);
+  }
+
+  void add_triangle(const Addresses& v, const Addresses& n)
+  {
+    tr.vertices.push_back({vertices(v[0]), vertices(v[1]), vertices(v[2])});
+    tr.neighbors.push_back({faces(n[0]), faces(n[1]), faces(n[2])});
+  }
+};
+
+/// whether the point of a vertex, given by its address, is lexicographically before that of another one
+using Is_before = bool (*)(const void*, const void*);
+
+/// The numbers of a triangulation's vertices in the lexicographic order of their points.
+/// \param is_before `nullptr` if it is enough to compare the points as they are rounded to double; those in one place
+/// come in the order of their numbers then
+inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, Is_before is_before)
+{
+  std::vector<std::pair<Point, Index>> sorted;
+  sorted.reserve(copy.tr.points.size());
+  for (const Point& p : copy.tr.points)
+    sorted.emplace_back(p, static_cast<Index>(sorted.size()));
+  const std::vector<void*>& address = copy.vertices.addresses();
+  std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
+    return is_before != nullptr ? is_before(address[a.second], address[b.second]) : a < b;
+  });
+  std::vector<Index> order;
+  order.reserve(sorted.size());
+  for (const auto& v : sorted)
+    order.push_back(v.second);
+  return order;
+}
+
+/// the place of each number in an order of them
+inline std::vector<Index> inverse(const std::vector<Index>& order)
+{
+  std::vector<Index> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    place[order[k]] = static_cast<Index>(k);
+  return place;
+}
+
+/// A triangulation with the vertices in the order of their points and the triangles in the order of their vertices,
+/// so that it does not matter how it came about; and which vertices and triangles of another one these were.
+struct Sorted_triangulation_2
+{
+  Flat_triangulation_2 tr;
+  std::vector<Index> vertices, triangles;
+
+  explicit Sorted_triangulation_2(const Triangulation_copy_2& copy) : vertices(lexicographic_order(copy, nullptr))
+  {
+    const Flat_triangulation_2& t = copy.tr;
+    const std::vector<Index> number = inverse(vertices);
+    for (Index v : vertices)
+      tr.points.push_back(t.points[v]);
+    std::vector<Turned_triangle> turned;
+    turned.reserve(t.vertices.size());
+    for (const std::array<Index, 3>& corners : t.vertices) {
+      const std::array<Index, 3> v{number[corners[0]], number[corners[1]], number[corners[2]]};
+      const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
+      turned.push_back({{v[first], v[ccw(first)], v[cw(first)]}, static_cast<Index>(turned.size()), first});
+    }
+    std::sort(turned.begin(), turned.end(),
+              [](const Turned_triangle& a, const Turned_triangle& b) { return a.vertices < b.vertices; });
+    for (const Turned_triangle& c : turned)
+      triangles.push_back(c.triangle);
+    const std::vector<Index> place = inverse(triangles);
+    for (const Turned_triangle& c : turned) {
+      const auto neighbor = [&](int i) {
+        const Index n = t.neighbors[c.triangle][i];
+        return n == no_index ? no_index : place[n];
+      };
+      tr.vertices.push_back(c.vertices);
+      tr.neighbors.push_back({neighbor(c.first), neighbor(ccw(c.first)), neighbor(cw(c.first))});
+    }
+  }
+
+private:
+  struct Turned_triangle
+  {
+    std::array<Index, 3> vertices; // the smallest first
+    Index triangle;
+    int first; // index of the first vertex in the triangle
+  };
+};
+
+/// A user's triangulation in sorted arrays.
 template <class Triangulation>
 struct Flattened_triangulation_2
 {
@@ -38,47 +213,13 @@ struct Flattened_triangulation_2
 template <class Triangulation>
 Flattened_triangulation_2<Triangulation> flatten_triangulation(const Triangulation& t)
 {
-  using Vertex_handle = typename Triangulation::Vertex_handle;
-  using Face_handle = typename Triangulation::Face_handle;
-  std::vector<std::pair<Point, Vertex_handle>> vertices;
-  for (Vertex_handle v : t.finite_vertex_handles())
-    vertices.emplace_back(Point(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())), v);
-  // points that coincide when rounded come as they are; who cannot have them checks
-  std::stable_sort(vertices.begin(), vertices.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  Flattened_triangulation_2<Triangulation> flat;
-  Unique_hash_map<Vertex_handle, Index> vertex_index(no_index);
-  for (const auto& v : vertices) {
-    vertex_index[v.second] = static_cast<Index>(flat.tr.points.size());
-    flat.tr.points.push_back(v.first);
-    flat.vertices.push_back(v.second);
-  }
-
-  struct Corner_face
-  {
-    std::array<Index, 3> vertices; // the smallest first
-    Face_handle face;
-    int first; // index of the first vertex in the face
-  };
-  std::vector<Corner_face> faces;
-  for (Face_handle f : t.finite_face_handles()) {
-    const std::array<Index, 3> v{vertex_index[f->vertex(0)], vertex_index[f->vertex(1)],
-                                 vertex_index[f->vertex(2)]};
-    const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
-    faces.push_back({{v[first], v[ccw(first)], v[cw(first)]}, f, first});
-  }
-  std::sort(faces.begin(), faces.end(),
-            [](const Corner_face& a, const Corner_face& b) { return a.vertices < b.vertices; });
-  Unique_hash_map<Face_handle, Index> face_index(no_index);
-  for (std::size_t k = 0; k < faces.size(); ++k)
-    face_index[faces[k].face] = static_cast<Index>(k);
-  for (const Corner_face& c : faces) {
-    flat.tr.vertices.push_back(c.vertices);
-    flat.tr.neighbors.push_back({face_index[c.face->neighbor(c.first)],
-                                 face_index[c.face->neighbor(ccw(c.first))],
-                                 face_index[c.face->neighbor(cw(c.first))]});
-    flat.faces.push_back(c.face);
-  }
+  const Triangulation_copy_2 copy(t);
+  Sorted_triangulation_2 sorted(copy);
+  Flattened_triangulation_2<Triangulation> flat{std::move(sorted.tr), {}, {}};
+  for (Index v : sorted.vertices)
+    flat.vertices.push_back(Handles<Triangulation>::vertex(copy.vertices.addresses()[v]));
+  for (Index f : sorted.triangles)
+    flat.faces.push_back(Handles<Triangulation>::face(copy.faces.addresses()[f]));
   return flat;
 }
 

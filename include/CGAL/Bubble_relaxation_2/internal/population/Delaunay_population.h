@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
@@ -136,9 +137,7 @@ private:
         result.ours.push_back(i);
       }
     m_team.share(result.nearest);
-    std::sort(result.ours.begin(), result.ours.end(), [&](Index i, Index j) {
-      return is_worse(b, result, i, j);
-    });
+    sort_indices(result.ours, [&](Index i, Index j) { return is_worse(b, result, i, j); });
     return result;
   }
 

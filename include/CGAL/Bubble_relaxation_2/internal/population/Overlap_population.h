@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -93,7 +94,7 @@ private:
     for (std::size_t i = 0; i < b.size(); ++i)
       if (b.is_ours(i) && is_crowded(static_cast<Index>(i)))
         crowded.push_back(static_cast<Index>(i));
-    std::sort(crowded.begin(), crowded.end(), is_worse);
+    sort_indices(crowded, is_worse);
     Greedy_choice choice;
     choice.start(b.size());
     for (Index i : crowded) {

@@ -236,7 +236,7 @@ private:
       positions.push_back((std::max)(rank, std::size_t(1)) - 1);
     }
     const std::vector<double> sorted = all.sorted_at(values, positions);
-    std::array<double, n> result;
+    std::array<double, n> result{};
     std::copy(sorted.begin(), sorted.end(), result.begin());
     return result;
   }

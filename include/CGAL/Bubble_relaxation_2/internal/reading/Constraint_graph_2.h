@@ -9,14 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/domain/constraint_hierarchy.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
-
-#include <CGAL/Unique_hash_map.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -25,158 +23,126 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// A constrained edge of a user's triangulation, from its lexicographically smaller end to the other, and the sides on
+/// which the domain lies.
+struct Constrained_edge_2
+{
+  Index source, target;
+  bool inside_left, inside_right;
+  bool is_of_one_constraint; ///< as far as the triangulation knows
+
+  bool is_in_domain() const { return inside_left || inside_right; }
+};
+
 /// The constrained edges of a user's triangulation that bound or cross the domain, as a graph, and the
 /// straight chains that they form between corners. A vertex that only splits a straight constraint is
 /// no corner, unless it is pinned.
 ///
-/// Corners, chains and their directions are in the lexicographic order of points, so they depend neither
-/// on the order in which the constraints were inserted nor on where faces lie in memory.
-template <class Cdt>
+/// Vertices are numbered in the lexicographic order of points. Corners, chains and their directions are in this order,
+/// so they depend neither on the order in which the constraints were inserted nor on where faces lie in memory.
 class Constraint_graph_2
 {
 public:
-  using Vertex_handle = typename Cdt::Vertex_handle;
-
   /// A straight chain: its corners, as indices of `corners()`, the vertices between them from source
   /// to target, and the sides on which the domain lies.
   struct Chain
   {
     Index source, target;
     bool inside_left, inside_right;
-    std::vector<Vertex_handle> splits;
+    std::vector<Index> splits;
   };
 
-  /// `is_inside(face)` tells the domain, `is_pinned(vertex)` what the user pinned. If `merge` is false
-  /// every vertex is a corner.
-  template <class Is_inside, class Is_pinned>
-  Constraint_graph_2(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned,
-                     bool merge)
-    : m_cdt(cdt), m_index(no_index)
+  /// `is_fixed`: of each vertex whether it is a corner wherever it lies
+  Constraint_graph_2(const std::vector<Point>& points, std::vector<Constrained_edge_2> edges,
+                     const std::vector<char>& is_fixed)
+    : m_node(points.size(), no_index), m_constraints(std::move(edges))
   {
-    collect_edges(is_inside);
-    m_is_corner.assign(m_nodes.size(), 1);
-    if (merge) {
-      const Splitting_vertices<Cdt> splitting(cdt);
-      for (std::size_t v = 0; v < m_nodes.size(); ++v)
-        m_is_corner[v] = is_pinned(m_nodes[v].handle) || !only_splits(v, splitting);
-    }
+    number_nodes(points);
+    add_edges();
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      m_is_corner.push_back(is_fixed[m_vertices[v]] || !only_splits(v));
     while (!find_chains())
       ;
-    for (std::size_t v = 0; v < m_nodes.size(); ++v)
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (m_is_corner[v])
-        m_corners.push_back(m_nodes[v].handle);
+        m_corners.push_back(m_vertices[v]);
   }
 
-  const std::vector<Vertex_handle>& corners() const { return m_corners; }
+  const std::vector<Index>& corners() const { return m_corners; } ///< vertices
   const std::vector<Chain>& chains() const { return m_chains; }
 
   /// whether the vertex is an end of one of the graph's edges
-  bool contains(Vertex_handle v) const { return m_index.is_defined(v); }
+  bool contains(Index v) const { return m_node[v] != no_index; }
 
   /// whether a constraint without a part in the domain ends at a vertex of the graph
   bool touches_other_constraints() const
   {
-    return std::any_of(m_nodes.begin(), m_nodes.end(), [](const Node& node) {
-      return static_cast<std::size_t>(node.degree) != node.edges.size();
-    });
-  }
-
-  /// the lexicographic order of points
-  static bool is_before(Vertex_handle u, Vertex_handle v)
-  {
-    return CGAL::lexicographically_xy_smaller(u->point(), v->point());
-  }
-
-  static Point to_point(Vertex_handle v)
-  {
-    return Point(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      if (m_degrees[v] != m_edges[v].size())
+        return true;
+    return false;
   }
 
 private:
-  struct Half_edge
+  void number_nodes(const std::vector<Point>& points)
   {
-    Index to;
-    bool inside_left, inside_right;
-  };
-
-  struct Node
-  {
-    Vertex_handle handle;
-    std::vector<Half_edge> edges; // in the order of their targets
-    int degree = 0; // with constraints that have no part in the domain
-  };
-
-  struct Constrained_edge
-  {
-    Vertex_handle source, target;
-    bool inside_left, inside_right;
-
-    bool is_in_domain() const { return inside_left || inside_right; }
-  };
-
-  template <class Is_inside>
-  void collect_edges(const Is_inside& is_inside)
-  {
-    const std::vector<Constrained_edge> edges = constrained_edges(is_inside);
-    number_nodes(edges);
-    for (const Constrained_edge& e : edges) {
-      if (e.is_in_domain()) {
-        const Index a = m_index[e.source], b = m_index[e.target];
-        m_nodes[a].edges.push_back(Half_edge{b, e.inside_left, e.inside_right});
-        m_nodes[b].edges.push_back(Half_edge{a, e.inside_right, e.inside_left});
-      }
-      for (Vertex_handle v : {e.source, e.target})
-        if (contains(v))
-          ++m_nodes[m_index[v]].degree;
-    }
-    for (Node& node : m_nodes)
-      std::sort(node.edges.begin(), node.edges.end(),
-                [](const Half_edge& e, const Half_edge& f) { return e.to < f.to; });
-  }
-
-  /// Every constrained edge once, from its lexicographically smaller end to the other. CGAL's iterator of
-  /// edges is of no use here: which side of an edge it gives depends on the addresses of the faces.
-  template <class Is_inside>
-  std::vector<Constrained_edge> constrained_edges(const Is_inside& is_inside) const
-  {
-    std::vector<Constrained_edge> edges;
-    for (auto f : m_cdt.all_face_handles())
-      for (int i = 0; i < 3; ++i) {
-        if (!f->is_constrained(i))
-          continue;
-        const Vertex_handle u = f->vertex(m_cdt.ccw(i)), v = f->vertex(m_cdt.cw(i));
-        if (is_before(u, v))
-          edges.push_back(Constrained_edge{u, v, is_inside(f), is_inside(f->neighbor(i))});
-      }
-    return edges;
-  }
-
-  void number_nodes(const std::vector<Constrained_edge>& edges)
-  {
-    std::vector<Vertex_handle> ends;
-    for (const Constrained_edge& e : edges)
+    for (const Constrained_edge_2& e : m_constraints)
       if (e.is_in_domain())
-        ends.insert(ends.end(), {e.source, e.target});
-    std::sort(ends.begin(), ends.end(), is_before);
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    for (Vertex_handle v : ends) {
-      m_index[v] = static_cast<Index>(m_nodes.size());
-      m_nodes.push_back(Node{v, {}, 0});
-    }
+        m_node[e.source] = m_node[e.target] = 0;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (m_node[v] != no_index) {
+        m_node[v] = static_cast<Index>(m_vertices.size());
+        m_vertices.push_back(static_cast<Index>(v));
+        m_points.push_back(points[v]);
+      }
   }
 
-  Point point(std::size_t v) const { return to_point(m_nodes[v].handle); }
-
-  bool only_splits(std::size_t v, const Splitting_vertices<Cdt>& splitting) const
+  /// enters the edges at their ends; there they are in the order of the other ends, since they are sorted here
+  void add_edges()
   {
-    const Node& node = m_nodes[v];
-    if (node.degree != 2 || node.edges.size() != 2)
+    std::sort(m_constraints.begin(), m_constraints.end(),
+              [](const Constrained_edge_2& e, const Constrained_edge_2& f) {
+                return e.source != f.source ? e.source < f.source : e.target < f.target;
+              });
+    m_edges.resize(m_vertices.size());
+    m_degrees.resize(m_vertices.size());
+    for (std::size_t k = 0; k < m_constraints.size(); ++k)
+      for (Index end : {m_constraints[k].source, m_constraints[k].target}) {
+        const Index v = m_node[end];
+        if (v == no_index)
+          continue;
+        ++m_degrees[v];
+        if (m_constraints[k].is_in_domain())
+          m_edges[v].push_back(static_cast<Index>(k));
+      }
+  }
+
+  /// the other end of an edge at a node
+  Index other_end(Index edge, Index v) const
+  {
+    const Constrained_edge_2& e = m_constraints[edge];
+    return m_node[e.source] == v ? m_node[e.target] : m_node[e.source];
+  }
+
+  /// whether the domain lies left of an edge, seen from one of its ends, and whether right of it
+  std::array<bool, 2> sides(Index edge, Index v) const
+  {
+    const Constrained_edge_2& e = m_constraints[edge];
+    if (m_node[e.source] == v)
+      return {e.inside_left, e.inside_right};
+    return {e.inside_right, e.inside_left};
+  }
+
+  bool only_splits(std::size_t node) const
+  {
+    const Index v = static_cast<Index>(node);
+    if (m_degrees[v] != 2 || m_edges[v].size() != 2)
       return false;
-    const Half_edge &a = node.edges[0], &b = node.edges[1];
-    if (a.inside_left != b.inside_right || a.inside_right != b.inside_left)
-      return false;
-    return splitting(m_nodes[a.to].handle, node.handle, m_nodes[b.to].handle) &&
-           lies_between(point(a.to), point(v), point(b.to));
+    const Index a = m_edges[v][0], b = m_edges[v][1];
+    const std::array<bool, 2> of_a = sides(a, v), of_b = sides(b, v);
+    return of_a[0] == of_b[1] && of_a[1] == of_b[0] && m_constraints[a].is_of_one_constraint &&
+           m_constraints[b].is_of_one_constraint &&
+           lies_between(m_points[other_end(a, v)], m_points[v], m_points[other_end(b, v)]);
   }
 
   /// whether `p` is on the segment from `a` to `b` up to the rounding of its coordinates
@@ -198,17 +164,17 @@ private:
   bool find_chains()
   {
     m_chains.clear();
-    std::vector<Index> corner_number(m_nodes.size(), no_index);
+    std::vector<Index> corner_number(m_vertices.size(), no_index);
     Index n = 0;
-    for (std::size_t v = 0; v < m_nodes.size(); ++v)
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (m_is_corner[v])
         corner_number[v] = n++;
-    std::vector<char> seen(m_nodes.size(), 0);
-    for (std::size_t v = 0; v < m_nodes.size(); ++v) {
+    std::vector<char> seen(m_vertices.size(), 0);
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       if (!m_is_corner[v])
         continue;
-      for (const Half_edge& first : m_nodes[v].edges) {
-        std::vector<Index> path = follow(static_cast<Index>(v), first);
+      for (Index first : m_edges[v]) {
+        const std::vector<Index> path = follow(static_cast<Index>(v), first);
         for (std::size_t k = 1; k + 1 < path.size(); ++k)
           seen[path[k]] = 1;
         if (path.back() < static_cast<Index>(v))
@@ -218,14 +184,14 @@ private:
           m_is_corner[bend] = 1;
           return false;
         }
-        Chain chain{corner_number[v], corner_number[path.back()], first.inside_left,
-                    first.inside_right, {}};
+        const std::array<bool, 2> inside = sides(first, static_cast<Index>(v));
+        Chain chain{corner_number[v], corner_number[path.back()], inside[0], inside[1], {}};
         for (std::size_t k = 1; k + 1 < path.size(); ++k)
-          chain.splits.push_back(m_nodes[path[k]].handle);
+          chain.splits.push_back(m_vertices[path[k]]);
         m_chains.push_back(std::move(chain));
       }
     }
-    for (std::size_t v = 0; v < m_nodes.size(); ++v)
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (!m_is_corner[v] && !seen[v]) { // a cycle without a corner
         m_is_corner[v] = 1;
         return false;
@@ -233,13 +199,12 @@ private:
     return true;
   }
 
-  std::vector<Index> follow(Index v, const Half_edge& first) const
+  std::vector<Index> follow(Index v, Index first) const
   {
-    std::vector<Index> path{v, first.to};
+    std::vector<Index> path{v, other_end(first, v)};
     while (!m_is_corner[path.back()]) {
-      const Node& node = m_nodes[path.back()];
-      const Index before = path[path.size() - 2];
-      path.push_back(node.edges[0].to == before ? node.edges[1].to : node.edges[0].to);
+      const Index last = path.back(), before = path[path.size() - 2], next = other_end(m_edges[last][0], last);
+      path.push_back(next == before ? other_end(m_edges[last][1], last) : next);
     }
     return path;
   }
@@ -247,11 +212,11 @@ private:
   /// a vertex of the path that is not on the segment between its ends, although each piece is straight
   Index farthest_off(const std::vector<Index>& path) const
   {
-    const Point a = point(path.front()), b = point(path.back());
+    const Point &a = m_points[path.front()], &b = m_points[path.back()];
     Index worst = no_index;
     double largest = 0;
     for (std::size_t k = 1; k + 1 < path.size(); ++k) {
-      const Point p = point(path[k]);
+      const Point& p = m_points[path[k]];
       if (lies_between(a, p, b))
         continue;
       const double off =
@@ -264,11 +229,14 @@ private:
     return worst;
   }
 
-  const Cdt& m_cdt;
-  Unique_hash_map<Vertex_handle, Index> m_index;
-  std::vector<Node> m_nodes;
+  std::vector<Index> m_node; // of each vertex
+  std::vector<Constrained_edge_2> m_constraints;
+  std::vector<Index> m_vertices; // of each node
+  std::vector<Point> m_points;
+  std::vector<std::vector<Index>> m_edges; // in the domain, in the order of their other ends
+  std::vector<std::size_t> m_degrees;      // with constraints that have no part in the domain
   std::vector<char> m_is_corner;
-  std::vector<Vertex_handle> m_corners;
+  std::vector<Index> m_corners;
   std::vector<Chain> m_chains;
 };
 

@@ -9,8 +9,11 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/compiled.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/constraint_hierarchy.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/Constraint_graph_2.h>
 
@@ -18,134 +21,127 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// What the entry points read from a user's triangulation: the domain, and which vertex is what.
-template <class Cdt>
-struct Domain_reading_2
+/// The vertices of a user's triangulation in the lexicographic order of their points. In what is read they have the
+/// numbers of this order, since the order in which they were inserted must not matter.
+struct Sorted_vertices_2
 {
-  using Vertex_handle = typename Cdt::Vertex_handle;
-  using Graph = Constraint_graph_2<Cdt>;
+  std::vector<Point> points;
+  std::vector<void*> addresses;
+  std::vector<Index> number; ///< of each vertex of the copy
 
+  /// \param is_before `nullptr` if coordinates are the user's to the last bit. Else some points may be rounded to one
+  Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before);
+};
+
+/// What the entry points read from a user's triangulation, in arrays: the domain, and which vertex is what.
+class Read_domain_2
+{
+public:
   Domain_2 domain;
-  std::unique_ptr<Graph> graph;      ///< corners and chains, numbered as in `domain`
+  std::unique_ptr<Constraint_graph_2> graph; ///< corners and chains, numbered as in `domain`
 
   /// vertices inside the domain that no constraint touches: the pinned ones and all others. Only their
   /// points decide their order, whatever the order in which they were inserted.
-  std::vector<Vertex_handle> pinned, free;
+  std::vector<Index> pinned, free;
   Given_mesh_2 given; ///< where vertices inside and on edges are
 
-  /// `is_inside(face)`, `is_pinned(vertex)`: the domain and what the user pinned
-  template <class Is_inside, class Is_pinned>
-  Domain_reading_2(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned)
-  {
-    check_coordinates(cdt);
-    if (build(cdt, is_inside, is_pinned, true) != Marking_error::NONE) {
-      // straightening a chain may touch what lies a rounding away from it: take all vertices as corners
-      const Marking_error error = build(cdt, is_inside, is_pinned, false);
-      if (error != Marking_error::NONE)
-        throw std::invalid_argument(
-          error == Marking_error::POINTS_COINCIDE
-            ? "Bubble_relaxation_2: two vertices of the triangulation coincide when rounded to double"
-            : "Bubble_relaxation_2: constraints of the triangulation cross when rounded to double");
-    }
-    for (Vertex_handle v : cdt.finite_vertex_handles())
-      if (!graph->contains(v) && is_inside(v->face()) && !cdt.are_there_incident_constraints(v))
-        (is_pinned(v) ? pinned : free).push_back(v);
-    given.pinned = sort_by_place(pinned);
-    given.free = sort_by_place(free);
-    for (const typename Graph::Chain& c : graph->chains()) {
-      given.on_edge.emplace_back();
-      for (Vertex_handle v : c.splits)
-        given.on_edge.back().push_back(Graph::to_point(v));
-    }
-  }
+  /// Finds out how the mesh looks around the free vertices.
+  void look_around(const Marked_copy_2& copy);
 
-  /// finds out how the mesh looks around the free vertices from `first` to `last`, without
-  void look_around(const Cdt& cdt, std::size_t first, std::size_t last)
-  {
-    given.around.resize(free.size());
-    for (std::size_t k = first; k < last; ++k)
-      given.around[k] = surroundings(cdt, free[k]);
-  }
+protected:
+  Read_domain_2(const Marked_copy_2& copy, Is_before is_before);
+
+  /// once it is known which vertices are pinned or given, and which edges are of one constraint only
+  void build();
+
+  Sorted_vertices_2 m_vertices;
+  std::vector<char> m_is_of_domain, m_is_pinned, m_is_given; // vertices; given as points of a constraint
+  std::vector<Constrained_edge_2> m_edges;
 
 private:
-  static Mesh_surroundings_2 surroundings(const Cdt& cdt, Vertex_handle v)
-  {
-    std::vector<Point> ring;
-    auto u = first_neighbor(cdt, v), start = u;
-    do {
-      if (!cdt.is_infinite(u))
-        ring.push_back(Graph::to_point(u));
-    } while (++u != start);
-    return mesh_surroundings(Graph::to_point(v), ring);
-  }
+  void add_edge(const Marked_copy_2& copy, Index t, int i);
 
-  /// Starts at the neighbour with the lexicographically smallest point: where CGAL starts depends on the
-  /// history of the triangulation, and a sum depends on the order of its terms.
-  static typename Cdt::Vertex_circulator first_neighbor(const Cdt& cdt, Vertex_handle v)
-  {
-    auto u = cdt.incident_vertices(v), start = u, first = u;
-    do {
-      if (!cdt.is_infinite(u) && (cdt.is_infinite(first) || Graph::is_before(u, first)))
-        first = u;
-    } while (++u != start);
-    return first;
-  }
+  Marking_error build(const std::vector<char>& is_fixed);
+
+  std::vector<Point> points(const std::vector<Index>& vertices) const;
 
   /// sorts along a Hilbert curve, so that a search from one vertex to the next is short; returns the points
-  std::vector<Point> sort_by_place(std::vector<Vertex_handle>& vertices) const
+  std::vector<Point> sort_by_place(std::vector<Index>& vertices) const;
+
+  /// The neighbours of `v`, counterclockwise from the first one on: a sum depends on the order of its terms.
+  void find_ring(const Flat_triangulation_2& tr, Index triangle, Index v, std::vector<Index>& ring) const;
+};
+
+/// What is read from a triangulation of a certain type. It knows the handles of vertices.
+template <class Cdt>
+class Domain_reading_2 : public Read_domain_2
+{
+public:
+  using Vertex_handle = typename Cdt::Vertex_handle;
+
+  /// `is_pinned(vertex)`: what the user pinned
+  template <class Is_pinned>
+  Domain_reading_2(const Cdt& cdt, const Domain_marks_2<Cdt>& marks, const Is_pinned& is_pinned)
+    : Read_domain_2(marks, is_before())
   {
-    std::sort(vertices.begin(), vertices.end(), Graph::is_before); // some may be rounded to one place
-    std::vector<Point> points;
-    for (Vertex_handle v : vertices)
-      points.push_back(Graph::to_point(v));
-    std::vector<Vertex_handle> sorted;
-    std::vector<Point> sorted_points;
-    for (Index i : hilbert_order(hilbert_curve(domain), points)) {
-      sorted.push_back(vertices[i]);
-      sorted_points.push_back(points[i]);
-    }
-    vertices.swap(sorted);
-    return sorted_points;
+    for (std::size_t v = 0; v < m_is_pinned.size(); ++v)
+      if (m_is_of_domain[v])
+        m_is_pinned[v] = is_pinned(vertex(static_cast<Index>(v)));
+    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      read_hierarchy(cdt, marks);
+    build();
   }
 
-  template <class Is_inside, class Is_pinned>
-  Marking_error build(const Cdt& cdt, const Is_inside& is_inside, const Is_pinned& is_pinned,
-                      bool merge)
+  Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices.addresses[v]); }
+
+private:
+  static constexpr Is_before is_before()
   {
-    graph = std::make_unique<Graph>(cdt, is_inside, is_pinned, merge);
-    std::vector<Point> corners;
-    for (Vertex_handle v : graph->corners())
-      corners.push_back(Graph::to_point(v));
-    std::vector<Domain_edge_2> edges;
-    for (const typename Graph::Chain& c : graph->chains())
-      edges.push_back(Domain_edge_2{c.source, c.target, c.inside_left, c.inside_right});
-    return domain.build(std::move(corners), std::move(edges));
+    if constexpr (std::is_same<typename Cdt::Geom_traits::FT, double>::value)
+      return nullptr;
+    else
+      return [](const void* u, const void* v) {
+        using Vertex = typename Cdt::Vertex;
+        return CGAL::lexicographically_xy_smaller(static_cast<const Vertex*>(u)->point(),
+                                                  static_cast<const Vertex*>(v)->point()) == true;
+      };
   }
 
-  static void check_coordinates(const Cdt& cdt)
+  /// Only vertices that were not given as points of a constraint, on pieces that belong to one constraint only, may
+  /// merely split it. Without a hierarchy nothing is known of that.
+  void read_hierarchy(const Cdt& cdt, const Domain_marks_2<Cdt>& marks)
   {
-    for (Vertex_handle v : cdt.finite_vertex_handles()) {
-      const double x = CGAL::to_double(v->point().x()), y = CGAL::to_double(v->point().y());
-      if (std::isfinite(x) && std::isfinite(y))
-        continue;
-      std::ostringstream message;
-      message << "Bubble_relaxation_2: a vertex of the triangulation has the coordinates (" << x << ", " << y
-              << "), which must be finite";
-      throw std::invalid_argument(message.str());
+    for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+      const auto first = cdt.vertices_in_constraint_begin(*c), end = cdt.vertices_in_constraint_end(*c);
+      Index last = no_index;
+      for (auto v = first; v != end; ++v) {
+        last = m_vertices.number[marks.vertices(&**v)];
+        if (v == first || v.input())
+          m_is_given[last] = 1;
+      }
+      m_is_given[last] = 1;
     }
+    for (Constrained_edge_2& e : m_edges)
+      if (e.is_in_domain())
+        e.is_of_one_constraint = cdt.number_of_enclosing_constraints(vertex(e.source), vertex(e.target)) == 1;
   }
 };
 
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_domain_impl.h>
+#endif
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H

@@ -15,13 +15,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
-#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
 #include <cstddef>
@@ -44,7 +42,7 @@ auto is_pinned(const NamedParameters& np)
 /// The sizes that the user wants: the sizing function, checked, or by default those of the mesh that is there, or else
 /// what the outline asks for.
 template <class Cdt, class NamedParameters>
-Sizes_2 wanted_sizes(const Cdt& cdt, const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
+Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
                      const Domain_reading_2<Cdt>& reading)
 {
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
@@ -52,46 +50,39 @@ Sizes_2 wanted_sizes(const Cdt& cdt, const NamedParameters& np, const Domain_mar
     return Sizes_2(
       checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
   } else if (reading.free.empty()) { // no mesh yet
-    return sizes_of_outline(reading.domain, reading.given);
+    return sizes_of_domain(reading.domain, reading.given);
   } else {
-    return Sizes_2(mean_edge_length_field(cdt, marks));
+    return sizes_of_mesh(marks, marks.inside());
   }
 }
 
-/// Counts the bubbles that wanted sizes ask for, and limits them by the outline as far as the user leaves them to that.
-/// \throws std::length_error if they ask for too many bubbles
-template <class NamedParameters>
-Sizes_2 sizes_to_follow(const Domain_2& domain, const Given_mesh_2& given, Sizes_2 wanted,
-                        const Relaxation_options& options)
-{
-  count_bubbles(domain, options.maximum_number_of_bubbles, "the domain and the sizing function", wanted);
-  if (Is_given<NamedParameters, internal_np::sizing_function_t>::value && options.limit_by_outline)
-    return limited_by_outline(domain, given, wanted, options.maximum_number_of_bubbles);
-  return wanted;
-}
-
-/// What all entry points begin with. It refers to the user's triangulation and parameters.
+/// What all entry points begin with. It refers to the user's vertices and parameters.
 template <class Cdt>
 struct Input_2
 {
   Relaxation_options options;
-  Domain_marks_2<Cdt> marks;
   Domain_reading_2<Cdt> reading;
   Sizes_2 wanted; ///< by the user
   Sizes_2 sizes;  ///< that the simulation follows
 
+  // in braces, since options are to be checked before the triangulation
   template <class NamedParameters>
-  Input_2(const Cdt& cdt, const NamedParameters& np)
-    : options(read_options(np)), marks(cdt, np), reading(cdt, marks, is_pinned<Cdt>(np)),
-      wanted(wanted_sizes(cdt, np, marks, reading)),
-      sizes(sizes_to_follow<NamedParameters>(reading.domain, reading.given, wanted, options))
+  Input_2(const Cdt& cdt, const NamedParameters& np) : Input_2{np, cdt, read_options(np), Domain_marks_2<Cdt>(cdt, np)}
+  {}
+
+  Problem_2 problem() const { return Problem_2{reading.domain, reading.given, options, wanted, sizes}; }
+
+private:
+  template <class NamedParameters>
+  Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
+    : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
+      sizes(sizes_to_follow(reading.domain, reading.given, wanted, options.maximum_number_of_bubbles,
+                            options.limit_by_outline && Is_given<NamedParameters, internal_np::sizing_function_t>::value))
   {
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept
-      reading.look_around(cdt, 0, reading.free.size());
+      reading.look_around(marks);
   }
-
-  Problem_2 problem() const { return Problem_2{reading.domain, reading.given, options, wanted, sizes}; }
 };
 
 } // namespace internal

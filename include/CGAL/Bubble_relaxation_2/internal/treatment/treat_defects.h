@@ -149,7 +149,7 @@ inline bool is_treatment_due(const Relaxation_options& options, const Report& re
 }
 
 /// The triangulation of the simulated bubbles, and what is done to it before it is written.
-inline Bubble_mesh_2 make_mesh(const Problem_2& problem, Bubbles_2 bubbles, Report& report)
+inline Bubble_mesh_2 triangulate_and_treat(const Problem_2& problem, Bubbles_2 bubbles, Report& report)
 {
   const Phase_timer timer(report.seconds.treatment);
   Bubble_mesh_2 mesh{std::move(bubbles), {}};

@@ -74,20 +74,22 @@ public:
 private:
   void make_vertices()
   {
-    for (Vertex_handle v : m_reading.free)
-      m_cdt.tds().delete_vertex(v);
+    for (Index v : m_reading.free)
+      m_cdt.tds().delete_vertex(m_reading.vertex(v));
     for (const auto& chain : m_reading.graph->chains())
-      for (Vertex_handle v : chain.splits)
-        m_cdt.tds().delete_vertex(v);
+      for (Index v : chain.splits)
+        m_cdt.tds().delete_vertex(m_reading.vertex(v));
     m_vertices.reserve(m_bubbles.size());
     for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
-      if (m_bubbles.is_corner(i))
-        m_vertices.push_back(m_bubbles.host[i] != no_index ? m_reading.graph->corners()[m_bubbles.host[i]]
+      Vertex_handle v;
+      if (m_bubbles.is_corner(i)) {
+        v = m_reading.vertex(m_bubbles.host[i] != no_index ? m_reading.graph->corners()[m_bubbles.host[i]]
                                                             : m_reading.pinned[m_bubbles.pin[i]]);
-      else {
-        m_vertices.push_back(m_cdt.tds().create_vertex());
-        m_vertices.back()->set_point(typename Cdt::Point(m_bubbles.x[i], m_bubbles.y[i]));
+      } else {
+        v = m_cdt.tds().create_vertex();
+        v->set_point(typename Cdt::Point(m_bubbles.x[i], m_bubbles.y[i]));
       }
+      m_vertices.push_back(&*v);
     }
   }
 
@@ -97,14 +99,14 @@ private:
     m_faces.reserve(tr.number_of_triangles());
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
       const auto& v = tr.vertices[t];
-      const Face_handle f = m_cdt.tds().create_face(m_vertices[v[0]], m_vertices[v[1]], m_vertices[v[2]]);
-      m_faces.push_back(f);
+      const Face_handle f = m_cdt.tds().create_face(vertex(v[0]), vertex(v[1]), vertex(v[2]));
+      m_faces.push_back(&*f);
       for (int i = 0; i < 3; ++i) {
-        m_vertices[v[i]]->set_face(f);
+        vertex(v[i])->set_face(f);
         f->set_constraint(i, m_mesh.edges[t][i] != no_index);
         const Index n = tr.neighbors[t][i];
         if (n != no_index && static_cast<std::size_t>(n) < t)
-          m_cdt.tds().set_adjacency(f, i, m_faces[n], tr.index_of_neighbor(n, static_cast<Index>(t)));
+          m_cdt.tds().set_adjacency(f, i, face(m_faces[n]), tr.index_of_neighbor(n, static_cast<Index>(t)));
       }
       mark(f, m_mesh.inside[t] != 0);
     }
@@ -115,25 +117,29 @@ private:
   {
     const Marked_triangles_2& tr = m_mesh;
     const Vertex_handle infinite = m_cdt.infinite_vertex();
-    std::vector<Face_handle> hull, ending_at(m_bubbles.size()); // hull sides run clockwise, seen from outside
+    std::vector<void*> hull, ending_at(m_bubbles.size()); // hull sides run clockwise, seen from outside
     std::vector<Index> sources;
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
       for (int i = 0; i < 3; ++i) {
         if (tr.neighbors[t][i] != no_index)
           continue;
         const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
-        const Face_handle f = m_cdt.tds().create_face(m_vertices[b], m_vertices[a], infinite);
+        const Face_handle f = m_cdt.tds().create_face(vertex(b), vertex(a), infinite);
         f->set_constraints(false, false, m_mesh.edges[t][i] != no_index);
-        m_cdt.tds().set_adjacency(m_faces[t], i, f, 2);
+        m_cdt.tds().set_adjacency(face(m_faces[t]), i, f, 2);
         mark(f, false);
-        hull.push_back(f);
+        hull.push_back(&*f);
         sources.push_back(a);
-        ending_at[b] = f;
+        ending_at[b] = &*f;
       }
     for (std::size_t k = 0; k < hull.size(); ++k)
-      m_cdt.tds().set_adjacency(hull[k], 0, ending_at[sources[k]], 1);
-    infinite->set_face(hull.front());
+      m_cdt.tds().set_adjacency(face(hull[k]), 0, face(ending_at[sources[k]]), 1);
+    infinite->set_face(face(hull.front()));
   }
+
+  Vertex_handle vertex(Index bubble) const { return Handles<Cdt>::vertex(m_vertices[bubble]); }
+
+  static Face_handle face(void* address) { return Handles<Cdt>::face(address); }
 
   static void mark([[maybe_unused]] Face_handle f, [[maybe_unused]] bool inside)
   {
@@ -145,8 +151,8 @@ private:
   const Reading& m_reading;
   const Bubbles_2& m_bubbles;
   const Marked_triangles_2& m_mesh;
-  std::vector<Vertex_handle> m_vertices; // of the bubbles
-  std::vector<Face_handle> m_faces;      // of the triangles
+  std::vector<void*> m_vertices; // of the bubbles
+  std::vector<void*> m_faces;    // of the triangles
 };
 
 } // namespace internal

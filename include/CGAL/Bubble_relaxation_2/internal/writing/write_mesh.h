@@ -41,7 +41,7 @@ class Write_back_2
   using Edge = typename Cdt::Edge;
   using Cdt_point = typename Cdt::Point;
   using Reading = Domain_reading_2<Cdt>;
-  using Chain = typename Reading::Graph::Chain;
+  using Chain = Constraint_graph_2::Chain;
 
 public:
   Write_back_2(Cdt& cdt, const Reading& reading, const Bubbles_2& bubbles)
@@ -50,8 +50,8 @@ public:
 
   void operator()()
   {
-    for (Vertex_handle v : m_reading.free)
-      m_cdt.remove(v);
+    for (Index v : m_reading.free)
+      m_cdt.remove(m_reading.vertex(v));
     for (const Chain& c : m_reading.graph->chains())
       straighten(c);
     split_constraints();
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  Vertex_handle corner(Index i) const { return m_reading.graph->corners()[i]; }
+  Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
 
   /// removes the vertices that only split the chain
   void straighten(const Chain& chain)
@@ -69,7 +69,7 @@ private:
     if (chain.splits.empty())
       return;
     if constexpr (Has_constraint_hierarchy<Cdt>::value) {
-      auto context = *m_cdt.contexts_begin(corner(chain.source), chain.splits.front());
+      auto context = *m_cdt.contexts_begin(corner(chain.source), m_reading.vertex(chain.splits.front()));
       auto it = context.current(); // the end of the piece that comes first in the polyline
       const bool is_forward = *it == corner(chain.source);
       if (is_forward)
@@ -77,7 +77,8 @@ private:
       for (std::size_t k = 0; k < chain.splits.size(); ++k)
         simplify(context.id(), is_forward ? it++ : it--);
     } else {
-      for (Vertex_handle v : chain.splits) {
+      for (Index split : chain.splits) {
+        const Vertex_handle v = m_reading.vertex(split);
         m_cdt.remove_incident_constraints(v);
         m_cdt.remove(v);
       }
@@ -102,12 +103,12 @@ private:
     m_paths.resize(on_edge.size());
     for (std::size_t e = 0; e < on_edge.size(); ++e) {
       const Chain& chain = m_reading.graph->chains()[e];
-      std::vector<Vertex_handle>& path = m_paths[e];
-      path.assign(1, corner(chain.source));
+      m_path = &m_paths[e];
+      add_to_path(corner(chain.source));
       for (Index i : on_edge[e])
-        split(path, corner(chain.target), point_on_edge(static_cast<Index>(e), i));
-      while (path.back() != corner(chain.target))
-        path.push_back(next_towards(path.back(), corner(chain.target)).second);
+        split(corner(chain.target), point_on_edge(static_cast<Index>(e), i));
+      while (end_of_path() != corner(chain.target))
+        add_to_path(next_towards(end_of_path(), corner(chain.target)).second);
     }
   }
 
@@ -138,22 +139,35 @@ private:
     return {Edge(f, i), next};
   }
 
-  /// splits the last part of the path to `target` at `p`
-  void split(std::vector<Vertex_handle>& path, Vertex_handle target, const Cdt_point& p)
+  static Vertex_handle vertex(void* address) { return Handles<Cdt>::vertex(address); }
+  Vertex_handle end_of_path() const { return vertex(m_path->back()); }
+  void add_to_path(Vertex_handle v) { m_path->push_back(&*v); }
+
+  /// whether `p` comes before `q` on the way from `from` to `to`, which are not in one place
+  static bool comes_before(const Cdt_point& p, const Cdt_point& q, const Cdt_point& from, const Cdt_point& to)
   {
-    std::pair<Edge, Vertex_handle> next = next_towards(path.back(), target);
+    const double dx = CGAL::to_double(to.x()) - CGAL::to_double(from.x()),
+                 dy = CGAL::to_double(to.y()) - CGAL::to_double(from.y());
+    // in the larger coordinate, where roundings across the way do not show
+    return std::abs(dx) > std::abs(dy) ? CGAL::compare_x(p, q) == (dx > 0 ? SMALLER : LARGER)
+                                       : CGAL::compare_y(p, q) == (dy > 0 ? SMALLER : LARGER);
+  }
+
+  /// splits the last part of the path to `target` at `p`
+  void split(Vertex_handle target, const Cdt_point& p)
+  {
+    std::pair<Edge, Vertex_handle> next = next_towards(end_of_path(), target);
     while (next.second != target &&
-           CGAL::compare_distance_to_point(path.back()->point(), next.second->point(), p) ==
-             SMALLER) {
-      path.push_back(next.second);
-      next = next_towards(path.back(), target);
+           comes_before(next.second->point(), p, end_of_path()->point(), target->point())) {
+      add_to_path(next.second);
+      next = next_towards(end_of_path(), target);
     }
     const Face_handle f = next.first.first;
     const int i = next.first.second;
     const bool on_hull = m_cdt.is_infinite(f) || m_cdt.is_infinite(f->neighbor(i));
-    path.push_back(m_cdt.insert(nearest_valid(p, f, i), Cdt::EDGE, f, i));
+    add_to_path(m_cdt.insert(nearest_valid(p, f, i), Cdt::EDGE, f, i));
     if (on_hull)
-      m_on_hull.push_back(path.back());
+      m_on_hull.push_back(m_path->back());
   }
 
   /// `p`, or a point some roundings away, so that splitting the edge at it leaves all triangles
@@ -199,9 +213,9 @@ private:
   /// between such bubbles and the hull are real, though outside of the domain.
   void make_hull_convex()
   {
-    std::vector<Vertex_handle> doubtful = m_on_hull;
+    std::vector<void*> doubtful = m_on_hull;
     while (!doubtful.empty()) {
-      const Vertex_handle v = doubtful.back();
+      const Vertex_handle v = vertex(doubtful.back());
       doubtful.pop_back();
       auto f = m_cdt.incident_faces(v, v->face()), start = f;
       while (!(m_cdt.is_infinite(f) &&
@@ -224,7 +238,7 @@ private:
       m_cdt.flip(g, iw);
       restore_delaunay(v, u, w);
       for (Vertex_handle neighbor : {u, w})
-        doubtful.push_back(neighbor);
+        doubtful.push_back(&*neighbor);
     }
   }
 
@@ -254,26 +268,27 @@ private:
     if constexpr (Domain_marks_2<Cdt>::has_marks) {
       for (Face_handle f : m_cdt.all_face_handles())
         f->set_in_domain(false);
-      std::vector<Face_handle> stack;
+      std::vector<void*> stack; // faces
       const auto mark = [&](Face_handle f, bool inside) {
         if (!inside || f->is_in_domain())
           return;
         f->set_in_domain(true);
-        stack.push_back(f);
+        stack.push_back(&*f);
       };
       for (std::size_t e = 0; e < m_paths.size(); ++e) {
         const Chain& chain = m_reading.graph->chains()[e];
         for (std::size_t k = 1; k < m_paths[e].size(); ++k) {
-          const Edge edge = next_towards(m_paths[e][k - 1], m_paths[e][k]).first;
+          const Vertex_handle from = vertex(m_paths[e][k - 1]);
+          const Edge edge = next_towards(from, vertex(m_paths[e][k])).first;
           const Face_handle f = edge.first;
           const int i = edge.second;
-          const bool f_is_left = f->vertex(m_cdt.ccw(i)) == m_paths[e][k - 1];
+          const bool f_is_left = f->vertex(m_cdt.ccw(i)) == from;
           mark(f, f_is_left ? chain.inside_left : chain.inside_right);
           mark(f->neighbor(i), f_is_left ? chain.inside_right : chain.inside_left);
         }
       }
       while (!stack.empty()) {
-        const Face_handle f = stack.back();
+        const Face_handle f = Handles<Cdt>::face(stack.back());
         stack.pop_back();
         for (int i = 0; i < 3; ++i)
           if (!f->is_constrained(i))
@@ -285,8 +300,9 @@ private:
   Cdt& m_cdt;
   const Reading& m_reading;
   const Bubbles_2& m_bubbles;
-  std::vector<std::vector<Vertex_handle>> m_paths; // the vertices of each chain in order
-  std::vector<Vertex_handle> m_on_hull;            // bubbles on edges of the hull
+  std::vector<std::vector<void*>> m_paths; // the vertices of each chain in order
+  std::vector<void*>* m_path = nullptr;    // that of the chain that is split
+  std::vector<void*> m_on_hull;            // bubbles on edges of the hull
 };
 
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is

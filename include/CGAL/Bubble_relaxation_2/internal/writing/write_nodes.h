@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_NODES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 
 #include <cstddef>
 
@@ -22,16 +22,12 @@ namespace internal {
 template <class Node_set>
 void write_nodes(const Bubbles_2& bubbles, double neighbor_radius, const Threads& threads, Node_set& nodes)
 {
-  Neighbor_sets_2 neighbors(neighbor_radius);
-  neighbors.build(bubbles, threads);
   nodes.neighbor_radius = neighbor_radius;
-  nodes.neighbor_offsets.push_back(0);
+  find_neighbors(bubbles, neighbor_radius, threads, nodes.neighbor_offsets, nodes.neighbors);
   for (std::size_t i = 0; i < bubbles.size(); ++i) {
     nodes.points.push_back(typename Node_set::Point_2(bubbles.x[i], bubbles.y[i]));
     nodes.sizes.push_back(bubbles.d[i]);
     nodes.dimensions.push_back(bubbles.dimension[i]);
-    nodes.neighbors.insert(nodes.neighbors.end(), neighbors.begin(i), neighbors.end(i));
-    nodes.neighbor_offsets.push_back(nodes.neighbors.size());
   }
 }
 

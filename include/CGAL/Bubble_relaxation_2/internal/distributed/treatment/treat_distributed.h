@@ -305,7 +305,7 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
   mesh = std::move(given_mesh);
 }
 
-/// Collective. The triangulation of the simulated bubbles of all ranks, as `make_mesh()` makes it on one. What it
+/// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
 inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
                                             const Placed_part_2& part, const Communicator& comm, Agreement& agreement,

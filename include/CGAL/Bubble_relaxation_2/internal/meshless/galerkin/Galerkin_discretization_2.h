@@ -10,18 +10,11 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_DISCRETIZATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Boundary_segment_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Integration_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/integration_cells.h>
-
-#include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/Influence_domain_2.h>
-#include <CGAL/Moving_least_squares_2.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_evaluation_2.h>
 
 #include <Eigen/Core>
 
@@ -30,6 +23,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -44,12 +38,8 @@ namespace internal {
 
 /// The shape functions of all nodes that the points of one cell see, and their gradients: a row a point, a
 /// column a node. Such blocks are multiplied to the cell's part of the matrix.
-template <class Moving_least_squares>
 struct Shape_block_2
 {
-  using Point_2 = typename Moving_least_squares::Point_2;
-  using Shape_functions = typename Moving_least_squares::Shape_functions;
-
   std::vector<double> x, y;      ///< of the points
   Eigen::VectorXd weights;       ///< of integration, of each point
   std::vector<Index> nodes;      ///< of each column, ascending
@@ -72,21 +62,21 @@ struct Shape_block_2
   }
 
   std::size_t size() const { return x.size(); }
-  Point_2 point(std::size_t q) const { return Point_2(x[q], y[q]); }
+  Point point(std::size_t q) const { return Point(x[q], y[q]); }
 
   /// evaluates the shape functions at the points
-  void evaluate(const Moving_least_squares& mls)
+  void evaluate(const Mls_approximation_2& mls)
   {
     weights = Eigen::Map<const Eigen::VectorXd>(m_weights.data(), static_cast<Eigen::Index>(size()));
     if (!m_query)
-      m_query.emplace(mls.influence());
+      m_query.emplace(mls.query());
     m_shapes.resize((std::max)(m_shapes.size(), size()));
     nodes.clear();
     number_of_enlarged_points = 0;
     largest_enlargement = 1;
     for (std::size_t q = 0; q < size(); ++q) {
-      Shape_functions& s = m_shapes[q];
-      mls(point(q), 1, *m_query, s);
+      Mls_shapes_2& s = m_shapes[q];
+      mls.find_shapes(point(q), 1, *m_query, s);
       nodes.insert(nodes.end(), s.nodes.begin(), s.nodes.end());
       if (s.enlargement > 1)
         ++number_of_enlarged_points;
@@ -101,7 +91,7 @@ struct Shape_block_2
   }
 
 private:
-  void spread(const Shape_functions& s, Eigen::Index row)
+  void spread(const Mls_shapes_2& s, Eigen::Index row)
   {
     auto column = nodes.begin();
     for (std::size_t k = 0; k < s.nodes.size(); ++k) {
@@ -114,20 +104,19 @@ private:
   }
 
   std::vector<double> m_weights;
-  std::vector<Shape_functions> m_shapes;
-  std::optional<typename Moving_least_squares::Query> m_query;
+  std::vector<Mls_shapes_2> m_shapes;
+  std::optional<Influence_query_2> m_query;
 };
-
-/// calls `f(i)` for all i in [0, n), perhaps by several threads
-using Parallel_loop = std::function<void(std::size_t n, const std::function<void(std::size_t)>& f)>;
 
 /// Computes `n` parts, many at once, and hands them on in their order, so that sums do not depend on the number
 /// of threads: calls `compute(i, part)`, then `take(parts, number)` for so many consecutive parts. Of several
 /// exceptions that of the first part is the one that is thrown. Stops when `go_on(number of parts that are done)`
 /// returns false, and returns that.
-template <class Part, class Compute, class Take, class Go_on>
-bool compute_in_order(const Parallel_loop& parallel, std::size_t n, const Compute& compute, const Take& take,
-                      const Go_on& go_on)
+template <class Part>
+bool compute_in_order(const Parallel_loop& parallel, std::size_t n,
+                      const std::function<void(std::size_t i, Part& part)>& compute,
+                      const std::function<void(const std::vector<Part>& parts, std::size_t number)>& take,
+                      const std::function<bool(std::size_t done)>& go_on)
 {
   constexpr std::size_t at_once = 512;
   std::vector<Part> parts((std::min)(n, at_once));
@@ -161,25 +150,23 @@ struct Galerkin_nodes_2
   std::size_t number() const { return x.size(); }
 
   /// \throws std::invalid_argument
-  template <class Node_set>
-  Galerkin_nodes_2(const Node_set& nodes, const Galerkin_options& o) : size(nodes.sizes)
+  Galerkin_nodes_2(const std::vector<Point>& points, const std::vector<double>& sizes, const Galerkin_options& o)
+    : size(sizes)
   {
-    if (nodes.points.empty())
+    if (points.empty())
       throw std::invalid_argument("Bubble_relaxation_2: parameter nodes has no node");
-    if (size.size() != nodes.points.size())
+    if (size.size() != points.size())
       throw std::invalid_argument("Bubble_relaxation_2: parameter nodes has " + std::to_string(size.size()) +
-                                  " sizes for " + std::to_string(nodes.points.size()) + " points");
+                                  " sizes for " + std::to_string(points.size()) + " points");
     for (std::size_t i = 0; i < size.size(); ++i) {
-      x.push_back(CGAL::to_double(nodes.points[i].x()));
-      y.push_back(CGAL::to_double(nodes.points[i].y()));
+      x.push_back(points[i].x());
+      y.push_back(points[i].y());
       if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
         throw std::invalid_argument("Bubble_relaxation_2: parameter nodes: node " + std::to_string(i) + " at " +
                                     in_words(x[i], y[i]) + " has a coordinate that is not finite");
-      if (!(size[i] > 0) || !std::isfinite(size[i]))
-        throw std::invalid_argument("Bubble_relaxation_2: parameter nodes: the size " + in_words(size[i]) +
-                                    " of node " + std::to_string(i) + " must be positive and finite");
       radius.push_back(o.support_radius > 0 ? o.support_radius : o.support_factor * size[i]);
     }
+    check_numbers("nodes", "size", size, number());
     check_places();
   }
 
@@ -205,53 +192,49 @@ private:
 
 /// What the element-free Galerkin method needs of a domain and its nodes, whatever the equation: shape functions
 /// and where integrals are summed. It does not change; solutions share it.
-template <class Kernel_>
 class Galerkin_discretization_2
 {
 public:
-  using Kernel = Kernel_;
-  using Moving_least_squares = Moving_least_squares_2<Kernel>;
-  using Block = Shape_block_2<Moving_least_squares>;
-
   const Galerkin_options options;
   const Galerkin_nodes_2 nodes;
   const Integration_domain_2 domain;
-  const Influence_domain_2<Kernel> influence;
-  const Moving_least_squares mls;
+  const std::shared_ptr<const Influence_search_2> search;
+  const Mls_approximation_2 mls;
   std::vector<Background_cell_2> cells;
   std::vector<Boundary_segment_2> segments;
   const Cell_quadrature_2 cell_rule;
   const Gauss_rule segment_rule;
-  Parallel_loop parallel;
+  const Parallel_loop parallel;
 
-  template <class Cdt, class Node_set, class NamedParameters>
-  Galerkin_discretization_2(const Cdt& cdt, const Node_set& node_set, const NamedParameters& np)
-    : options(read_galerkin_options(np)), nodes(node_set, options), domain(cdt, np),
-      influence(node_set, nodes.radius, np), mls(influence, np), cell_rule(options.gauss_points),
-      segment_rule(gauss_rule(options.gauss_points)), parallel(make_parallel_loop<NamedParameters>())
+  Galerkin_discretization_2(const Galerkin_options& o, Galerkin_nodes_2 n, Integration_domain_2 d,
+                            std::shared_ptr<const Influence_search_2> s, const Mls_options& mls_options,
+                            Parallel_loop p)
+    : options(o), nodes(std::move(n)), domain(std::move(d)), search(std::move(s)), mls(search, mls_options),
+      cell_rule(options.gauss_points), segment_rule(gauss_rule(options.gauss_points)), parallel(std::move(p))
   {
     make_cells();
   }
 
   Galerkin_discretization_2(const Galerkin_discretization_2&) = delete;
   Galerkin_discretization_2& operator=(const Galerkin_discretization_2&) = delete;
+
   /// the size of the nearest node
   double size_at(const Point& p) const
   {
-    return nodes.size[influence.nearest_node(typename Kernel::Point_2(p.x(), p.y()))];
+    return nodes.size[search->nearest(p.x(), p.y())];
   }
 
   const Boundary_edge_2& edge(const Boundary_segment_2& s) const { return domain.boundary[s.edge]; }
 
   /// the points of a cell with the shape functions
-  void evaluate_cell(std::size_t k, Block& block) const
+  void evaluate_cell(std::size_t k, Shape_block_2& block) const
   {
     block.clear();
     cell_rule.for_each_point(cells[k], [&](double x, double y, double w) { block.add_point(x, y, w); });
     block.evaluate(mls);
   }
 
-  void evaluate_segment(std::size_t k, Block& block) const
+  void evaluate_segment(std::size_t k, Shape_block_2& block) const
   {
     block.clear();
     for_each_point(edge(segments[k]), segments[k], segment_rule,
@@ -263,17 +246,17 @@ public:
   /// \throws Deficient_support_error_2 about all of them
   void report_deficient_points() const
   {
-    std::vector<typename Kernel::Point_2> points;
+    std::vector<Point> points;
     const auto add = [&](double x, double y) { points.emplace_back(x, y); };
     for (const Background_cell_2& cell : cells)
       cell_rule.for_each_point(cell, [&](double x, double y, double) { add(x, y); });
     for (const Boundary_segment_2& s : segments)
       for_each_point(edge(s), s, segment_rule, [&](double, double x, double y, double) { add(x, y); });
-    mls.evaluate(points, std::vector<double>(nodes.number(), 0.));
+    mls.evaluate(points, std::vector<double>(nodes.number(), 0.), 0, make_parallel_loop<Sequential_tag>());
   }
 
   /// At each point of a block the size of the nodes around, which follows the shape functions.
-  Eigen::VectorXd sizes(const Block& block) const
+  Eigen::VectorXd sizes(const Shape_block_2& block) const
   {
     Eigen::VectorXd of_columns(block.phi.cols());
     for (Eigen::Index k = 0; k < of_columns.size(); ++k)
@@ -308,15 +291,6 @@ private:
     throw std::length_error("Bubble_relaxation_2: parameter grid_cells = " + std::to_string(nx) + " x " +
                             std::to_string(ny) + " are more than " + std::to_string(most) +
                             " cells, which are enough for " + std::to_string(nodes.number()) + " nodes");
-  }
-
-  /// the tag is known here only; a solver's type does not tell it
-  template <class NamedParameters>
-  static Parallel_loop make_parallel_loop()
-  {
-    return [](std::size_t n, const std::function<void(std::size_t)>& f) {
-      parallel_for<Concurrency<NamedParameters>>(n, f, 1);
-    };
   }
 
   std::size_t grid_cells(double span) const

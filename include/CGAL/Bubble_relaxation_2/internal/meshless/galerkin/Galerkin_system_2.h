@@ -17,7 +17,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_rows.h>
 
 #include <CGAL/Element_free_Galerkin_report_2.h>
-#include <CGAL/Poisson_problem_2.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -25,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -50,19 +50,23 @@ inline Eigen::VectorXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::Vect
   return a.transpose() * weights;
 }
 
+/// `Poisson_problem_2`, whatever the kernel
+struct Galerkin_problem
+{
+  std::function<double(const Point&)> source, dirichlet;
+  std::function<double(const Point&, const Direction&)> neumann;
+  std::function<bool(const Point&)> is_dirichlet;
+};
+
 /// Assembles the equations of a Poisson problem: first the integrals over the cells, then those over the
 /// segments of the boundary. The unknowns are the coefficients of the nodes, then the multipliers.
-template <class Kernel_>
 class Galerkin_system_2
 {
-  using Discretization = Galerkin_discretization_2<Kernel_>;
-  using Block = typename Discretization::Block;
-  using Problem = Poisson_problem_2<Kernel_>;
-  using Point_2 = typename Kernel_::Point_2;
-  using Vector_2 = typename Kernel_::Vector_2;
+  using Discretization = Galerkin_discretization_2;
+  using Block = Shape_block_2;
 
 public:
-  Galerkin_system_2(const Discretization& discretization, const Problem& problem, Progress& progress,
+  Galerkin_system_2(const Discretization& discretization, const Galerkin_problem& problem, Progress& progress,
                     Element_free_Galerkin_report_2& report)
     : m(discretization), m_problem(problem), m_progress(progress), m_report(report),
       m_gradients(m.nodes.number(), number_of_polynomials())
@@ -139,8 +143,7 @@ private:
   void find_dirichlet_part()
   {
     for (const Boundary_edge_2& e : m.domain.boundary) {
-      const Point p = middle(e.a, e.b);
-      m_is_dirichlet.push_back(!m_problem.is_dirichlet || m_problem.is_dirichlet(Point_2(p.x(), p.y())));
+      m_is_dirichlet.push_back(!m_problem.is_dirichlet || m_problem.is_dirichlet(middle(e.a, e.b)));
     }
     m_is_neumann_problem = std::find(m_is_dirichlet.begin(), m_is_dirichlet.end(), 1) == m_is_dirichlet.end();
     check_parts();
@@ -209,8 +212,7 @@ private:
   }
 
   /// the values of a function of the data at the points of a block
-  template <class Function>
-  static Eigen::VectorXd values(const Block& block, const char* name, const Function& f)
+  static Eigen::VectorXd values(const Block& block, const char* name, const std::function<double(const Point&)>& f)
   {
     Eigen::VectorXd result(static_cast<Eigen::Index>(block.size()));
     for (std::size_t q = 0; q < block.size(); ++q) {
@@ -237,8 +239,7 @@ private:
       border(part, weighted_sums(b.phi, b.weights) * (std::sqrt(double(m.nodes.number())) / m.domain.area));
   }
 
-  template <class Function>
-  void add_load(Galerkin_cell& part, const char* name, const Function& f) const
+  void add_load(Galerkin_cell& part, const char* name, const std::function<double(const Point&)>& f) const
   {
     const Block& b = part.block;
     part.load = Eigen::VectorXd::Zero(b.phi.cols());
@@ -257,23 +258,20 @@ private:
     const Eigen::Index n = entries.size();
     part.unknowns.push_back(static_cast<Index>(number_of_unknowns() - 1));
     part.matrix.conservativeResize(n + 1, n + 1);
-    part.matrix.row(n).setZero();
-    part.matrix.col(n).setZero();
-    part.matrix.row(n).head(n) = entries.transpose();
-    part.matrix.col(n).head(n) = entries;
     part.load.conservativeResize(n + 1);
-    part.load[n] = 0;
+    for (Eigen::Index k = 0; k < n; ++k)
+      part.matrix(n, k) = part.matrix(k, n) = entries[k];
+    part.matrix(n, n) = part.load[n] = 0;
   }
 
   void integrate_neumann(const Boundary_edge_2& edge, Galerkin_cell& part) const
   {
-    const Direction n = edge.outer_normal();
-    const Vector_2 normal(n.x, n.y);
+    const Direction normal = edge.outer_normal();
     part.unknowns = part.block.nodes;
     part.matrix.setZero(part.block.phi.cols(), part.block.phi.cols());
-    std::function<double(const Point_2&)> flow;
+    std::function<double(const Point&)> flow;
     if (m_problem.neumann)
-      flow = [&](const Point_2& p) { return m_problem.neumann(p, normal); };
+      flow = [&](const Point& p) { return m_problem.neumann(p, normal); };
     add_load(part, "neumann", flow);
   }
 
@@ -340,10 +338,13 @@ private:
     const Eigen::VectorXd weights = b.weights / std::sqrt(m.domain.area / double(m.nodes.number()));
     const Eigen::MatrixXd coupling = weighted_sums(b.phi, weights, mu);
     part.matrix.setZero(all, all);
-    part.matrix.topRightCorner(n, mu.cols()) = coupling;
-    part.matrix.bottomLeftCorner(mu.cols(), n) = coupling.transpose();
-    part.load = Eigen::VectorXd::Zero(all);
-    part.load.tail(mu.cols()) = weighted_sums(mu, weights.cwiseProduct(given_values(b)));
+    part.load.setZero(all);
+    const Eigen::VectorXd load = weighted_sums(mu, weights.cwiseProduct(given_values(b)));
+    for (Eigen::Index k = 0; k < mu.cols(); ++k) {
+      part.load[n + k] = load[k];
+      for (Eigen::Index i = 0; i < n; ++i)
+        part.matrix(i, n + k) = part.matrix(n + k, i) = coupling(i, k);
+    }
     part.unknowns = b.nodes;
     for (std::size_t hat : hats)
       part.unknowns.push_back(static_cast<Index>(m.nodes.number() + hat));
@@ -377,7 +378,7 @@ private:
   }
 
   const Discretization& m;
-  const Problem& m_problem;
+  const Galerkin_problem& m_problem;
   Progress& m_progress;
   Element_free_Galerkin_report_2& m_report;
   std::vector<char> m_is_dirichlet; // of each edge of the boundary

@@ -50,10 +50,9 @@ struct Integration_domain_2
   Bbox_2 bbox;
   double area = 0;
 
-  template <class Cdt, class NamedParameters>
-  Integration_domain_2(const Cdt& cdt, const NamedParameters& np)
+  template <class Cdt>
+  Integration_domain_2(const Cdt& cdt, const Domain_marks_2<Cdt>& is_inside)
   {
-    const Domain_marks_2<Cdt> is_inside(cdt, np);
     for (auto v : cdt.finite_vertex_handles())
       check_coordinates(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
     const auto flat = flatten_triangulation(cdt);

@@ -9,14 +9,14 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_SPARSE_ROWS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_SPARSE_ROWS_H
 
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_evaluation_2.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,9 +38,9 @@ class Sparse_rows
 public:
   explicit Sparse_rows(std::size_t n) : m_rows(n), m_load(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n))) {}
 
-  /// adds the first `number` of parts
-  template <class Parts>
-  void add(const Parallel_loop& parallel, const Parts& parts, std::size_t number)
+  /// adds the first `number` of parts, which have a `Galerkin_part` for a base
+  template <class Part>
+  void add(const Parallel_loop& parallel, const std::vector<Part>& parts, std::size_t number)
   {
     // the rows of all parts, sorted by row; a row is one thread's
     std::vector<Row_of_part> sorted;
@@ -74,16 +74,17 @@ public:
   Eigen::SparseMatrix<double> matrix() const
   {
     const auto n = static_cast<Eigen::Index>(m_rows.size());
-    Eigen::VectorXi sizes(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      sizes[i] = static_cast<int>(m_rows[static_cast<std::size_t>(i)].size());
-    Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows(n, n);
-    by_rows.reserve(sizes);
+    Eigen::VectorXi sizes = Eigen::VectorXi::Zero(n); // of columns
+    for (const std::vector<Entry>& row : m_rows)
+      for (const Entry& e : row)
+        ++sizes[e.column];
+    Eigen::SparseMatrix<double> result(n, n);
+    result.reserve(sizes);
     for (Eigen::Index i = 0; i < n; ++i)
       for (const Entry& e : m_rows[static_cast<std::size_t>(i)])
-        by_rows.insert(i, e.column) = e.value;
-    by_rows.makeCompressed();
-    return Eigen::SparseMatrix<double>(by_rows);
+        result.insert(i, e.column) = e.value;
+    result.makeCompressed();
+    return result;
   }
 
 private:

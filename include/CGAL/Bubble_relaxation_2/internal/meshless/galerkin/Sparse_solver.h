@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -27,42 +28,21 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A preconditioner as Eigen's iterations want them: a factorization, perhaps incomplete, of the symmetric part
-/// (A + A^T) / 2 of a matrix that is symmetric but for a little.
-template <class Factorization>
-class Symmetric_part_preconditioner
+/// A preconditioner as Eigen's iterations want them, of any function: an iteration of one type compiles once.
+class Any_preconditioner
 {
-  using Matrix = Eigen::SparseMatrix<double>;
-
 public:
-  template <class Any_matrix>
-  Symmetric_part_preconditioner& compute(const Any_matrix& a)
-  {
-    const Matrix matrix(a), transposed(matrix.transpose());
-    m_factorization.compute(Matrix(0.5 * (matrix + transposed)));
-    return *this;
-  }
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> function;
 
-  template <class Any_matrix>
-  Symmetric_part_preconditioner& analyzePattern(const Any_matrix&)
-  {
-    return *this;
-  }
+  template <class Matrix>
+  Any_preconditioner& analyzePattern(const Matrix&) { return *this; }
+  template <class Matrix>
+  Any_preconditioner& factorize(const Matrix&) { return *this; }
+  template <class Matrix>
+  Any_preconditioner& compute(const Matrix&) { return *this; }
 
-  template <class Any_matrix>
-  Symmetric_part_preconditioner& factorize(const Any_matrix& a)
-  {
-    return compute(a);
-  }
-
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return m_factorization.solve(b); }
-
-  Eigen::ComputationInfo info() const { return m_factorization.info(); }
-
-  const Factorization& factorization() const { return m_factorization; }
-
-private:
-  Factorization m_factorization;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return function(b); }
+  Eigen::ComputationInfo info() const { return Eigen::Success; }
 };
 
 /// A solution of a sparse system and how good it is.
@@ -81,8 +61,7 @@ class Sparse_solver
 {
   using Matrix = Eigen::SparseMatrix<double>;
   using Vector = Eigen::VectorXd;
-  using Cholesky = Eigen::SimplicialLDLT<Matrix>;
-  using Incomplete_cholesky = Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+  using Function = std::function<Vector(const Vector&)>; // such as what a factorization makes of a right side
 
 public:
   Sparse_solver(const Matrix& a, const Vector& b, double tolerance)
@@ -102,24 +81,31 @@ public:
   }
 
 private:
+  Matrix symmetric_part() const
+  {
+    const Matrix transposed = m_a.transpose();
+    Matrix result = m_a + transposed;
+    result *= 0.5;
+    return result;
+  }
+
   bool solve_incompletely()
   {
-    Eigen::BiCGSTAB<Matrix, Symmetric_part_preconditioner<Incomplete_cholesky>> iteration(m_a);
-    iteration.setMaxIterations(1000);
-    iteration.setTolerance((std::max)(m_tolerance, 1e-14));
-    return iterate(iteration);
+    Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky;
+    cholesky.compute(symmetric_part());
+    return cholesky.info() == Eigen::Success &&
+           iterate([&](const Vector& b) -> Vector { return cholesky.solve(b); }, 1000, (std::max)(m_tolerance, 1e-14));
   }
 
   bool solve_by_cholesky()
   {
-    Eigen::BiCGSTAB<Matrix, Symmetric_part_preconditioner<Cholesky>> iteration(m_a);
-    if (iteration.preconditioner().info() != Eigen::Success ||
-        !(iteration.preconditioner().factorization().vectorD().minCoeff() > 0))
+    Eigen::SimplicialLDLT<Matrix> cholesky;
+    cholesky.compute(symmetric_part());
+    if (cholesky.info() != Eigen::Success || !(cholesky.vectorD().minCoeff() > 0))
       return false;
-    check_condition(iteration.preconditioner());
-    iteration.setMaxIterations(50);
-    iteration.setTolerance(1e-14); // a step is cheap
-    return iterate(iteration);
+    const Function solve = [&](const Vector& b) -> Vector { return cholesky.solve(b); };
+    check_condition(solve);
+    return iterate(solve, 50, 1e-14); // a step is cheap
   }
 
   void solve_by_lu()
@@ -128,10 +114,11 @@ private:
     lu.compute(m_a);
     if (lu.info() != Eigen::Success)
       throw_singular("it has no factorization");
-    check_condition(lu);
-    m_solution.x = lu.solve(m_b);
+    const Function solve = [&](const Vector& b) -> Vector { return lu.solve(b); };
+    check_condition(solve);
+    m_solution.x = solve(m_b);
     for (int k = 0; k < most_improvements; ++k) {
-      m_solution.x += lu.solve(m_b - m_a * m_solution.x);
+      m_solution.x += solve(residual());
       if (is_good_enough())
         return;
     }
@@ -145,14 +132,16 @@ private:
   }
 
   /// returns whether the residual becomes small enough; it is computed anew before each improvement
-  template <class Iteration>
-  bool iterate(Iteration& iteration)
+  bool iterate(const Function& precondition, int most_steps, double tolerance)
   {
-    if (iteration.preconditioner().info() != Eigen::Success)
-      return false;
+    Eigen::BiCGSTAB<Matrix, Any_preconditioner> iteration(m_a);
+    iteration.preconditioner().function = precondition;
+    iteration.setMaxIterations(most_steps);
+    iteration.setTolerance(tolerance);
     m_solution.x = Vector::Zero(m_b.size());
     for (int k = 0; k < most_improvements; ++k) {
-      m_solution.x += iteration.solve(m_b - m_a * m_solution.x);
+      const Vector rest = m_b - m_a * m_solution.x; // sums up in another order than residual()
+      m_solution.x += iteration.solve(rest);
       if (!m_solution.x.allFinite())
         return false;
       if (is_good_enough())
@@ -161,24 +150,29 @@ private:
     return false;
   }
 
+  Vector residual() const
+  {
+    const Vector product = m_a * m_solution.x;
+    return m_b - product;
+  }
+
   bool is_good_enough()
   {
-    const double residual = (m_b - m_a * m_solution.x).cwiseAbs().maxCoeff();
+    const double largest = residual().cwiseAbs().maxCoeff();
     const double size = m_norm * m_solution.x.cwiseAbs().maxCoeff() + m_b.cwiseAbs().maxCoeff();
-    m_solution.residual = size > 0 ? residual / size : 0.;
+    m_solution.residual = size > 0 ? largest / size : 0.;
     return m_solution.residual <= m_tolerance;
   }
 
   /// the growth of a vector without structure tells the condition number but for a factor
-  template <class Factorization>
-  void check_condition(const Factorization& factorization)
+  void check_condition(const Function& solve)
   {
     constexpr double largest_condition_number = 1e14; // beyond, a solution has no digit
     std::minstd_rand random(1);
     Vector vector(m_b.size()); // of numbers in [-1, 1]
     for (Eigen::Index i = 0; i < vector.size(); ++i)
       vector[i] = 2 * static_cast<double>(random()) / static_cast<double>(random.max()) - 1;
-    const Vector grown = factorization.solve(vector);
+    const Vector grown = solve(vector);
     m_solution.condition_number = m_norm * grown.cwiseAbs().maxCoeff();
     if (!(m_solution.condition_number < largest_condition_number))
       throw_singular("its condition number is at least " + in_words(m_solution.condition_number));

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -98,6 +99,9 @@ private:
   Gauss_rule m_along, m_collapsed;
 };
 
+/// the size of the nodes around a place
+using Size_at = std::function<double(const Point&)>;
+
 /// The longest side that a cell may have, in units of the size of the nodes around. The triangles of a mesh of
 /// the nodes have shorter ones.
 constexpr double largest_cell_side = 1.75;
@@ -118,9 +122,8 @@ inline std::size_t most_cells(std::size_t number_of_nodes) { return 1000 * (numb
 /// Cuts a triangle in two at the middle of its longest side, and the parts again, until they are small against
 /// the sizes of the nodes, `size_at(point)`. Longest sides keep the angles of the parts bounded; that the parts
 /// do not fit together at their sides does not matter to integrals.
-template <class Size_at>
-void add_triangle_cells(std::array<Point, 3> t, const Size_at& size_at, std::size_t most,
-                        std::vector<Background_cell_2>& cells)
+inline void add_triangle_cells(std::array<Point, 3> t, const Size_at& size_at, std::size_t most,
+                               std::vector<Background_cell_2>& cells)
 {
   std::vector<std::array<Point, 3>> stack(1, t);
   while (!stack.empty()) {
@@ -147,9 +150,8 @@ void add_triangle_cells(std::array<Point, 3> t, const Size_at& size_at, std::siz
 
 /// The triangles of the domain as cells: those of a mesh as they are, larger ones in parts.
 /// \throws std::length_error if there are more than `most` of them and the triangles
-template <class Size_at>
-std::vector<Background_cell_2> triangle_cells(const Integration_domain_2& domain, const Size_at& size_at,
-                                              std::size_t most)
+inline std::vector<Background_cell_2> triangle_cells(const Integration_domain_2& domain, const Size_at& size_at,
+                                                     std::size_t most)
 {
   std::vector<Background_cell_2> cells;
   for (const auto& t : domain.triangles)
@@ -271,6 +273,79 @@ private:
   std::size_t m_nx, m_ny;
   std::vector<std::vector<Background_cell_2>> m_parts; // of each rectangle, row after row
 };
+
+/// A cell of integration on the boundary: the part from `begin` to `end`, in [0, 1], of an edge.
+struct Boundary_segment_2
+{
+  std::size_t edge;
+  double begin, end;
+};
+
+/// the point that divides an edge at `s` in [0, 1]
+inline Point point_on(const Boundary_edge_2& e, double s)
+{
+  return Point(e.a.x() + s * (e.b.x() - e.a.x()), e.a.y() + s * (e.b.y() - e.a.y()));
+}
+
+/// The edges of the boundary, halved until the parts are small against the sizes of the nodes.
+/// \throws std::length_error if there are more than `most` of them and the edges
+inline std::vector<Boundary_segment_2> halved_boundary(const Integration_domain_2& domain, const Size_at& size_at,
+                                                       std::size_t most)
+{
+  std::vector<Boundary_segment_2> segments, stack;
+  for (std::size_t e = 0; e < domain.boundary.size(); ++e) {
+    const Boundary_edge_2& edge = domain.boundary[e];
+    stack.push_back(Boundary_segment_2{e, 0, 1});
+    while (!stack.empty()) {
+      if (segments.size() >= most + domain.boundary.size())
+        throw_too_many_cells(most);
+      const Boundary_segment_2 s = stack.back();
+      stack.pop_back();
+      const double m = (s.begin + s.end) / 2;
+      if ((s.end - s.begin) * edge.length() > largest_cell_side * size_at(point_on(edge, m))) {
+        stack.push_back(Boundary_segment_2{e, m, s.end});
+        stack.push_back(Boundary_segment_2{e, s.begin, m});
+      } else {
+        segments.push_back(s);
+      }
+    }
+  }
+  return segments;
+}
+
+/// The edges of the boundary, cut where lines of the grid cross them.
+inline std::vector<Boundary_segment_2> cut_boundary(const Integration_domain_2& domain, const Grid_cells_2& grid)
+{
+  constexpr double shortest = 1e-10; // of an edge: below are roundings of one crossing
+  std::vector<Boundary_segment_2> segments;
+  std::vector<double> places;
+  for (std::size_t e = 0; e < domain.boundary.size(); ++e) {
+    places.clear();
+    grid.crossings(domain.boundary[e].a, domain.boundary[e].b, places);
+    double last = 0;
+    for (double s : places)
+      if (s - last > shortest && 1 - s > shortest) {
+        segments.push_back(Boundary_segment_2{e, last, s});
+        last = s;
+      }
+    segments.push_back(Boundary_segment_2{e, last, 1});
+  }
+  return segments;
+}
+
+/// calls `visit(s, x, y, weight)` for the points of Gauss's rule on a segment, where s in [0, 1] is the place on
+/// the edge
+template <class Visitor>
+void for_each_point(const Boundary_edge_2& edge, const Boundary_segment_2& segment, const Gauss_rule& rule,
+                    const Visitor& visit)
+{
+  const double part = segment.end - segment.begin, length = part * edge.length();
+  for (std::size_t k = 0; k < rule.size(); ++k) {
+    const double s = segment.begin + part * rule.points[k];
+    const Point p = point_on(edge, s);
+    visit(s, p.x(), p.y(), length * rule.weights[k]);
+  }
+}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

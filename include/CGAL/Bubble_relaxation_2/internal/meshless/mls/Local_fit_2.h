@@ -11,13 +11,13 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Moment_matrix_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_disc_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_search_2.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -62,17 +62,17 @@ Mls_options read_mls_options(const NamedParameters& np)
 ///   A gamma_kl = p_kl - A_k gamma_l - A_l gamma_k - A_kl gamma,
 /// and A_k gamma is the sum of dw_i/dk s_i p_i: derivatives of A are not needed as matrices.
 
-template <int degree, class Solve>
-void solve_for_values(const Solve& solve, std::vector<Weighted_node_2>& nodes)
+template <int degree>
+void solve_for_values(const Moment_matrix_2<degree>& matrix, std::vector<Weighted_node_2>& nodes)
 {
   using Vector = typename Moment_matrix_2<degree>::Vector;
-  const Vector gamma = solve(Vector::Unit(0));
+  const Vector gamma = matrix.solve(Vector::Unit(0));
   for (Weighted_node_2& n : nodes)
     n.s = gamma.dot(monomials<degree>(n.x, n.y));
 }
 
-template <int degree, class Solve>
-void solve_for_gradients(const Solve& solve, std::vector<Weighted_node_2>& nodes)
+template <int degree>
+void solve_for_gradients(const Moment_matrix_2<degree>& matrix, std::vector<Weighted_node_2>& nodes)
 {
   using Vector = typename Moment_matrix_2<degree>::Vector;
   Vector bx = Vector::Zero(), by = Vector::Zero();
@@ -85,7 +85,7 @@ void solve_for_gradients(const Solve& solve, std::vector<Weighted_node_2>& nodes
     bx[1] += 1;
     by[2] += 1;
   }
-  const Vector gamma_x = solve(bx), gamma_y = solve(by);
+  const Vector gamma_x = matrix.solve(bx), gamma_y = matrix.solve(by);
   for (Weighted_node_2& n : nodes) {
     const Vector p = monomials<degree>(n.x, n.y);
     n.sx = gamma_x.dot(p);
@@ -93,8 +93,8 @@ void solve_for_gradients(const Solve& solve, std::vector<Weighted_node_2>& nodes
   }
 }
 
-template <int degree, class Solve>
-void solve_for_hessians(const Solve& solve, std::vector<Weighted_node_2>& nodes)
+template <int degree>
+void solve_for_hessians(const Moment_matrix_2<degree>& matrix, std::vector<Weighted_node_2>& nodes)
 {
   using Vector = typename Moment_matrix_2<degree>::Vector;
   Vector bxx = Vector::Zero(), bxy = Vector::Zero(), byy = Vector::Zero();
@@ -109,7 +109,7 @@ void solve_for_hessians(const Solve& solve, std::vector<Weighted_node_2>& nodes)
     bxy[4] += 1;
     byy[5] += 2;
   }
-  const Vector gamma_xx = solve(bxx), gamma_xy = solve(bxy), gamma_yy = solve(byy);
+  const Vector gamma_xx = matrix.solve(bxx), gamma_xy = matrix.solve(bxy), gamma_yy = matrix.solve(byy);
   for (Weighted_node_2& n : nodes) {
     const Vector p = monomials<degree>(n.x, n.y);
     n.sxx = gamma_xx.dot(p);
@@ -118,36 +118,23 @@ void solve_for_hessians(const Solve& solve, std::vector<Weighted_node_2>& nodes)
   }
 }
 
-/// `solve` gives the solution of A gamma = b for any b.
-template <int degree, class Solve>
-void solve_for_shapes(const Solve& solve, int number_of_derivatives, std::vector<Weighted_node_2>& nodes)
-{
-  solve_for_values<degree>(solve, nodes);
-  if (number_of_derivatives > 0)
-    solve_for_gradients<degree>(solve, nodes);
-  if (number_of_derivatives > 1)
-    solve_for_hessians<degree>(solve, nodes);
-}
-
 /// Moving least squares at one point: the nodes around it, whether they suffice, and their shape functions.
 class Local_fit_2
 {
 public:
   /// takes the nodes with their radii times `enlargement`
-  template <class Influence, class Point_2>
-  void gather(const Influence& influence, const Point_2& p, const std::vector<typename Influence::Node_index>& nodes,
+  void gather(const Influence_search_2& search, const Point& p, const std::vector<std::int32_t>& nodes,
               double enlargement)
   {
     m_unit = 0;
-    for (auto i : nodes)
-      m_unit = (std::max)(m_unit, influence.radius(i) * enlargement / units_per_radius);
+    for (std::int32_t i : nodes)
+      m_unit = (std::max)(m_unit, search.disc(static_cast<std::size_t>(i)).radius * enlargement / units_per_radius);
     const double scale = 1 / m_unit;
-    const double px = CGAL::to_double(p.x()), py = CGAL::to_double(p.y());
     m_nodes.resize(nodes.size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Influence_disc_2 node = influence.disc(nodes[k]); // the point would have to be rounded each time
-      m_nodes[k].x = (node.x - px) * scale;
-      m_nodes[k].y = (node.y - py) * scale;
+      const Influence_disc_2 node = search.disc(static_cast<std::size_t>(nodes[k]));
+      m_nodes[k].x = (node.x - p.x()) * scale;
+      m_nodes[k].y = (node.y - p.y()) * scale;
       m_nodes[k].radius = node.radius * enlargement * scale;
     }
   }
@@ -189,19 +176,22 @@ private:
   template <int degree>
   bool solve(const Mls_options& options, int number_of_derivatives)
   {
-    using Matrix = Moment_matrix_2<degree>;
     const bool at_any_price = options.deficient_support == Deficient_support::PSEUDO_INVERSE;
     m_condition_number = std::numeric_limits<double>::infinity();
-    if (m_nodes.size() < Matrix::size && !at_any_price)
+    if (m_nodes.size() < Moment_matrix_2<degree>::size && !at_any_price)
       return false;
-    const Matrix matrix(m_nodes);
+    Moment_matrix_2<degree> matrix(m_nodes);
     m_condition_number = matrix.condition_number(options.maximum_condition_number);
     const bool suffices = m_condition_number <= options.maximum_condition_number;
-    if (suffices)
-      solve_for_shapes<degree>([&](const auto& b) { return matrix.solve(b); }, number_of_derivatives, m_nodes);
-    else if (at_any_price)
-      solve_for_shapes<degree>([&](const auto& b) { return matrix.pseudo_solve(b, units_per_radius); },
-                               number_of_derivatives, m_nodes);
+    if (!suffices && !at_any_price)
+      return false;
+    if (!suffices)
+      matrix.use_pseudo_inverse(units_per_radius);
+    solve_for_values<degree>(matrix, m_nodes);
+    if (number_of_derivatives > 0)
+      solve_for_gradients<degree>(matrix, m_nodes);
+    if (number_of_derivatives > 1)
+      solve_for_hessians<degree>(matrix, m_nodes);
     return suffices;
   }
 

@@ -9,18 +9,74 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_MLS_EVALUATION_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_MLS_EVALUATION_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Local_fit_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_fitting_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_search_2.h>
+
+#include <CGAL/Deficient_support_error_2.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// calls `f(i)` for all i in [0, n), perhaps by several threads
+using Parallel_loop = std::function<void(std::size_t n, const std::function<void(std::size_t)>& f)>;
+
+template <class Concurrency_tag>
+Parallel_loop make_parallel_loop()
+{
+  return [](std::size_t n, const std::function<void(std::size_t)>& f) { parallel_for<Concurrency_tag>(n, f, 1); };
+}
+
+template <class Point_2>
+Point rounded(const Point_2& p)
+{
+  return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+}
+
+template <class Point_2>
+std::vector<Point> rounded(const std::vector<Point_2>& points)
+{
+  std::vector<Point> result;
+  result.reserve(points.size());
+  for (const Point_2& p : points)
+    result.push_back(rounded(p));
+  return result;
+}
+
+/// `Moving_least_squares_2::Shape_functions`
+struct Mls_shapes_2
+{
+  std::vector<std::int32_t> nodes;
+  std::vector<double> values, dx, dy, dxx, dxy, dyy;
+  double enlargement = 1;
+  double condition_number = 0;
+
+private:
+  friend class Mls_fitting_2;
+  Local_fit_2 m_fit;
+};
+
+/// `Moving_least_squares_2::Values`
+struct Mls_values_2
+{
+  std::vector<double> values, dx, dy, dxx, dxy, dyy;
+  std::size_t number_of_enlarged_supports = 0;
+  double largest_enlargement = 1;
+};
 
 /// the sum of the nodes' shape functions times their coefficients
 template <class Coefficients>
@@ -33,43 +89,115 @@ double sum_of_shapes(const std::vector<std::int32_t>& nodes, const std::vector<d
   return result;
 }
 
+/// Fits at one point after the other, for one thread: searches nodes, and does what is to be done where they do not
+/// suffice.
+class Mls_fitting_2
+{
+public:
+  Mls_fitting_2(const Influence_search_2& search, const Mls_options& options, Influence_query_2& query,
+                Mls_shapes_2& shapes)
+    : m_search(search), m_options(options), m_query(query), m_shapes(shapes)
+  {}
+
+  /// returns whether there are shape functions at `p`, after all that may be done for it, and sets them if so
+  bool fit(const Point& p, int number_of_derivatives)
+  {
+    if (!suffices(p, number_of_derivatives, 1) && !does_nevertheless(p, number_of_derivatives))
+      return false;
+    m_shapes.m_fit.write(number_of_derivatives, m_shapes);
+    return true;
+  }
+
+  /// what supports times `enlargement` have to be multiplied by further, 1.1 again and again, until the nodes at
+  /// `p` suffice; 0 if that does not help
+  double sufficient_enlargement(const Point& p, double enlargement)
+  {
+    return suffices(p, 0, enlargement) || enlarge(p, 0) ? m_shapes.enlargement : 0;
+  }
+
+  /// that the nodes do not suffice at `p`, the first of so many points, for all of which `enlargement` would do
+  Deficient_support_error_2 error(const Point& p, double enlargement, std::size_t number_of_points)
+  {
+    suffices(p, 0, 1);
+    return Deficient_support_error_2(p.x(), p.y(), m_shapes.nodes.size(),
+                                     m_shapes.condition_number, m_options.maximum_condition_number, enlargement,
+                                     number_of_points);
+  }
+
+private:
+  bool does_nevertheless(const Point& p, int number_of_derivatives)
+  {
+    switch (m_options.deficient_support) {
+    case Deficient_support::ENLARGE:
+      return enlarge(p, number_of_derivatives);
+    case Deficient_support::PSEUDO_INVERSE:
+      return true;
+    default:
+      return false;
+    }
+  }
+
+  /// returns whether the nodes at `p` do, with supports that are so much larger
+  bool suffices(const Point& p, int number_of_derivatives, double enlargement)
+  {
+    m_shapes.enlargement = enlargement;
+    m_query(p.x(), p.y(), enlargement, m_shapes.nodes);
+    m_shapes.m_fit.gather(m_search, p, m_shapes.nodes, enlargement);
+    const bool result = m_shapes.m_fit.solve(m_options, number_of_derivatives);
+    m_shapes.condition_number = m_shapes.m_fit.condition_number();
+    return result;
+  }
+
+  /// Enlarges the supports until the nodes suffice. Once they have all nodes, twice as far from their rims than
+  /// when they had just got them, there is nothing to gain: weights hardly differ, and only lengths in units
+  /// of the radii go on to shrink. From 1e15 radii away nodes cannot be told from each other.
+  bool enlarge(const Point& p, int number_of_derivatives)
+  {
+    int steps_with_all_nodes = 0;
+    while (steps_with_all_nodes < 8 && m_shapes.enlargement < 1e15) {
+      if (suffices(p, number_of_derivatives, 1.1 * m_shapes.enlargement))
+        return true;
+      if (m_shapes.nodes.size() == m_search.size())
+        ++steps_with_all_nodes;
+    }
+    return false;
+  }
+
+  const Influence_search_2& m_search;
+  const Mls_options& m_options;
+  Influence_query_2& m_query;
+  Mls_shapes_2& m_shapes;
+};
+
 /// Moving least squares at many points, in blocks that several threads may compute.
-template <class Mls, class Concurrency_tag>
 class Mls_evaluation_2
 {
 public:
-  using Influence = typename Mls::Influence;
-  using Point_2 = typename Mls::Point_2;
-  using Values = typename Mls::Values;
-
-  Mls_evaluation_2(const Influence& influence, const Mls_options& options, const std::vector<Point_2>& points)
-    : m_influence(influence), m_options(options), m_points(points),
+  Mls_evaluation_2(std::shared_ptr<const Influence_search_2> search, const Mls_options& options,
+                   const std::vector<Point>& points, const Parallel_loop& parallel)
+    : m_search(std::move(search)), m_options(options), m_points(points), m_parallel(parallel),
       m_number_of_blocks((points.size() + block_size - 1) / block_size)
   {}
 
   /// \throws Deficient_support_error_2 about the first point that has no value
-  template <class Coefficients>
-  Values operator()(const Coefficients& coefficients, int number_of_derivatives) const
+  Mls_values_2 operator()(const std::vector<double>& coefficients, int number_of_derivatives) const
   {
     const std::size_t n = m_points.size();
-    Values result;
+    Mls_values_2 result;
     result.values.resize(n);
     for (auto* array : {&result.dx, &result.dy})
       array->resize(number_of_derivatives > 0 ? n : 0);
     for (auto* array : {&result.dxx, &result.dxy, &result.dyy})
       array->resize(number_of_derivatives > 1 ? n : 0);
     std::vector<Block> blocks(m_number_of_blocks);
-    parallel_for<Concurrency_tag>(m_number_of_blocks, [&](std::size_t b) {
+    m_parallel(m_number_of_blocks, [&](std::size_t b) {
       blocks[b] = evaluate_block(b, coefficients, number_of_derivatives, result);
-    }, 1);
+    });
     add_up(blocks, result);
     return result;
   }
 
 private:
-  using Shapes = typename Mls::Shape_functions;
-  using Fitting = Mls_fitting_2<Influence, Shapes>;
-
   static constexpr std::size_t block_size = 512; // points that one thread evaluates in a row
 
   /// what was found at the points of a block
@@ -84,13 +212,12 @@ private:
   /// what a thread needs
   struct Worker
   {
-    typename Mls::Query query;
-    Local_fit_2 fit;
-    Shapes shapes;
-    Fitting fitting;
+    Influence_query_2 query;
+    Mls_shapes_2 shapes;
+    Mls_fitting_2 fitting;
 
     explicit Worker(const Mls_evaluation_2& e)
-      : query(e.m_influence), fitting(e.m_influence, e.m_options, query, fit, shapes)
+      : query(e.m_search), fitting(*e.m_search, e.m_options, query, shapes)
     {}
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -98,9 +225,8 @@ private:
 
   std::size_t end_of_block(std::size_t b) const { return (std::min)(m_points.size(), (b + 1) * block_size); }
 
-  template <class Coefficients>
-  Block evaluate_block(std::size_t b, const Coefficients& coefficients, int number_of_derivatives,
-                       Values& result) const
+  Block evaluate_block(std::size_t b, const std::vector<double>& coefficients, int number_of_derivatives,
+                       Mls_values_2& result) const
   {
     Block block;
     Worker w(*this);
@@ -110,18 +236,20 @@ private:
           block.first_deficient = i;
         continue;
       }
-      w.fit.write(number_of_derivatives, w.shapes);
       block.number_of_enlarged += w.shapes.enlargement > 1;
       block.largest_enlargement = (std::max)(block.largest_enlargement, w.shapes.enlargement);
-      for_each_array(result, w.shapes, [&](std::vector<double>& out, const std::vector<double>& shapes) {
-        if (!out.empty())
-          out[i] = sum_of_shapes(w.shapes.nodes, shapes, coefficients);
-      });
+      constexpr std::vector<double> Mls_values_2::*out[] = {&Mls_values_2::values, &Mls_values_2::dx,
+        &Mls_values_2::dy, &Mls_values_2::dxx, &Mls_values_2::dxy, &Mls_values_2::dyy};
+      constexpr std::vector<double> Mls_shapes_2::*in[] = {&Mls_shapes_2::values, &Mls_shapes_2::dx,
+        &Mls_shapes_2::dy, &Mls_shapes_2::dxx, &Mls_shapes_2::dxy, &Mls_shapes_2::dyy};
+      for (std::size_t k = 0; k < 6; ++k)
+        if (!(result.*out[k]).empty())
+          (result.*out[k])[i] = sum_of_shapes(w.shapes.nodes, w.shapes.*in[k], coefficients);
     }
     return block;
   }
 
-  void add_up(const std::vector<Block>& blocks, Values& result) const
+  void add_up(const std::vector<Block>& blocks, Mls_values_2& result) const
   {
     std::size_t number_of_deficient = 0;
     for (const Block& b : blocks) {
@@ -144,9 +272,9 @@ private:
   {
     for (double enlargement = 1;;) {
       std::vector<double> largest(m_number_of_blocks);
-      parallel_for<Concurrency_tag>(m_number_of_blocks, [&](std::size_t b) {
+      m_parallel(m_number_of_blocks, [&](std::size_t b) {
         largest[b] = sufficient_enlargement(b, enlargement);
-      }, 1);
+      });
       if (std::find(largest.begin(), largest.end(), 0.) != largest.end())
         return 0;
       const double next = *std::max_element(largest.begin(), largest.end());
@@ -168,21 +296,86 @@ private:
     return largest;
   }
 
-  template <class Function>
-  static void for_each_array(Values& v, const Shapes& r, const Function& f)
+  const std::shared_ptr<const Influence_search_2> m_search;
+  const Mls_options& m_options;
+  const std::vector<Point>& m_points;
+  const Parallel_loop& m_parallel;
+  const std::size_t m_number_of_blocks;
+};
+
+/// What `Moving_least_squares_2` does, whatever the kernel.
+class Mls_approximation_2
+{
+public:
+  Mls_approximation_2(std::shared_ptr<const Influence_search_2> search, const Mls_options& options)
+    : m_search(std::move(search)), m_options(options)
   {
-    f(v.values, r.values);
-    f(v.dx, r.dx);
-    f(v.dy, r.dy);
-    f(v.dxx, r.dxx);
-    f(v.dxy, r.dxy);
-    f(v.dyy, r.dyy);
+    if (m_search->size() == 0)
+      throw std::invalid_argument("Bubble_relaxation_2: parameter influence has no nodes");
   }
 
-  const Influence& m_influence;
-  const Mls_options& m_options;
-  const std::vector<Point_2>& m_points;
-  const std::size_t m_number_of_blocks;
+  Influence_query_2 query() const { return Influence_query_2(m_search); }
+
+  /// \throws Deficient_support_error_2
+  void find_shapes(const Point& p, int number_of_derivatives, Influence_query_2& query, Mls_shapes_2& result) const
+  {
+    check_point(p.x(), p.y());
+    check_number_of_derivatives(number_of_derivatives);
+    Mls_fitting_2 fitting(*m_search, m_options, query, result);
+    if (!fitting.fit(p, number_of_derivatives))
+      throw fitting.error(p, fitting.sufficient_enlargement(p, 1), 1);
+  }
+
+  template <class Coefficients>
+  double value(const Point& p, const Coefficients& coefficients) const
+  {
+    const Mls_shapes_2 shapes = shapes_for(p, 0, coefficients.size());
+    return sum_of_shapes(shapes.nodes, shapes.values, coefficients);
+  }
+
+  template <class Vector_2, class Coefficients>
+  Vector_2 gradient(const Point& p, const Coefficients& coefficients) const
+  {
+    const Mls_shapes_2 shapes = shapes_for(p, 1, coefficients.size());
+    return Vector_2(sum_of_shapes(shapes.nodes, shapes.dx, coefficients),
+                    sum_of_shapes(shapes.nodes, shapes.dy, coefficients));
+  }
+
+  Mls_values_2 evaluate(const std::vector<Point>& points, const std::vector<double>& coefficients,
+                        int number_of_derivatives, const Parallel_loop& parallel) const
+  {
+    check_number_of_derivatives(number_of_derivatives);
+    check_number_of_coefficients(coefficients.size());
+    for (const Point& p : points)
+      check_point(p.x(), p.y());
+    return Mls_evaluation_2(m_search, m_options, points, parallel)(coefficients, number_of_derivatives);
+  }
+
+private:
+  Mls_shapes_2 shapes_for(const Point& p, int number_of_derivatives, std::size_t number_of_coefficients) const
+  {
+    check_number_of_coefficients(number_of_coefficients);
+    Influence_query_2 q = query();
+    Mls_shapes_2 shapes;
+    find_shapes(p, number_of_derivatives, q, shapes);
+    return shapes;
+  }
+
+  static void check_number_of_derivatives(int n)
+  {
+    if (n < 0 || n > 2)
+      throw_invalid_parameter("number_of_derivatives", n, "0, 1 or 2");
+  }
+
+  void check_number_of_coefficients(std::size_t n) const
+  {
+    if (n != m_search->size())
+      throw std::invalid_argument("Bubble_relaxation_2: parameter coefficients has " + std::to_string(n) +
+                                  " numbers for " + std::to_string(m_search->size()) + " nodes");
+  }
+
+  std::shared_ptr<const Influence_search_2> m_search;
+  Mls_options m_options;
 };
 
 } // namespace internal

@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_enums.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <Eigen/SVD>
 
 #include <cmath>
@@ -188,7 +188,7 @@ public:
         for (int e = 0, j = 0; e <= degree; ++e)
           for (int c = 0; c <= e; ++c, ++j)
             m_matrix(i, j) = moments[number_of_monomials(d + e - 1) + b + c];
-    m_cholesky.compute(m_matrix);
+    factorize();
   }
 
   /// The condition number if it exceeds `limit`, else a bound for it that does not either.
@@ -201,13 +201,26 @@ public:
     return values[size - 1] > 0 ? values[0] / values[size - 1] : std::numeric_limits<double>::infinity();
   }
 
-  Vector solve(const Vector& b) const { return m_cholesky.solve(b); }
+  /// from now on `solve()` does as `pseudo_solve()`
+  void use_pseudo_inverse(double unit) { m_unit = unit; }
 
-  /// The least of all solutions that come nearest: parts that hardly matter to the matrix are left out. What is
-  /// least depends on the unit of length; here it is `unit` times that of the nodes.
-  Vector pseudo_solve(const Vector& b, double unit) const
+  /// \pre the condition number is finite, unless the pseudo-inverse is used
+  Vector solve(const Vector& b) const
   {
-    const Vector scale = monomials<degree>(1 / unit, 1 / unit);
+    if (m_unit > 0)
+      return pseudo_solve(b);
+    Vector x = b;
+    m_lower.template triangularView<Eigen::Lower>().solveInPlace(x);
+    m_lower.adjoint().template triangularView<Eigen::Upper>().solveInPlace(x);
+    return x;
+  }
+
+private:
+  /// The least of all solutions that come nearest: parts that hardly matter to the matrix are left out. What is
+  /// least depends on the unit of length.
+  Vector pseudo_solve(const Vector& b) const
+  {
+    const Vector scale = monomials<degree>(1 / m_unit, 1 / m_unit);
     const Any_matrix scaled = scale.asDiagonal() * m_matrix * scale.asDiagonal();
     Decomposition decomposition(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
     decomposition.setThreshold(1e-12);
@@ -215,7 +228,6 @@ public:
     return scale.cwiseProduct(Vector(decomposition.solve(any)));
   }
 
-private:
   using Matrix = Eigen::Matrix<double, size, size>;
   // what is rarely needed has one type for all sizes, since it takes compilers long
   static constexpr int largest_size = number_of_monomials(2);
@@ -223,17 +235,41 @@ private:
   using Any_vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, largest_size, 1>;
   using Decomposition = Eigen::JacobiSVD<Any_matrix, Eigen::NoQRPreconditioner>;
 
+  /// Cholesky's factorization; that of Eigen has code for large matrices too, which takes compilers long
+  void factorize()
+  {
+    m_lower = m_matrix;
+    for (int k = 0; k < size; ++k) {
+      const double pivot = m_lower(k, k) - product_of_rows(k, k);
+      if (!(pivot > 0))
+        return;
+      m_lower(k, k) = std::sqrt(pivot);
+      for (int i = k + 1; i < size; ++i)
+        m_lower(i, k) = (m_lower(i, k) - product_of_rows(i, k)) / m_lower(k, k);
+    }
+    m_is_definite = true;
+  }
+
+  /// of the first k elements
+  double product_of_rows(int i, int k) const
+  {
+    double sum = 0;
+    for (int j = 0; j < k; ++j)
+      sum += m_lower(i, j) * m_lower(k, j);
+    return sum;
+  }
+
   /// A bound from what is at hand. Divided by the roots of its diagonal the matrix has ones there, hence the
   /// trace n, and a determinant D; if l is its least eigenvalue, the inequality of the means for the others
   /// says D <= l ((n - l)/(n - 1))^(n - 1) <= l (n/(n - 1))^(n - 1). The least eigenvalue of the matrix itself is
   /// at least l times the least element of the diagonal, and the largest at most the trace.
   double condition_bound() const
   {
-    if (m_cholesky.info() != Eigen::Success)
+    if (!m_is_definite)
       return std::numeric_limits<double>::infinity();
     double d = 1;
     for (int i = 0; i < size; ++i)
-      d *= m_cholesky.matrixLLT()(i, i) * m_cholesky.matrixLLT()(i, i) / m_matrix(i, i);
+      d *= m_lower(i, i) * m_lower(i, i) / m_matrix(i, i);
     double least = d;
     for (int i = 1; i < size; ++i)
       least *= (size - 1.) / size;
@@ -242,7 +278,9 @@ private:
   }
 
   Matrix m_matrix;
-  Eigen::LLT<Matrix> m_cholesky;
+  Matrix m_lower; // the factor, above which lies what does not matter
+  bool m_is_definite = false;
+  double m_unit = 0; // of the pseudo-inverse, times that of the nodes; 0: that is not used
 };
 
 } // namespace internal

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_IMPL_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_IMPL_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::mark_by_seeds(const std::vector<Index>& seeds, bool seeds_are_in_domain)
+{
+  std::vector<char> is_reached(m_inside.size(), 0);
+  std::vector<Index> reached, behind;
+  if (!seeds_are_in_domain)
+    reach_from_beyond_hull(is_reached, reached, behind);
+  for (Index t : seeds)
+    if (t != no_index)
+      reach(t, is_reached, reached);
+  flood(is_reached, reached);
+  for (std::size_t t = 0; t < m_inside.size(); ++t)
+    if ((is_reached[t] != 0) == seeds_are_in_domain)
+      set_inside(static_cast<Index>(t));
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::mark_by_nesting()
+{
+  std::vector<char> is_reached(m_inside.size(), 0);
+  std::vector<Index> level, next_level;
+  reach_from_beyond_hull(is_reached, level, next_level);
+  for (bool is_odd = false; !level.empty() || !next_level.empty(); is_odd = !is_odd) {
+    flood(is_reached, level);
+    for (Index t : level) {
+      if (is_odd)
+        set_inside(t);
+      next_level.insert(next_level.end(), tr.neighbors[t].begin(), tr.neighbors[t].end());
+    }
+    level.clear();
+    for (Index t : next_level)
+      reach(t, is_reached, level);
+    next_level.clear();
+  }
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::check_domain() const
+{
+  if (m_number_of_faces == 0)
+    throw std::invalid_argument("Bubble_relaxation_2: no face lies in the domain: the constraints close no "
+                                "region, or all regions are holes");
+  for (std::size_t t = 0; t < m_inside.size(); ++t)
+    for (int i = 0; i < 3 && m_inside[t]; ++i) {
+      const Index f = static_cast<Index>(t);
+      if (is_constrained(f, i) || is_inside(tr.neighbors[t][i]))
+        continue;
+      const Point &p = tr.point(f, ccw(i)), &q = tr.point(f, cw(i));
+      throw std::invalid_argument("Bubble_relaxation_2: the edge from " + in_words(p.x(), p.y()) + " to " +
+                                  in_words(q.x(), q.y()) + " bounds the domain and must be constrained");
+    }
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::check_seed(double x, double y)
+{
+  if (!std::isfinite(x) || !std::isfinite(y))
+    throw_seed(x, y, "must be finite");
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::throw_seed(double x, double y, const char* what)
+{
+  throw std::invalid_argument("Bubble_relaxation_2: parameter seeds: " + in_words(x, y) + " " + what);
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::throw_dimension(int dimension, std::size_t number_of_vertices)
+{
+  throw std::invalid_argument("Bubble_relaxation_2: the triangulation has " + std::to_string(number_of_vertices) +
+                              " vertices and the dimension " + std::to_string(dimension) +
+                              ", so it bounds no domain");
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::reach(Index t, std::vector<char>& is_reached, std::vector<Index>& reached)
+{
+  if (t == no_index || is_reached[t])
+    return;
+  is_reached[t] = 1;
+  reached.push_back(t);
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::reach_from_beyond_hull(std::vector<char>& is_reached, std::vector<Index>& reached,
+                            std::vector<Index>& behind) const
+{
+  for (std::size_t t = 0; t < m_inside.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const Index f = static_cast<Index>(t);
+      if (tr.neighbors[t][i] != no_index)
+        continue;
+      if (is_constrained(f, i))
+        behind.push_back(f);
+      else
+        reach(f, is_reached, reached);
+    }
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::flood(std::vector<char>& is_reached, std::vector<Index>& reached) const
+{
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    for (int i = 0; i < 3; ++i)
+      if (!is_constrained(reached[k], i))
+        reach(tr.neighbors[reached[k]][i], is_reached, reached);
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_IMPL_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/compiled.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+
+#include <CGAL/Bubble_relaxation_report_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+// What lies between reading and writing, without the user's types: it is compiled once.
+
+/// the sizes of the edges of a mesh; `inside`: of each triangle whether it is in the domain
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh, const std::vector<char>& inside);
+
+/// the sizes that the outline of a domain without mesh asks for
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given);
+
+/// Counts the bubbles that `wanted` sizes ask for, and makes them smaller where the outline asks for it, if it may.
+/// \throws std::length_error if they ask for too many bubbles
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 sizes_to_follow(const Domain_2& domain, const Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
+                        bool limit_by_outline);
+
+/// the bubbles after placement, simulation and treatment
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& report);
+
+/// the same with their triangulation, whose statistics are in the report
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& report);
+
+/// The bubbles nearer to each other than `radius` times the mean of both sizes: those of bubble i are
+/// `neighbors[offsets[i]]` up to, without, `neighbors[offsets[i + 1]]`.
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void find_neighbors(const Bubbles_2& bubbles, double radius, const Threads& threads, std::vector<std::size_t>& offsets,
+                    std::vector<std::int32_t>& neighbors);
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine_impl.h>
+#endif
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_H

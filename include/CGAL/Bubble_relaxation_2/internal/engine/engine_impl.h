@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_IMPL_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_IMPL_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
+#include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh, const std::vector<char>& inside)
+{
+  return Sizes_2(mean_edge_length_field(mesh, inside));
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given)
+{
+  return sizes_of_outline(domain, given);
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 sizes_to_follow(const Domain_2& domain, const Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
+                        bool limit_by_outline)
+{
+  count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
+  return limit_by_outline ? limited_by_outline(domain, given, wanted, maximum) : wanted;
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& report)
+{
+  Bubbles_2 bubbles = relax_bubbles(problem, progress, report);
+  if (is_treatment_due(problem.options, report))
+    bubbles = triangulate_and_treat(problem, std::move(bubbles), report).bubbles;
+  // the simulation does not ask d again for every little displacement
+  parallel_for(problem.options.threads, bubbles.size(),
+               [&](std::size_t i) { bubbles.d[i] = problem.sizes(bubbles.x[i], bubbles.y[i]); });
+  return bubbles;
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& report)
+{
+  Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, progress, report), report);
+  evaluate(mesh, problem.wanted, problem.options.threads, report);
+  return mesh;
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void find_neighbors(const Bubbles_2& bubbles, double radius, const Threads& threads, std::vector<std::size_t>& offsets,
+                    std::vector<std::int32_t>& neighbors)
+{
+  Neighbor_sets_2 sets(radius);
+  sets.build(bubbles, threads);
+  offsets.assign(1, 0);
+  for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    neighbors.insert(neighbors.end(), sets.begin(i), sets.end(i));
+    offsets.push_back(neighbors.size());
+  }
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_IMPL_H

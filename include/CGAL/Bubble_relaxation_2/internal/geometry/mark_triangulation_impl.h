@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARK_TRIANGULATION_IMPL_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARK_TRIANGULATION_IMPL_H
+
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Makes triangles of points and of edges between them: triangulates, copies to arrays,
+/// enters the edges, and floods the marks of their sides.
+class Marking_2
+{
+  using Vb = Triangulation_vertex_base_with_info_2<Index, Kernel>;
+  using Fb = Triangulation_face_base_with_info_2<Index, Kernel,
+               Constrained_triangulation_face_base_2<Kernel>>;
+  using Tds = Triangulation_data_structure_2<Vb, Fb>;
+  using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds,
+                No_constraint_intersection_requiring_constructions_tag>;
+  using Vertex_handle = Cdt::Vertex_handle;
+  using Face_handle = Cdt::Face_handle;
+
+public:
+  Marking_2(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges, Marked_triangles_2& result)
+    : m_points(points), m_edges(edges), m_result(result)
+  {}
+
+  Marking_error operator()()
+  {
+    const Marking_error error = triangulate();
+    if (error != Marking_error::NONE)
+      return error;
+    copy_to_arrays();
+    Index edge_index = 0;
+    for (const auto& e : m_edges) {
+      const Marking_error edge_error = enter_edge(e, edge_index++);
+      if (edge_error != Marking_error::NONE)
+        return edge_error;
+    }
+    flood();
+    return Marking_error::NONE;
+  }
+
+private:
+  Marking_error triangulate()
+  {
+    m_handles.reserve(m_points.size());
+    Face_handle near; // consecutive points are near to each other: they need not be sorted again
+    for (const Point& p : m_points) {
+      const Vertex_handle v = m_cdt.insert(p, near);
+      if (m_cdt.number_of_vertices() == m_handles.size())
+        return Marking_error::POINTS_COINCIDE;
+      v->info() = static_cast<Index>(m_handles.size());
+      m_handles.push_back(v);
+      near = v->face();
+    }
+    try {
+      for (const auto& e : m_edges)
+        m_cdt.insert_constraint(m_handles[e.source], m_handles[e.target]);
+    } catch (const Cdt::Intersection_of_constraints_exception&) {
+      return Marking_error::EDGES_CROSS;
+    }
+    return Marking_error::NONE;
+  }
+
+  void copy_to_arrays()
+  {
+    const std::size_t n = m_cdt.number_of_faces();
+    m_result.vertices.resize(n);
+    m_result.neighbors.resize(n);
+    m_result.edges.assign(n, {no_index, no_index, no_index});
+    m_result.inside.assign(n, 0);
+    m_seen.assign(n, 0);
+    Index number = 0;
+    for (Face_handle f : m_cdt.all_face_handles())
+      f->info() = m_cdt.is_infinite(f) ? no_index : number++;
+    for (Face_handle f : m_cdt.finite_face_handles())
+      for (int i = 0; i < 3; ++i) {
+        m_result.vertices[f->info()][i] = f->vertex(i)->info();
+        m_result.neighbors[f->info()][i] = f->neighbor(i)->info();
+      }
+  }
+
+  Marking_error enter_edge(const Domain_edge_2& e, Index edge_index)
+  {
+    Face_handle f;
+    int i;
+    // an edge that passes through a third point is there in parts only
+    if (!m_cdt.is_edge(m_handles[e.source], m_handles[e.target], f, i))
+      return Marking_error::EDGE_THROUGH_POINT;
+    // two edges with the same ends have different marks, and a bubble could not tell which it is on
+    const Index g = f->neighbor(i)->info();
+    const int j = m_cdt.mirror_index(f, i);
+    if (has_edge(f->info(), i) || has_edge(g, j))
+      return Marking_error::EDGE_TWICE;
+    const bool f_is_left = f->vertex(m_cdt.ccw(i)) == m_handles[e.source];
+    enter_side(f->info(), i, edge_index, f_is_left ? e.inside_left : e.inside_right);
+    enter_side(g, j, edge_index, f_is_left ? e.inside_right : e.inside_left);
+    return Marking_error::NONE;
+  }
+
+  bool has_edge(Index t, int i) const
+  {
+    return t != no_index && m_result.edges[t][i] != no_index;
+  }
+
+  void enter_side(Index t, int i, Index edge_index, bool inside)
+  {
+    if (t != no_index)
+      m_result.edges[t][i] = edge_index;
+    mark(t, inside);
+  }
+
+  void mark(Index t, bool inside)
+  {
+    if (t == no_index || m_seen[t])
+      return;
+    m_seen[t] = 1;
+    m_result.inside[t] = inside;
+    m_stack.push_back(t);
+  }
+
+  void flood()
+  {
+    while (!m_stack.empty()) {
+      const Index t = m_stack.back();
+      m_stack.pop_back();
+      for (int i = 0; i < 3; ++i)
+        if (m_result.edges[t][i] == no_index)
+          mark(m_result.neighbors[t][i], m_result.inside[t] != 0);
+    }
+  }
+
+  const std::vector<Point>& m_points;
+  const std::vector<Domain_edge_2>& m_edges;
+  Marked_triangles_2& m_result;
+  Cdt m_cdt;
+  std::vector<Vertex_handle> m_handles; // by index of the point
+  std::vector<char> m_seen;             // triangles that have their mark
+  std::vector<Index> m_stack;           // triangles whose neighbours are to be marked
+};
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
+                                 Marked_triangles_2& result)
+{
+  return Marking_2(points, edges, result)();
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
+                                 Marked_triangulation_2& result)
+{
+  Marked_triangles_2 triangles;
+  const Marking_error error = mark_triangulation(points, edges, triangles);
+  result.tr.points = points;
+  result.tr.vertices = std::move(triangles.vertices);
+  result.tr.neighbors = std::move(triangles.neighbors);
+  result.edges = std::move(triangles.edges);
+  result.inside = std::move(triangles.inside);
+  return error;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARK_TRIANGULATION_IMPL_H
