@@ -149,13 +149,6 @@ struct Bubbles_2
       select(owner, order, in_place);
   }
 
-  /// all are here now
-  void forget_parts()
-  {
-    id.clear();
-    owner.clear();
-  }
-
   /// Orders them by their identities. Mostly few were added to those that ascend.
   void sort_by_id()
   {

@@ -10,11 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_TEAM_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/order_independent.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +29,6 @@ namespace internal {
 class Crystal_2;
 class Domain_2;
 class Editable_triangulation_2;
-class Greedy_choice_2;
-class Greedy_coloring_2;
 class Neighbor_sets_2;
 class Simulation_2;
 class Undo_log_2;
@@ -40,12 +39,14 @@ struct Growth_proposer;
 /// what the stages tell of what they did, for the user
 using Report = Bubble_relaxation_report_2<double>;
 
-/// a place where a bubble is missing
+/// a place for a bubble
 struct Hole_2
 {
-  double rank; ///< the one with the least is filled first
+  double rank; ///< the one with the least is the best
   double x, y, d;
   Index triangle; ///< of the domain
+
+  bool operator<(const Hole_2& h) const { return std::tie(rank, x, y) < std::tie(h.rank, h.x, h.y); }
 };
 
 /// a bubble on a corner or on an edge of the domain
@@ -71,6 +72,32 @@ struct Step_sums
 
 /// how much of a disc belongs to a rank
 enum class Share_of_disc { NONE, SOME, ALL };
+
+/// Brings the values from `begin` to `end` into an order in which those at some positions are where sorting
+/// would bring them. `first`, `last`: the positions, each greater than the last
+template <class Iterator>
+void sort_positions(std::vector<double>& values, std::size_t begin, std::size_t end, Iterator first,
+                    Iterator last)
+{
+  if (first == last)
+    return;
+  const Iterator middle = first + (last - first) / 2;
+  const auto at = [&values](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(*middle), at(end));
+  sort_positions(values, begin, *middle, first, middle);
+  sort_positions(values, *middle + 1, end, middle + 1, last);
+}
+
+/// the values that sorting would bring to some positions, which do not decrease
+inline std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions)
+{
+  std::vector<std::size_t> distinct = positions;
+  sort_positions(values, 0, values.size(), distinct.begin(), std::unique(distinct.begin(), distinct.end()));
+  std::vector<double> result;
+  for (std::size_t position : positions)
+    result.push_back(values[position]);
+  return result;
+}
 
 /// The contract between the stages and the ranks that go through them together, each with its own part of the domain:
 /// what a stage asks for, or tells, wherever that is more than what this rank has. A program without ranks is a team of
@@ -99,8 +126,12 @@ public:
   /// are nearer than `reach` times the mean size; returns how many are ours.
   virtual std::size_t share_holes(std::vector<Hole_2>& holes, double /* reach */) { return holes.size(); }
 
-  /// a choice among holes, or among places that are proposed, becomes that of all ranks
-  virtual void agree_on(Greedy_choice_2&) {}
+  /// puts in what others decided on their holes, or on places that they propose
+  virtual void share_choice(std::vector<char>& /* states */) {}
+
+  /// Puts in the values of bubbles that others own.
+  virtual void share(std::vector<char>&) {}
+  virtual void share(std::vector<double>&) {} ///< the same
 
   /// @}
   /// \name Placement
@@ -217,10 +248,6 @@ public:
   /// adds triangles that others found around bubbles of ours; what we do not know of their corners is `no_index`
   virtual void share_triangles(const Bubbles_2&, std::vector<std::array<Index, 3>>&) {}
 
-  /// Puts in the values of bubbles that others own; returns whether any rank got one that it did not have.
-  virtual bool share(std::vector<char>&) { return false; }
-  virtual bool share(std::vector<double>&) { return false; } ///< the same
-
   /// the bubbles on the outline become those of all ranks
   virtual void share_outline(const Domain_2&, const Bubbles_2&, Outline_bubbles_2&) const {}
 
@@ -233,11 +260,6 @@ public:
 
   /// whether any rank has vertices to treat, and all know enough to go on
   virtual bool goes_on_treating(bool here) { return here; }
-
-  /// makes the colours of candidates what they are if those of other ranks are coloured with them
-  virtual void share_colors(const Editable_triangulation_2&, const std::vector<Index>& /* candidates */,
-                            Greedy_coloring_2&)
-  {}
 
   /// the largest number of colours of all ranks
   virtual std::size_t largest_number(std::size_t here) const { return here; }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace CGAL {
@@ -28,6 +29,26 @@ constexpr Index no_index = -1;
 
 /// a direction, of length 1
 struct Direction { double x, y; };
+
+/// A hash of two numbers, whose high and low bits depend on all of theirs.
+inline std::uint64_t hash_of_two(std::uint64_t a, std::uint64_t b)
+{
+  std::uint64_t h = a * 0x9E3779B97F4A7C15u;
+  h = (h ^ (h >> 32) ^ b) * 0xD6E8FEB86659FD93u;
+  return h ^ (h >> 32);
+}
+
+/// A hash of a place; equal ones have the same.
+inline std::uint64_t hash_of_place(double x, double y)
+{
+  const auto bits = [](double c) {
+    c += 0.; // of both zeros the same
+    std::uint64_t result;
+    std::memcpy(&result, &c, sizeof result);
+    return result;
+  };
+  return hash_of_two(bits(x), bits(y));
+}
 
 inline int ccw(int i) { return i == 2 ? 0 : i + 1; }
 inline int cw(int i) { return i == 0 ? 2 : i - 1; }

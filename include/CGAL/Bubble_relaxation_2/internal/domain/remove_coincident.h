@@ -16,8 +16,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <tuple>
 #include <vector>
 
@@ -57,20 +55,6 @@ inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
       if (crowd.has(b.s[i], b.d[i]))
         b.remove(i);
   }
-}
-
-/// Depends on the place only, and nearly always on all of it.
-inline std::uint64_t hash_of_place(double x, double y)
-{
-  const auto bits = [](double c) {
-    c += 0.; // of both zeros the same
-    std::uint64_t result;
-    std::memcpy(&result, &c, sizeof(result));
-    return result;
-  };
-  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15; // 2^64 over the golden ratio: high bits depend on all lower ones
-  const std::uint64_t h = bits(x) * odd;
-  return ((h ^ h >> 32) + bits(y)) * odd;
 }
 
 /// The bubbles that may be in one place with another: few, if no two are.

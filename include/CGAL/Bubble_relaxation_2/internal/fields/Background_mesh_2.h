@@ -16,8 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -129,17 +127,12 @@ private:
     std::vector<Cut> cuts;
     const Flat_triangulation_2& tr = m_mesh.tr;
     const Gradient_limiter_2 limiter(tr, m_mesh.inside, m_g);
-    for (std::size_t k = 0; k < tr.number_of_triangles(); ++k) {
-      const Index t = static_cast<Index>(k);
-      if (!m_mesh.inside[t])
-        continue;
-      for (int i = 0; i < 3; ++i) {
-        const Index n = tr.neighbors[t][i];
-        if (n == no_index || !m_mesh.inside[n] || n > t) // else seen from the other side
-          add_edge(t, i, edge_error(t, i), cuts);
-      }
-      add_triangle(t, limiter.gradient(t, m_sizes), cuts);
-    }
+    for_each_edge(tr, m_mesh.inside, 0, tr.number_of_triangles(), [&](Index t, int i) {
+      add_edge(t, i, edge_error(t, i), cuts);
+    });
+    for (std::size_t k = 0; k < tr.number_of_triangles(); ++k)
+      if (m_mesh.inside[k])
+        add_triangle(static_cast<Index>(k), limiter.gradient(static_cast<Index>(k), m_sizes), cuts);
     std::sort(cuts.begin(), cuts.end());
     std::set<Point> seen;
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
@@ -251,15 +244,7 @@ private:
 
   struct Hash
   {
-    std::size_t operator()(const Point& p) const
-    {
-      const double x = p.x() + 0., y = p.y() + 0.; // -0 and 0 are equal
-      std::uint64_t a, b;
-      std::memcpy(&a, &x, sizeof a);
-      std::memcpy(&b, &y, sizeof b);
-      const std::uint64_t mixed = (a * 0x9e3779b97f4a7c15u) ^ (b * 0xc2b2ae3d27d4eb4fu);
-      return static_cast<std::size_t>(mixed ^ (mixed >> 29));
-    }
+    std::size_t operator()(const Point& p) const { return static_cast<std::size_t>(hash_of_place(p.x(), p.y())); }
   };
 
   const Sizes_2& m_sizing;

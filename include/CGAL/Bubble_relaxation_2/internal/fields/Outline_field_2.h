@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_OUTLINE_FIELD_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_OUTLINE_FIELD_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -42,24 +42,14 @@ public:
   static constexpr double gradation = 0.2;
 
   Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box)
-    : m_x(0.5 * (box.xmin() + box.xmax())), m_y(0.5 * (box.ymin() + box.ymax())),
-      m_half_side(0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()))
-  {
-    m_cells.emplace_back();
-    build(0, m_x, m_y, m_half_side, sources, 0);
-  }
+    : m_sources({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
+                 0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), 0},
+                sources, Fill())
+  {}
 
   double operator()(double x, double y) const
   {
-    std::size_t cell = 0;
-    double cx = m_x, cy = m_y;
-    for (double half = 0.5 * m_half_side; m_cells[cell].first_child != 0; half *= 0.5) {
-      const bool is_right = x >= cx, is_upper = y >= cy;
-      cell = m_cells[cell].first_child + is_right + 2 * is_upper;
-      cx += is_right ? half : -half;
-      cy += is_upper ? half : -half;
-    }
-    const std::vector<Size_source_2>& sources = m_cells[cell].sources;
+    const Sources& sources = m_sources(x, y);
     double least = size_from(sources.front(), x, y);
     for (const Size_source_2& s : sources)
       least = (std::min)(least, size_from(s, x, y));
@@ -72,11 +62,8 @@ private:
   static constexpr std::size_t most_sources = 8; // in a leaf
   static constexpr int deepest = 40;
 
-  struct Cell
-  {
-    std::size_t first_child = 0; // the others follow; 0 in a leaf
-    std::vector<Size_source_2> sources;
-  };
+  using Sources = std::vector<Size_source_2>;
+  using Tree = Quadtree_2<Sources>;
 
   static double size_from(const Size_source_2& s, double x, double y)
   {
@@ -84,7 +71,7 @@ private:
     return s.d + gradation * std::sqrt(dx * dx + dy * dy);
   }
 
-  static const Size_source_2& nearest(const std::vector<Size_source_2>& sources, double x, double y)
+  static const Size_source_2& nearest(const Sources& sources, double x, double y)
   {
     const Size_source_2* best = &sources.front();
     for (const Size_source_2& s : sources) {
@@ -95,36 +82,30 @@ private:
     return *best;
   }
 
-  void build(std::size_t cell, double x, double y, double half,
-             const std::vector<Size_source_2>& sources, int depth)
+  struct Fill
   {
-    // within the cell two sources cannot change their order if they differ by more than this
-    const double slack = 2 * gradation * std::sqrt(2.) * half;
-    const double least = size_from(nearest(sources, x, y), x, y);
-    std::vector<Size_source_2> kept;
-    std::copy_if(sources.begin(), sources.end(), std::back_inserter(kept),
-                 [&](const Size_source_2& s) { return size_from(s, x, y) <= least + slack; });
-    if (kept.size() <= most_sources) {
-      m_cells[cell].sources = std::move(kept);
-      return;
+    template <class Divide>
+    void operator()(const Tree::Square& c, const Sources& sources, Sources& leaf, const Divide& divide) const
+    {
+      // within the cell two sources cannot change their order if they differ by more than this
+      const double slack = 2 * gradation * std::sqrt(2.) * c.half;
+      const double least = size_from(nearest(sources, c.x, c.y), c.x, c.y);
+      Sources kept;
+      std::copy_if(sources.begin(), sources.end(), std::back_inserter(kept),
+                   [&](const Size_source_2& s) { return size_from(s, c.x, c.y) <= least + slack; });
+      // far from a finely divided outline many sources stay, but d hardly changes within the cell
+      const bool is_even = slack <= 0.5 * least || c.depth == deepest;
+      if (kept.size() > most_sources && !is_even)
+        divide([&kept](int) -> const Sources& { return kept; });
+      else if (kept.size() > most_sources)
+        for (int k = 0; k < 9; ++k)
+          leaf.push_back(nearest(kept, c.x + (k % 3 - 1) * c.half, c.y + (k / 3 - 1) * c.half));
+      else
+        leaf = std::move(kept);
     }
-    // far from a finely divided outline many sources stay, but d hardly changes within the cell
-    if (slack <= 0.5 * least || depth == deepest) {
-      for (int k = 0; k < 9; ++k)
-        m_cells[cell].sources.push_back(
-          nearest(kept, x + (k % 3 - 1) * half, y + (k / 3 - 1) * half));
-      return;
-    }
-    const std::size_t first = m_cells.size();
-    m_cells[cell].first_child = first;
-    m_cells.resize(first + 4);
-    for (int k = 0; k < 4; ++k)
-      build(first + k, x + ((k & 1) != 0 ? 0.5 : -0.5) * half, y + ((k & 2) != 0 ? 0.5 : -0.5) * half,
-            0.5 * half, kept, depth + 1);
-  }
+  };
 
-  double m_x, m_y, m_half_side; // of the root
-  std::vector<Cell> m_cells;
+  Tree m_sources;
 };
 
 } // namespace internal

@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_CELL_BLOCKS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_CELL_BLOCKS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
 #include <array>
@@ -177,9 +177,8 @@ private:
   // of a block of the highest level
   std::size_t slot_of(std::int64_t ix, std::int64_t iy) const
   {
-    std::uint64_t h = static_cast<std::uint64_t>(ix) * 0x9E3779B97F4A7C15u;
-    h = (h ^ (h >> 32) ^ static_cast<std::uint64_t>(iy)) * 0xD6E8FEB86659FD93u;
-    std::size_t k = (h ^ (h >> 32)) & (m_table.size() - 1);
+    const std::uint64_t hash = hash_of_two(static_cast<std::uint64_t>(ix), static_cast<std::uint64_t>(iy));
+    std::size_t k = static_cast<std::size_t>(hash) & (m_table.size() - 1);
     while (m_table[k] != no_index &&
            !(m_blocks[m_table[k]].ix == ix && m_blocks[m_table[k]].iy == iy))
       k = (k + 1) & (m_table.size() - 1);

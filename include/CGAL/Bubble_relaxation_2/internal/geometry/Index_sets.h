@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_INDEX_SETS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <algorithm>
 #include <cstddef>

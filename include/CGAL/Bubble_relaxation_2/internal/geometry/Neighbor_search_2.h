@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_NEIGHBOR_SEARCH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_search_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -229,9 +228,6 @@ public:
     m_buckets.reset();
     tell_others(bubbles);
   }
-
-  /// whether `find_around()` can be asked: not after `renew_from_neighbors()`
-  bool has_buckets() const { return m_buckets != nullptr; }
 
   /// calls `visit(j)` for all bubbles j whose distance from bubble `i` is less than the radius times the mean of
   /// `times` its size and that of j, by references

@@ -16,84 +16,120 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Where to start the search for the triangle that contains a point: a quadtree whose leaves hold few
-/// vertices, so that the walk from there is short whatever the grading. Queries change nothing: they are the
-/// same in any order and from any thread, and threads do not wait for each other.
-class Triangle_quadtree_2
+/// A quadtree that has something for each place: what is in the leaf there. Queries change nothing: they are the same in
+/// any order and from any thread, and threads do not wait for each other.
+template <class Leaf>
+class Quadtree_2
 {
 public:
-  explicit Triangle_quadtree_2(const Flat_triangulation_2& tr)
+  struct Square
   {
-    Bbox_2 box;
-    for (const Point& p : tr.points)
-      box += p.bbox();
-    m_x = box.xmin() + (box.xmax() - box.xmin()) / 2;
-    m_y = box.ymin() + (box.ymax() - box.ymin()) / 2;
-    m_half_side = 0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-    std::vector<Index> vertices(tr.points.size());
-    std::iota(vertices.begin(), vertices.end(), 0);
+    double x, y, half; ///< the centre, and half of the side
+    int depth;
+
+    Square quarter(int k) const
+    {
+      return Square{x + ((k & 1) != 0 ? 0.5 : -0.5) * half, y + ((k & 2) != 0 ? 0.5 : -0.5) * half, 0.5 * half,
+                    depth + 1};
+    }
+  };
+
+  /// `fill(square, things, leaf, divide)` either puts something into the leaf or calls `divide(part)`, where `part(k)` are
+  /// the things for the quarter `k` of the square.
+  template <class Things, class Fill>
+  Quadtree_2(const Square& root, const Things& things, const Fill& fill) : m_root(root)
+  {
     m_cells.emplace_back();
-    build(tr, 0, m_x, m_y, 0.5 * m_half_side, vertices.begin(), vertices.end(), 0);
+    build(0, root, things, fill);
   }
 
-  /// a triangle near to the place
-  Index start(double x, double y) const
+  const Leaf& operator()(double x, double y) const
   {
     std::size_t cell = 0;
-    double cx = m_x, cy = m_y;
-    for (double half = 0.5 * m_half_side; m_cells[cell].first_child != no_index; half *= 0.5) {
+    double cx = m_root.x, cy = m_root.y;
+    for (double half = 0.5 * m_root.half; m_cells[cell].first_child != 0; half *= 0.5) {
       const bool is_right = x >= cx, is_upper = y >= cy;
       cell = static_cast<std::size_t>(m_cells[cell].first_child) + is_right + 2 * is_upper;
       cx += is_right ? half : -half;
       cy += is_upper ? half : -half;
     }
-    return m_cells[cell].triangle;
+    return m_cells[cell].leaf;
   }
 
 private:
+  struct Cell
+  {
+    Index first_child = 0; // the others follow; 0 in a leaf
+    Leaf leaf{};
+  };
+
+  template <class Things, class Fill>
+  void build(std::size_t cell, const Square& square, const Things& things, const Fill& fill)
+  {
+    fill(square, things, m_cells[cell].leaf, [&](const auto& part) {
+      const std::size_t first = m_cells.size();
+      m_cells[cell].first_child = static_cast<Index>(first);
+      m_cells.resize(first + 4);
+      for (int k = 0; k < 4; ++k)
+        build(first + static_cast<std::size_t>(k), square.quarter(k), part(k), fill);
+    });
+  }
+
+  Square m_root;
+  std::vector<Cell> m_cells;
+};
+
+/// Where to start the search for the triangle that contains a point: leaves hold few vertices, so that the walk from
+/// there is short whatever the grading.
+class Triangle_quadtree_2
+{
+public:
+  explicit Triangle_quadtree_2(const Flat_triangulation_2& tr) : m_triangles(make(tr)) {}
+
+  /// a triangle near to the place
+  Index start(double x, double y) const { return m_triangles(x, y); }
+
+private:
+  using Tree = Quadtree_2<Index>;
+
   static constexpr std::ptrdiff_t most_vertices = 4; // in a leaf
   static constexpr int deepest = 50;
 
-  struct Cell
+  static Tree make(const Flat_triangulation_2& tr)
   {
-    Index first_child = no_index; // the others follow; none in a leaf
-    Index triangle = 0;           // of a leaf
-  };
-
-  using Iterator = std::vector<Index>::iterator;
-
-  /// \param half half of the side of the children
-  void build(const Flat_triangulation_2& tr, std::size_t cell, double x, double y, double half,
-             Iterator first, Iterator last, int depth)
-  {
-    if (last - first <= most_vertices || depth == deepest) {
-      // neighbouring leaves follow each other, so the last one's triangle is near
-      m_last = locate_or_exit(tr, m_last, Point(x, y)).triangle;
-      m_cells[cell].triangle = m_last;
-      return;
-    }
-    const Iterator upper =
-      std::partition(first, last, [&](Index v) { return !(tr.points[v].y() >= y); });
-    const auto is_left = [&](Index v) { return !(tr.points[v].x() >= x); };
-    const Iterator ends[5] = {first, std::partition(first, upper, is_left), upper,
-                              std::partition(upper, last, is_left), last};
-    const std::size_t child = m_cells.size();
-    m_cells[cell].first_child = static_cast<Index>(child);
-    m_cells.resize(child + 4);
-    for (int k = 0; k < 4; ++k)
-      build(tr, child + k, x + ((k & 1) != 0 ? half : -half), y + ((k & 2) != 0 ? half : -half),
-            0.5 * half, ends[k], ends[k + 1], depth + 1);
+    using Iterator = std::vector<Index>::iterator;
+    using Range = std::pair<Iterator, Iterator>;
+    Bbox_2 box;
+    for (const Point& p : tr.points)
+      box += p.bbox();
+    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    std::vector<Index> vertices(tr.points.size());
+    std::iota(vertices.begin(), vertices.end(), 0);
+    Index last = 0; // neighbouring leaves follow each other, so the last one's triangle is near
+    const auto fill = [&](const Tree::Square& s, const Range& r, Index& triangle, const auto& divide) {
+      if (r.second - r.first <= most_vertices || s.depth == deepest) {
+        triangle = last = locate_or_exit(tr, last, Point(s.x, s.y)).triangle;
+        return;
+      }
+      const auto is_left = [&](Index v) { return !(tr.points[v].x() >= s.x); };
+      const Iterator upper =
+        std::partition(r.first, r.second, [&](Index v) { return !(tr.points[v].y() >= s.y); });
+      const Iterator ends[5] = {r.first, std::partition(r.first, upper, is_left), upper,
+                                std::partition(upper, r.second, is_left), r.second};
+      divide([&ends](int k) { return Range(ends[k], ends[k + 1]); });
+    };
+    return Tree({box.xmin() + width / 2, box.ymin() + height / 2, 0.5 * (std::max)(width, height), 0},
+                Range(vertices.begin(), vertices.end()), fill);
   }
 
-  double m_x = 0, m_y = 0, m_half_side = 0; // of the root
-  std::vector<Cell> m_cells;
-  Index m_last = 0; // while it is built
+  Tree m_triangles;
 };
 
 } // namespace internal

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_proposals_2.h>
 
@@ -71,10 +71,9 @@ public:
       m_team.take(m_generation);
       m_proposals.clear();
       m_propose(m_generation, m_proposals);
+      const std::size_t number_of_ours = m_proposals.size();
       m_team.share_proposals(m_proposals);
-      find_candidates();
-      m_choice.decide();
-      m_team.agree_on(m_choice);
+      choose(number_of_ours);
       const std::size_t first = m_crystal.size();
       accept();
       m_crystal.link_from(first);
@@ -110,15 +109,13 @@ private:
   }
 
   /// of proposals too near to each other the one that fits best is to be accepted
-  void find_candidates()
+  void choose(std::size_t number_of_ours)
   {
-    m_candidates.clear();
+    m_places.clear();
     for (const Growth_proposal_2& p : m_proposals)
-      m_candidates.push_back(Greedy_candidate_2{p.misfit, p.x, p.y, p.d});
-    m_choice.assign(m_candidates, Surroundings_2::least_distance, m_crystal.bubbles().d[0],
-                    Point(m_domain.bbox().xmin(), m_domain.bbox().ymin()), m_threads, [this](Index k) {
-                      return m_crystal.is_free(m_candidates[k].x, m_candidates[k].y, m_candidates[k].d);
-                    });
+      m_places.push_back(Hole_2{p.misfit, p.x, p.y, p.d, p.triangle});
+    m_choice(m_places, number_of_ours, Surroundings_2::least_distance, m_team, m_threads,
+             [this](const Hole_2& p) { return m_crystal.is_free(p.x, p.y, p.d); });
   }
 
   void accept()
@@ -163,11 +160,11 @@ private:
   Crystal_2 m_crystal;
   Growth_front_2 m_front;
   Growth_proposals_2 m_propose;
-  Greedy_choice_2 m_choice;
+  Place_choice_2 m_choice;
   // of the present generation
   std::vector<Growth_proposer> m_generation;
   std::vector<Growth_proposal_2> m_proposals;
-  std::vector<Greedy_candidate_2> m_candidates; // the same
+  std::vector<Hole_2> m_places;         // theirs
   std::vector<Growth_proposal_2> m_new; // bubbles
   std::vector<Point> m_settled;         // their places
 };

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,21 +122,9 @@ private:
     Bubble_buckets_2 outline(least_distance, m_bubbles.d[0], origin.x(), origin.y(), m_bubbles.size());
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
       outline.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
-    const std::size_t number_of_ours = m_team.share_holes(m_centers, least_distance);
-    std::vector<Greedy_candidate_2> candidates;
-    for (const Hole_2& h : m_centers)
-      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
-    Greedy_choice_2 choice;
-    choice.assign(candidates, least_distance, m_bubbles.d[0], origin, Threads(), [&](Index k) {
-      return outline.is_free(candidates[k].x, candidates[k].y, candidates[k].d);
-    });
-    choice.decide();
-    m_team.agree_on(choice);
-    choice.for_each_chosen([&](Index k) {
-      const Hole_2& h = m_centers[k];
-      if (static_cast<std::size_t>(k) < number_of_ours)
-        m_bubbles.add(Point(h.x, h.y), h.d, Bubbles_2::FACE, h.triangle);
-    });
+    fill_holes(
+      m_centers, least_distance, m_team, Threads(), [&](const Hole_2& h) { return outline.is_free(h.x, h.y, h.d); },
+      m_bubbles);
   }
 
   const Domain_2& m_domain;

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
 
@@ -102,12 +102,13 @@ private:
                  [&](const Triangle& t) { return is_inside(b, t); });
     m_team.share_triangles(b, triangles);
     const Crowded crowded = find_crowded(b, mesh.touched(), triangles);
-    const std::vector<std::vector<Index>> worse = worse_neighbors(b, crowded, triangles);
-    do // the worst first; the neighbours of a deleted bubble get room and stay
-      for (std::size_t k = 0; k < crowded.ours.size(); ++k)
-        m_is_deleted[crowded.ours[k]] =
-          std::none_of(worse[k].begin(), worse[k].end(), [this](Index j) { return m_is_deleted[j] != 0; });
-    while (m_team.share(m_is_deleted));
+    Greedy_choice choice; // the worst first; the neighbours of a deleted bubble get room and stay
+    choice.start(b.size());
+    add_crowded(b, crowded, triangles, choice);
+    decide_together(
+      m_team, [&] { return choice.decide([](Index) { return true; }); }, [&] { m_team.share(choice.states()); });
+    for (std::size_t i = 0; i < b.size(); ++i)
+      m_is_deleted[i] = choice.is_chosen(static_cast<Index>(i));
   }
 
   Crowded find_crowded(const Bubbles_2& b, const std::vector<Index>& touched,
@@ -146,24 +147,22 @@ private:
     return w_i < w_j || (w_i == w_j && b.is_before(i, j));
   }
 
-  /// of each of our crowded bubbles, the neighbours that are to go first, some twice
-  static std::vector<std::vector<Index>> worse_neighbors(const Bubbles_2& b, const Crowded& crowded,
-                                                         const std::vector<Triangle>& triangles)
+  /// the rivals of crowded bubbles are the neighbours that are to go first
+  static void add_crowded(const Bubbles_2& b, const Crowded& crowded, const std::vector<Triangle>& triangles,
+                          Greedy_choice& choice)
   {
-    std::vector<std::vector<Index>> result(crowded.ours.size());
-    if (result.empty())
-      return result;
+    if (crowded.ours.empty())
+      return;
     std::vector<Index> position(b.size(), no_index);
-    for (std::size_t k = 0; k < crowded.ours.size(); ++k)
-      position[crowded.ours[k]] = static_cast<Index>(k);
+    for (Index i : crowded.ours)
+      position[i] = static_cast<Index>(choice.add(i));
     for (const Triangle& v : triangles)
       for (int i = 0; i < 3; ++i)
         if (v[i] != no_index && position[v[i]] != no_index)
           for (Index j : {v[ccw(i)], v[cw(i)]})
             if (is_near(b, v[i], j) && crowded.nearest[j] < std::numeric_limits<double>::infinity() &&
                 is_worse(b, crowded, j, v[i]))
-              result[position[v[i]]].push_back(j);
-    return result;
+              choice.rivals(static_cast<std::size_t>(position[v[i]])).push_back(j);
   }
 
   void insert_in_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)
@@ -172,20 +171,8 @@ private:
     std::vector<Hole_2> holes;
     for (const Triangle& t : mesh.triangles())
       add_hole(b, t, holes);
-    const std::size_t number_of_ours = m_team.share_holes(holes, least_distance);
-    std::vector<Greedy_candidate_2> candidates;
-    for (const Hole_2& h : holes)
-      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
-    Greedy_choice_2 choice;
-    const Bbox_2& box = m_domain.bbox();
-    choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, Point(box.xmin(), box.ymin()),
-                  m_threads, [](Index) { return true; });
-    choice.decide();
-    m_team.agree_on(choice);
-    choice.for_each_chosen([&](Index k) {
-      if (static_cast<std::size_t>(k) < number_of_ours)
-        m_change.inserted.add(Point(holes[k].x, holes[k].y), holes[k].d, Bubbles_2::FACE, holes[k].triangle);
-    });
+    fill_holes(
+      holes, least_distance, m_team, m_threads, [](const Hole_2&) { return true; }, m_change.inserted);
   }
 
   void add_hole(const Bubbles_2& b, const Triangle& v, std::vector<Hole_2>& holes)

@@ -16,7 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
 #include <algorithm>
@@ -95,29 +95,27 @@ private:
       if (b.is_ours(i) && is_crowded(static_cast<Index>(i)))
         crowded.push_back(static_cast<Index>(i));
     sort_indices(crowded, is_worse);
-    std::vector<std::vector<Index>> worse(crowded.size()); // neighbours of each, in the same order
-    for (std::size_t k = 0; k < crowded.size(); ++k) {
-      const Index i = crowded[k];
-      std::copy_if(neighbors.begin(i), neighbors.end(i), std::back_inserter(worse[k]),
+    Greedy_choice choice;
+    choice.start(b.size());
+    for (Index i : crowded) {
+      Greedy_choice::Rivals& worse = choice.rivals(choice.add(i)); // in the same order
+      std::copy_if(neighbors.begin(i), neighbors.end(i), std::back_inserter(worse),
                    [&](Index j) { return is_crowded(j) && is_worse(j, i); });
-      sort_indices(worse[k], is_worse);
+      std::sort(worse.begin(), worse.end(), is_worse);
     }
-    std::vector<char> is_deleted(b.size(), 0);
-    do // what a deletion takes away from its neighbours' ratios counts at once
-      for (std::size_t k = 0; k < crowded.size(); ++k)
-        is_deleted[crowded[k]] = ratio_left(b, ratio, crowded[k], worse[k], is_deleted) > largest_ratio;
-    while (m_team.share(is_deleted));
+    const auto judge = [&](Index i, const Greedy_choice::Rivals& worse) {
+      double left = ratio[i]; // what a deletion takes away from its neighbours' ratios counts at once
+      for (Index j : worse)
+        if (choice.is_chosen(j))
+          left -= (std::max)(0., 2 * b.d[i] + b.d[j] - 2 * distance(b, i, j)) / b.d[i];
+      return left > largest_ratio ? Greedy_choice::CHOSEN : Greedy_choice::REFUSED;
+    };
+    decide_together(
+      m_team, [&] { return choice.decide_by(judge); }, [&] { m_team.share(choice.states()); });
+    std::vector<char> is_deleted(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      is_deleted[i] = choice.is_chosen(static_cast<Index>(i));
     return is_deleted;
-  }
-
-  static double ratio_left(const Bubbles_2& b, const std::vector<double>& ratio, Index i,
-                           const std::vector<Index>& worse, const std::vector<char>& is_deleted)
-  {
-    double left = ratio[i];
-    for (Index j : worse)
-      if (is_deleted[j])
-        left -= (std::max)(0., 2 * b.d[i] + b.d[j] - 2 * distance(b, i, j)) / b.d[i];
-    return left;
   }
 
   void insert_beside_lonely(const Bubbles_2& b, const Neighbor_sets_2& neighbors, const std::vector<double>& ratio,
@@ -132,19 +130,8 @@ private:
     for (std::size_t i = 0; i < b.size(); ++i)
       if (b.is_ours(i) && b.is_in_face(i) && !is_deleted[i] && ratio[i] < smallest_ratio)
         add_place_beside(b, neighbors, static_cast<Index>(i), buckets, holes);
-    const std::size_t number_of_ours = m_team.share_holes(holes, least_distance);
-    std::vector<Greedy_candidate_2> candidates;
-    for (const Hole_2& h : holes)
-      candidates.push_back(Greedy_candidate_2{h.rank, h.x, h.y, h.d});
-    Greedy_choice_2 choice;
-    choice.assign(candidates, least_distance, holes.empty() ? 1. : holes.front().d, origin, Threads(),
-                  [](Index) { return true; });
-    choice.decide();
-    m_team.agree_on(choice);
-    choice.for_each_chosen([&](Index k) {
-      if (static_cast<std::size_t>(k) < number_of_ours)
-        inserted.add(Point(holes[k].x, holes[k].y), holes[k].d, Bubbles_2::FACE, holes[k].triangle);
-    });
+    fill_holes(
+      holes, least_distance, m_team, Threads(), [](const Hole_2&) { return true; }, inserted);
   }
 
   /// a place for a bubble in the widest gap beside bubble `i` if there is room; the first of bubbles comes first

@@ -30,21 +30,36 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// d at the vertices of a mesh that belong to its domain; others are not the business of d
+/// d at the vertices of the triangles of the domain around bubbles of this rank; others are not the business of d
 inline std::vector<double> sizes_at_vertices(const Bubble_mesh_2& mesh, const Sizes_2& sizing,
                                              const Threads& threads)
 {
-  std::vector<char> is_in_domain(mesh.bubbles.size(), 0);
-  for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
-    for (Index v : mesh.triangles.vertices[t])
-      if (mesh.triangles.inside[t])
-        is_in_domain[v] = 1;
-  std::vector<double> sizes(mesh.bubbles.size(), 0);
+  const Bubbles_2& b = mesh.bubbles;
+  std::vector<char> is_needed(b.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {
+    const std::array<Index, 3>& v = mesh.triangles.vertices[t];
+    if (mesh.triangles.inside[t] && (b.is_ours(v[0]) || b.is_ours(v[1]) || b.is_ours(v[2])))
+      is_needed[v[0]] = is_needed[v[1]] = is_needed[v[2]] = 1;
+  }
+  std::vector<double> sizes(b.size(), 0);
   parallel_for(threads, sizes.size(), [&](std::size_t v) {
-    if (is_in_domain[v])
-      sizes[v] = sizing(mesh.bubbles.x[v], mesh.bubbles.y[v]);
+    if (is_needed[v])
+      sizes[v] = sizing(b.x[v], b.y[v]);
   });
   return sizes;
+}
+
+/// Calls `visit(a, b)` for the ends of the edges of this rank, whose ends with the smaller indices are ours, that have
+/// their first triangle in a range.
+template <class Visitor>
+void for_each_own_edge(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last, const Visitor& visit)
+{
+  const Marked_triangles_2& tr = mesh.triangles;
+  for_each_edge(tr, tr.inside, first, last, [&](Index t, int i) {
+    const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
+    if (mesh.bubbles.is_ours((std::min)(a, b)))
+      visit(a, b);
+  });
 }
 
 /// How much d changes along edges, in whatever order they come.
@@ -97,22 +112,16 @@ private:
   std::size_t m_number_of_steep = 0, m_number = 0;
 };
 
-/// Tells how much d changes from one vertex of a mesh to the next, which is what the mesh can see of its
-/// gradient, kinks and jumps included.
-inline void evaluate_size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Threads& threads,
-                                   Report& report)
+/// How much d changes from one vertex of a mesh to the next, which is what the mesh can see of its gradient, kinks and
+/// jumps included; over the edges of this rank.
+inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Threads& threads)
 {
   const std::vector<double> sizes = sizes_at_vertices(mesh, sizing, threads);
-  const Marked_triangles_2& tr = mesh.triangles;
   Size_gradient_2 gradient(Report::steep_size_gradient);
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-    for (int i = 0; i < 3 && mesh.triangles.inside[t]; ++i) {
-      const Index n = tr.neighbors[t][i], a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
-      if (n != no_index && mesh.triangles.inside[n] && static_cast<std::size_t>(n) < t)
-        continue; // seen from the other side
-      gradient.add(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
-    }
-  gradient.tell(report);
+  for_each_own_edge(mesh, 0, mesh.triangles.number_of_triangles(), [&](Index a, Index b) {
+    gradient.add(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
+  });
+  return gradient;
 }
 
 /// Adds the length of an edge over d in the midpoint. It begins at the end that comes first: what rounds must not
@@ -125,27 +134,28 @@ inline void add_length(const Point& p, const Point& q, const Sizes_2& sizing, Me
   accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(a.x() + dx / 2, a.y() + dy / 2));
 }
 
-/// Adds the triangles of a domain from `first` to `last`, without, and the lengths of their edges over d in
-/// the midpoints.
-inline void add_triangles(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last,
-                          const Sizes_2& sizing, Mesh_quality_accumulator_2& accumulator)
+/// adds the lengths of edges of this rank over d in the midpoints, of those that have their first triangle in a range
+inline void add_lengths(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last, const Sizes_2& sizing,
+                        Mesh_quality_accumulator_2& accumulator)
 {
-  const Marked_triangles_2& tr = mesh.triangles;
+  for_each_own_edge(mesh, first, last, [&](Index a, Index b) {
+    add_length(mesh.bubbles.point(a), mesh.bubbles.point(b), sizing, accumulator);
+  });
+}
+
+/// adds the triangles of the domain in a range whose vertices with the smallest indices are of this rank
+inline void add_triangles(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last,
+                          Mesh_quality_accumulator_2& accumulator)
+{
   for (std::size_t t = first; t < last; ++t) {
-    if (!mesh.triangles.inside[t])
-      continue;
     const Index f = static_cast<Index>(t);
-    accumulator.add_triangle(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2));
-    for (int i = 0; i < 3; ++i) {
-      const Index n = tr.neighbors[t][i];
-      if (n != no_index && mesh.triangles.inside[n] && n < f)
-        continue; // seen from the other side
-      add_length(mesh.point(f, ccw(i)), mesh.point(f, cw(i)), sizing, accumulator);
-    }
+    const std::array<Index, 3>& v = mesh.triangles.vertices[t];
+    if (mesh.triangles.inside[t] && mesh.bubbles.is_ours(*std::min_element(v.begin(), v.end())))
+      accumulator.add_triangle(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2));
   }
 }
 
-/// adds the vertices of a domain
+/// adds the vertices of the domain that are of this rank
 inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& accumulator)
 {
   const Marked_triangles_2& tr = mesh.triangles;
@@ -155,14 +165,14 @@ inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& 
     const auto& v = tr.vertices[t];
     for (int i = 0; i < 3; ++i) {
       ++degrees[v[i]];
-      if (mesh.triangles.inside[t])
+      if (tr.inside[t])
         is_in_domain[v[i]] = 1;
-      if (mesh.triangles.edges[t][i] != no_index) // all ways out of the domain lead across edges
+      if (tr.edges[t][i] != no_index) // all ways out of the domain lead across edges
         is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;
     }
   }
   for (std::size_t v = 0; v < mesh.bubbles.size(); ++v)
-    if (is_in_domain[v])
+    if (is_in_domain[v] && mesh.bubbles.is_ours(v))
       accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
 }
 
@@ -177,10 +187,12 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Thr
   parallel_for(
     threads, blocks.size(),
     [&](std::size_t k) {
-      add_triangles(mesh, k * block_size, (std::min)((k + 1) * block_size, n), sizing, blocks[k]);
+      const std::size_t first = k * block_size, last = (std::min)(first + block_size, n);
+      add_triangles(mesh, first, last, blocks[k]);
+      add_lengths(mesh, first, last, sizing, blocks[k]);
     },
     1);
-  evaluate_size_gradient(mesh, sizing, threads, report);
+  size_gradient(mesh, sizing, threads).tell(report);
   Mesh_quality_accumulator_2 all;
   add_vertices(mesh, all);
   for (const Mesh_quality_accumulator_2& block : blocks)

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_DEFECT_SURGERY_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Patch_operation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -124,22 +126,29 @@ private:
 
   std::vector<Operation> operate(std::size_t most) const
   {
-    std::vector<char> is_taken(m_mesh.triangles.number_of_triangles(), 0);
-    std::vector<Operation> result;
     std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, m_bad_quality);
     worst.resize((std::min)(most, worst.size()));
-    for (const Bad_triangle_2& bad : worst) {
-      Mesh_patch_2 patch(m_mesh, bad.triangle);
-      if (std::any_of(patch.triangles().begin(), patch.triangles().end(),
-                      [&](Index n) { return is_taken[n] != 0; }))
-        continue;
-      Patch_operation_2 operate(m_domain, m_mesh, patch);
-      if (!operate(bad.triangle))
-        continue;
-      for (Index n : patch.triangles())
-        is_taken[n] = 1;
-      result.push_back(Operation{std::move(patch), operate.best()});
+    std::vector<Mesh_patch_2> patches;
+    std::unordered_map<Index, std::vector<Index>> patches_of; // triangles
+    Greedy_choice choice;
+    choice.start(worst.size());
+    for (std::size_t k = 0; k < worst.size(); ++k) {
+      patches.emplace_back(m_mesh, worst[k].triangle);
+      choice.add(static_cast<Index>(k));
+      for (Index t : patches[k].triangles()) {
+        std::vector<Index>& before = patches_of[t];
+        choice.rivals(k).insert(choice.rivals(k).end(), before.begin(), before.end());
+        before.push_back(static_cast<Index>(k));
+      }
     }
+    std::vector<Operation> result;
+    choice.decide([&](Index k) {
+      Patch_operation_2 operate(m_domain, m_mesh, patches[k]);
+      const bool has_helped = operate(worst[k].triangle);
+      if (has_helped)
+        result.push_back(Operation{std::move(patches[k]), operate.best()});
+      return has_helped;
+    });
     return result;
   }
 

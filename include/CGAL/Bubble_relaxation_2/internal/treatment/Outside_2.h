@@ -13,7 +13,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>

@@ -13,13 +13,14 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/Greedy_coloring_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_smoothing_2.h>
 
 #include <CGAL/radius_ratio_2.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -61,8 +62,7 @@ public:
   static constexpr int number_of_sweeps = 4;
 
   Smoothing_sweeps_2(const Domain_2& domain, Bubble_mesh_2& mesh, Team& team, const Threads& threads = Threads())
-    : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_team(team),
-      m_coloring(mesh.bubbles.size())
+    : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_team(team)
   {}
 
   /// returns the vertices that were moved
@@ -137,14 +137,51 @@ private:
     return result;
   }
 
+  /// Sets of candidates without neighbours among them: each candidate gets into the first set that none of its neighbours
+  /// with a smaller index is in. Where neighbours are in all sets there may be, it gets into none.
   std::vector<std::vector<Index>> independent_sets(const Editable_triangulation_2& mesh,
                                                    const std::vector<Index>& candidates)
   {
-    m_coloring.color(mesh, candidates);
-    m_team.share_colors(mesh, candidates, m_coloring);
-    std::vector<std::vector<Index>> sets = m_coloring.sets(candidates);
-    m_coloring.forget(candidates);
+    constexpr int most = 63;
+    choose_from(mesh, candidates);
+    const auto first_set_left = [this](Index, const Greedy_choice::Rivals& neighbors) {
+      std::uint64_t taken = 0;
+      for (Index w : neighbors)
+        if (m_choice.is_chosen(w))
+          taken |= std::uint64_t(1) << (m_choice.states()[w] - Greedy_choice::CHOSEN);
+      int set = 0;
+      while (set < most && (taken >> set & 1) != 0)
+        ++set;
+      return static_cast<char>(set < most ? Greedy_choice::CHOSEN + set : Greedy_choice::REFUSED);
+    };
+    decide_together(
+      m_team, [&] { return m_choice.decide_by(first_set_left); }, [&] { m_team.share(m_choice.states()); });
+    std::vector<std::vector<Index>> sets;
+    for (Index v : candidates) {
+      if (!m_choice.is_chosen(v))
+        continue;
+      const std::size_t set = static_cast<std::size_t>(m_choice.states()[v] - Greedy_choice::CHOSEN);
+      sets.resize((std::max)(sets.size(), set + 1));
+      sets[set].push_back(v);
+    }
     return sets;
+  }
+
+  /// the rivals of candidates are the neighbours with smaller indices that are candidates, also of other ranks
+  void choose_from(const Editable_triangulation_2& mesh, const std::vector<Index>& candidates)
+  {
+    std::vector<char> is_candidate(m_bubbles.size(), 0);
+    for (Index v : candidates)
+      is_candidate[v] = 1;
+    m_team.share(is_candidate);
+    m_choice.start(m_bubbles.size());
+    for (Index v : candidates) {
+      Greedy_choice::Rivals& rivals = m_choice.rivals(m_choice.add(v));
+      for (const Corner_2& c : mesh.star(v))
+        for (Index w : mesh.vertices(c.triangle))
+          if (w < v && is_candidate[w] && mesh.is_inside(c.triangle))
+            rivals.push_back(w);
+    }
   }
 
   std::vector<Index> neighbors_of(const Editable_triangulation_2& mesh,
@@ -167,7 +204,7 @@ private:
   Bubble_mesh_2& m_mesh;
   Bubbles_2& m_bubbles;
   Team& m_team;
-  Greedy_coloring_2 m_coloring;
+  Greedy_choice m_choice;
   Undo_log_2 m_log;
 };
 

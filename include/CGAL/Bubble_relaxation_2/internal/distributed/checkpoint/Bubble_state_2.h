@@ -9,12 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_BUBBLE_STATE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_BUBBLE_STATE_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
-
-#include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {

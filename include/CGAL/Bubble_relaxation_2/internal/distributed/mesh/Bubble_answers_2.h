@@ -10,20 +10,24 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/order_in_space.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Fuzzy_iso_box.h>
+#include <CGAL/Kd_tree.h>
 #include <CGAL/Kernel/global_functions_2.h>
+#include <CGAL/Search_traits_2.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -47,7 +51,6 @@ struct Triangle_question_2
   std::int32_t number; ///< of the question, among those of its rank
 
   Point point(int i) const { return Point(x[i], y[i]); }
-  Bbox_2 box() const { return Bbox_2(xmin, ymin, xmax, ymax); }
 
   /// exact
   bool concerns(const Point& q) const
@@ -118,59 +121,6 @@ inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, con
   return question;
 }
 
-/// Finds points in boxes. Boxes around eight consecutive points, around eight such boxes, and so on: points that
-/// follow each other should be near to each other.
-class Box_tree_2
-{
-public:
-  Box_tree_2() = default;
-
-  explicit Box_tree_2(std::vector<Point> points) : m_points(std::move(points))
-  {
-    add_level(m_points.size(), [this](std::size_t i) { return m_points[i].bbox(); });
-    while (m_levels.back().size() > 1) {
-      const std::size_t below = m_levels.size() - 1;
-      add_level(m_levels[below].size(), [this, below](std::size_t i) { return m_levels[below][i]; });
-    }
-  }
-
-  /// calls `f` with the index of each point in the box
-  template <class Function>
-  void for_each_in(const Bbox_2& box, const Function& f) const
-  {
-    if (!m_points.empty())
-      visit(m_levels.size() - 1, 0, box, f);
-  }
-
-private:
-  static constexpr std::size_t fan = 8;
-
-  template <class Box_of>
-  void add_level(std::size_t n, const Box_of& box_of)
-  {
-    std::vector<Bbox_2> boxes((n + fan - 1) / fan);
-    for (std::size_t i = 0; i < n; ++i)
-      boxes[i / fan] += box_of(i);
-    m_levels.push_back(std::move(boxes));
-  }
-
-  template <class Function>
-  void visit(std::size_t level, std::size_t k, const Bbox_2& box, const Function& f) const
-  {
-    if (!do_overlap(m_levels[level][k], box))
-      return;
-    const std::size_t n = level == 0 ? m_points.size() : m_levels[level - 1].size();
-    for (std::size_t i = fan * k; i < (std::min)(fan * (k + 1), n); ++i)
-      if (level > 0)
-        visit(level - 1, i, box, f);
-      else if (do_overlap(m_points[i].bbox(), box))
-        f(i);
-  }
-
-  std::vector<Point> m_points;
-  std::vector<std::vector<Bbox_2>> m_levels; // of boxes around points, around those boxes, and so on
-};
-
 /// whether all ranks know a bubble: those on the edges of the domain and its corners
 inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
 {
@@ -192,10 +142,8 @@ class Bubble_answers_2
 public:
   static constexpr std::size_t most_bubbles = 12; ///< in one answer: about two stars
 
-  /// keeps references; `own`: this rank's bubbles
-  Bubble_answers_2(const Bubbles_2& own, const Hilbert_curve_2& curve)
-    : m_own(own), m_curve(curve)
-  {}
+  /// keeps a reference to this rank's bubbles
+  explicit Bubble_answers_2(const Bubbles_2& own) : m_own(own) {}
 
   /// the bubble `i` was sent to `rank`
   void note_sent(int rank, Index i) { m_sent[rank].insert(i); }
@@ -207,7 +155,11 @@ public:
       collect();
     std::unordered_set<Index>& sent = m_sent[rank];
     m_found.clear();
-    m_tree.for_each_in(question.box(), [&](std::size_t k) { test(question, m_inner[k], sent); });
+    const Fuzzy_iso_box<Traits> box(Point(question.xmin, question.ymin), Point(question.xmax, question.ymax));
+    std::vector<Bubble> in_box;
+    m_inner.search(std::back_inserter(in_box), box);
+    for (const Bubble& b : in_box)
+      test(question, b.second, sent);
     const std::size_t n = (std::min)(m_found.size(), most_bubbles);
     std::partial_sort(m_found.begin(), m_found.begin() + static_cast<std::ptrdiff_t>(n), m_found.end(),
                       [](const Found& f, const Found& g) {
@@ -221,6 +173,9 @@ public:
   }
 
 private:
+  using Bubble = std::pair<Point, Index>;
+  using Traits = Search_traits_adapter<Bubble, First_of_pair_property_map<Bubble>, Search_traits_2<Kernel>>;
+
   struct Found
   {
     double distance;
@@ -229,14 +184,9 @@ private:
 
   void collect()
   {
-    const Bubbles_2& b = m_own;
-    std::vector<Point> points;
-    for (Index i : order_in_space(m_curve, b))
-      if (!is_on_outline(b, static_cast<std::size_t>(i))) {
-        m_inner.push_back(i);
-        points.push_back(b.point(static_cast<std::size_t>(i)));
-      }
-    m_tree = Box_tree_2(std::move(points));
+    for (std::size_t i = 0; i < m_own.size(); ++i)
+      if (!is_on_outline(m_own, i))
+        m_inner.insert(Bubble(m_own.point(i), static_cast<Index>(i)));
     m_is_collected = true;
   }
 
@@ -250,10 +200,8 @@ private:
   }
 
   const Bubbles_2& m_own;
-  const Hilbert_curve_2& m_curve;
   bool m_is_collected = false;
-  std::vector<Index> m_inner; // those that others may not know
-  Box_tree_2 m_tree;           // of these
+  Kd_tree<Traits> m_inner; // those that others may not know
   std::map<int, std::unordered_set<Index>> m_sent;
   std::vector<Found> m_found;
 };

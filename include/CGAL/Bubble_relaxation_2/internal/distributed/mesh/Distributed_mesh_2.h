@@ -11,13 +11,11 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {

@@ -17,7 +17,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/order_in_space.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
 #include <algorithm>
@@ -32,6 +31,34 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// Whether bubbles that follow each other are near to each other, as they are if they are numbered by the
+/// package, but perhaps not by users.
+inline bool follow_space(const Bubbles_2& b)
+{
+  constexpr double far = 30;
+  double steps = 0, sizes = 0;
+  for (std::size_t i = 1; i < b.size(); ++i) {
+    steps += std::abs(b.x[i] - b.x[i - 1]) + std::abs(b.y[i] - b.y[i - 1]);
+    sizes += b.d[i];
+  }
+  return steps <= far * sizes;
+}
+
+/// the indices of bubbles, so that those that follow each other are near to each other
+inline std::vector<Index> order_in_space(const Hilbert_curve_2& curve, const Bubbles_2& b)
+{
+  if (follow_space(b)) {
+    std::vector<Index> order(b.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    return order;
+  }
+  std::vector<Point> points;
+  points.reserve(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    points.push_back(b.point(i));
+  return hilbert_order(curve, points);
+}
 
 /// Makes each rank's part of the constrained Delaunay triangulation of the bubbles of all ranks.
 ///
@@ -49,7 +76,7 @@ public:
                               const Hilbert_partition_2& partition, const Communicator& comm,
                               Agreement& agreement, Sparse_exchange& exchange, double reach)
     : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_agreement(agreement),
-      m_exchange(exchange), m_answers(own, partition.curve())
+      m_exchange(exchange), m_answers(own)
   {
     get_outline();
     get_nearby(reach);

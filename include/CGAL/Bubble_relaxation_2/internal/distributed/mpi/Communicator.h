@@ -104,9 +104,6 @@ public:
   /// all ranks are about to throw the same
   void all_throw() const { m_has_agreed = true; }
 
-  /// all ranks have caught it
-  void all_go_on() const { m_has_agreed = false; }
-
 private:
   template <class T>
   T reduce(T value, MPI_Op operation) const

@@ -9,9 +9,9 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MPI_SPARSE_EXCHANGE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MPI_SPARSE_EXCHANGE_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -167,6 +167,24 @@ void exchange_known(const Communicator& comm, const Messages<T>& out, Messages<T
   Known_exchange<T> exchange(comm);
   exchange.start(out, in);
   exchange.finish();
+}
+
+/// Puts in the values of what other ranks own. `sent`, `received`: indices of what pairs of ranks share, in one order on
+/// both sides.
+template <class T>
+void share_values(const Communicator& comm, const Messages<Index>& sent, const Messages<Index>& received,
+                  std::vector<T>& values)
+{
+  Messages<T> out, in;
+  for (const auto& list : sent)
+    for (Index i : list.second)
+      out[list.first].push_back(values[i]);
+  for (const auto& list : received)
+    in[list.first].resize(list.second.size());
+  exchange_known(comm, out, in);
+  for (const auto& list : received)
+    for (std::size_t n = 0; n < list.second.size(); ++n)
+      values[list.second[n]] = in[list.first][n];
 }
 
 } // namespace internal

@@ -38,12 +38,6 @@ public:
     : m_curve(curve), m_first_keys(std::move(first_keys))
   {}
 
-  /// the first of some ranks owns all
-  static Hilbert_partition_2 of_first_rank(const Hilbert_curve_2& curve, int number_of_ranks)
-  {
-    return Hilbert_partition_2(curve, std::vector<Key>(static_cast<std::size_t>(number_of_ranks - 1), ~Key(0)));
-  }
-
   const Hilbert_curve_2& curve() const { return m_curve; }
   int number_of_ranks() const { return static_cast<int>(m_first_keys.size()) + 1; }
 

@@ -14,8 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,70 +23,11 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A greedy choice that several ranks make together, each of its own candidates. Each rank guesses what others
-/// choose, is told, and chooses again as long as any guess was wrong. When none is, all is as one rank alone would
-/// have chosen, by induction from the best candidate to the worst.
-class Choice_exchange_2
-{
-public:
-  explicit Choice_exchange_2(const Communicator& comm) : m_comm(comm) {}
-
-  /// starts anew, with as many candidates of ours
-  void start(std::size_t number_of_ours)
-  {
-    m_number_of_ours = static_cast<Index>(number_of_ours);
-    m_sent.clear();
-    m_received.clear();
-  }
-
-  void sent(int rank, Index candidate) { m_sent[rank].push_back(candidate); }
-  void received(int rank, Index candidate) { m_received[rank].push_back(candidate); }
-
-  /// \pre the choice was made as if there were no other ranks
-  void agree_on(Greedy_choice_2& choice) const
-  {
-    Messages<char> out, in;
-    for (const auto& received : m_received)
-      in[received.first].resize(received.second.size());
-    for (bool was_wrong = true; was_wrong; was_wrong = m_comm.any(was_wrong)) {
-      for (const auto& sent : m_sent) {
-        out[sent.first].clear();
-        for (Index k : sent.second)
-          out[sent.first].push_back(choice.is_chosen(k));
-      }
-      exchange_known(m_comm, out, in);
-      was_wrong = take_decisions(in, choice);
-      if (was_wrong)
-        choice.decide([this](Index k) { return k < m_number_of_ours; });
-    }
-  }
-
-private:
-  bool take_decisions(const Messages<char>& in, Greedy_choice_2& choice) const
-  {
-    bool was_wrong = false;
-    for (const auto& received : m_received)
-      for (std::size_t n = 0; n < received.second.size(); ++n) {
-        const Index k = received.second[n];
-        const bool value = in.at(received.first)[n] != 0;
-        was_wrong = was_wrong || choice.is_chosen(k) != value;
-        choice.set_chosen(k, value);
-      }
-    return was_wrong;
-  }
-
-  const Communicator& m_comm;
-  Index m_number_of_ours = 0;
-  Messages<Index> m_sent, m_received; // candidates, in one order on both sides
-};
-
 /// Places for new bubbles, among which ranks choose together: each of those in its own part.
 class Hole_exchange_2
 {
 public:
-  Hole_exchange_2(const Communicator& comm, Sparse_exchange& exchange)
-    : m_comm(comm), m_exchange(exchange), m_choice(comm)
-  {}
+  Hole_exchange_2(const Communicator& comm, Sparse_exchange& exchange) : m_comm(comm), m_exchange(exchange) {}
 
   /// Collective. See `Team::share_holes()`.
   std::size_t share(const Hilbert_partition_2& partition, std::vector<Hole_2>& holes, double reach)
@@ -100,7 +39,8 @@ public:
     for (const auto& message : m_exchange(out))
       holes.insert(holes.end(), message.second.begin(), message.second.end());
     const std::size_t number_of_ours = holes.size();
-    m_choice.start(number_of_ours);
+    m_sent.clear();
+    m_received.clear();
     std::vector<Hilbert_partition_2::Ranks> told(number_of_ours);
     std::vector<int> owners(number_of_ours, m_comm.rank());
     out.clear();
@@ -114,8 +54,8 @@ public:
     return number_of_ours;
   }
 
-  /// Collective.
-  void agree_on(Greedy_choice_2& choice) const { m_choice.agree_on(choice); }
+  /// Collective. See `Team::share_choice()`.
+  void share_choice(std::vector<char>& states) const { share_values(m_comm, m_sent, m_received, states); }
 
 private:
   using Told = std::vector<Hilbert_partition_2::Ranks>;
@@ -145,14 +85,14 @@ private:
       return;
     told.push_back(rank);
     out[rank].push_back(hole);
-    m_choice.sent(rank, k);
+    m_sent[rank].push_back(k);
   }
 
   void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes, std::vector<int>& owners)
   {
     for (const auto& message : m_exchange(out))
       for (const Hole_2& h : message.second) {
-        m_choice.received(message.first, static_cast<Index>(holes.size()));
+        m_received[message.first].push_back(static_cast<Index>(holes.size()));
         holes.push_back(h);
         owners.push_back(message.first);
       }
@@ -160,7 +100,7 @@ private:
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
-  Choice_exchange_2 m_choice;
+  Messages<Index> m_sent, m_received; // holes, in one order on both sides
 };
 
 } // namespace internal

@@ -20,7 +20,6 @@
 #include <cstdint>
 #include <iterator>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -13,7 +13,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_holders_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -24,7 +23,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_proposals_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -57,13 +55,14 @@ class Growth_team_2 : public Team
 {
 public:
   Growth_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_choice(comm)
+    : m_comm(comm), m_exchange(exchange), m_agreement(agreement)
   {}
 
   /// whether bubbles have grown in parts
   bool is_divided() const { return m_partition != nullptr; }
 
   bool is_alone() const override { return false; }
+  bool any(bool here) const override { return m_comm.any(here); }
 
   void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
@@ -139,22 +138,26 @@ public:
 
   void share_proposals(std::vector<Growth_proposal_2>& proposals) override
   {
-    m_choice.start(proposals.size());
+    m_proposals_sent.clear();
+    m_proposals_received.clear();
     Messages<Growth_proposal_2> out;
     for (std::size_t k = 0; k < proposals.size(); ++k)
       for (int rank : m_holders->others(proposals[k].from)) {
         out[rank].push_back(proposals[k]);
-        m_choice.sent(rank, static_cast<Index>(k));
+        m_proposals_sent[rank].push_back(static_cast<Index>(k));
       }
     for (const auto& message : m_exchange(out))
       for (Growth_proposal_2 p : message.second) {
         p.from = foreign;
-        m_choice.received(message.first, static_cast<Index>(proposals.size()));
+        m_proposals_received[message.first].push_back(static_cast<Index>(proposals.size()));
         proposals.push_back(p);
       }
   }
 
-  void agree_on(Greedy_choice_2& choice) override { m_choice.agree_on(choice); }
+  void share_choice(std::vector<char>& states) override
+  {
+    share_values(m_comm, m_proposals_sent, m_proposals_received, states);
+  }
 
   void exchange_new(std::vector<Growth_proposal_2>& bubbles) override
   {
@@ -360,7 +363,6 @@ private:
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
   Agreement& m_agreement;
-  Choice_exchange_2 m_choice;
   std::unique_ptr<Hilbert_partition_2> m_partition;
   std::unique_ptr<Growth_holders_2> m_holders;
   std::unique_ptr<Bubble_buckets_2> m_others; // the bubbles that this rank has but does not own
@@ -374,7 +376,7 @@ private:
   Messages<Late> m_late;
   // of the present generation
   Index m_first = 0;                             // of the new bubbles
-  Messages<Index> m_new_sent, m_new_received;    // new bubbles
+  Messages<Index> m_proposals_sent, m_proposals_received, m_new_sent, m_new_received; // in one order on both sides
 };
 
 } // namespace internal

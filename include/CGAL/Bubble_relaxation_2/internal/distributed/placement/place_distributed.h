@@ -38,30 +38,31 @@ class Rhombic_team_2 : public Team
 {
 public:
   Rhombic_team_2(const Communicator& comm, Sparse_exchange& exchange, const Hilbert_partition_2& partition)
-    : m_rank(comm.rank()), m_partition(partition), m_holes(comm, exchange)
+    : m_comm(comm), m_partition(partition), m_holes(comm, exchange)
   {}
 
   bool is_alone() const override { return false; }
+  bool any(bool here) const override { return m_comm.any(here); }
 
   Share_of_disc share_of(const Point& p, double radius) const override
   {
     const Hilbert_partition_2::Ranks owners = m_partition.owners_in_disc(p.x(), p.y(), radius);
-    if (std::find(owners.begin(), owners.end(), m_rank) == owners.end())
+    if (std::find(owners.begin(), owners.end(), m_comm.rank()) == owners.end())
       return Share_of_disc::NONE;
     return owners.size() == 1 ? Share_of_disc::ALL : Share_of_disc::SOME;
   }
 
-  bool owns_place(const Point& p) const override { return m_partition.owner(p.x(), p.y()) == m_rank; }
+  bool owns_place(const Point& p) const override { return m_partition.owner(p.x(), p.y()) == m_comm.rank(); }
 
   std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
   {
     return m_holes.share(m_partition, holes, reach);
   }
 
-  void agree_on(Greedy_choice_2& choice) override { m_holes.agree_on(choice); }
+  void share_choice(std::vector<char>& states) override { m_holes.share_choice(states); }
 
 private:
-  const int m_rank;
+  const Communicator& m_comm;
   const Hilbert_partition_2& m_partition;
   Hole_exchange_2 m_holes;
 };

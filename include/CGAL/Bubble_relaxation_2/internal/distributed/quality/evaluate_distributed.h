@@ -122,65 +122,6 @@ private:
   const Communicator& m_comm;
 };
 
-/// adds the triangles that a rank owns
-inline void add_owned_triangles(const Distributed_mesh_2& mesh, Mesh_quality_accumulator_2& accumulator)
-{
-  for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
-    if (mesh.is_owned[t]) {
-      const Index f = static_cast<Index>(t);
-      accumulator.add_triangle(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2));
-    }
-}
-
-/// Calls `visit(a, b)` for the ends of all edges that a rank owns: those of which it owns the end with the smaller
-/// number.
-template <class Visitor>
-void for_each_owned_edge(const Distributed_mesh_2& mesh, int rank, const Visitor& visit)
-{
-  const Marked_triangles_2& tr = mesh.triangles;
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-    for (int i = 0; i < 3 && mesh.is_final[t]; ++i) {
-      const Index n = tr.neighbors[t][i], f = static_cast<Index>(t);
-      if (n != no_index && tr.inside[n] && n < f)
-        continue; // seen from the other side
-      const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
-      if (mesh.bubbles.owner[(std::min)(a, b)] == rank)
-        visit(a, b);
-    }
-}
-
-/// adds the lengths of the edges that a rank owns over d in the midpoints
-inline void add_owned_lengths(const Distributed_mesh_2& mesh, int rank, const Sizes_2& sizing,
-                              Mesh_quality_accumulator_2& accumulator)
-{
-  for_each_owned_edge(mesh, rank, [&](Index a, Index b) {
-    add_length(mesh.bubbles.point(a), mesh.bubbles.point(b), sizing, accumulator);
-  });
-}
-
-/// adds the vertices that a rank owns
-inline void add_owned_vertices(const Distributed_mesh_2& mesh, int rank,
-                               Mesh_quality_accumulator_2& accumulator)
-{
-  const Marked_triangles_2& marked = mesh.triangles;
-  const std::size_t n = mesh.bubbles.size();
-  std::vector<char> is_in_domain(n, 0), is_interior(n, 1);
-  std::vector<std::size_t> degrees(n, 0);
-  for (std::size_t t = 0; t < marked.number_of_triangles(); ++t) {
-    const auto& v = marked.vertices[t];
-    for (int i = 0; i < 3; ++i) {
-      ++degrees[v[i]];
-      if (marked.inside[t])
-        is_in_domain[v[i]] = 1;
-      if (marked.edges[t][i] != no_index)
-        is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;
-    }
-  }
-  for (std::size_t v = 0; v < n; ++v)
-    if (is_in_domain[v] && mesh.bubbles.owner[v] == rank)
-      accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
-}
-
 /// Collective. The statistics of the mesh of all ranks, on all ranks the same as one rank alone would find them,
 /// to the last bit. `sizing`: a pointer to the sizing field, or null if there are to be no lengths. What it
 /// throws on one rank all throw.
@@ -189,27 +130,13 @@ inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh
 {
   Mesh_quality_accumulator_2 accumulator;
   agreement.reach_after([&] {
-    add_owned_triangles(mesh, accumulator);
-    add_owned_vertices(mesh, comm.rank(), accumulator);
+    const std::size_t n = mesh.triangles.number_of_triangles();
+    add_triangles(mesh, 0, n, accumulator);
+    add_vertices(mesh, accumulator);
     if (sizing != nullptr)
-      add_owned_lengths(mesh, comm.rank(), *sizing, accumulator);
+      add_lengths(mesh, 0, n, *sizing, accumulator);
   });
   return Mesh_quality_2<double>(accumulator.statistics(Values_of_all_ranks(comm)));
-}
-
-/// d at the vertices of the triangles around own bubbles
-inline std::vector<double> sizes_around_own(const Distributed_mesh_2& mesh, const Sizes_2& sizing)
-{
-  const Bubbles_2& b = mesh.bubbles;
-  std::vector<char> is_needed(b.size(), 0);
-  for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
-    for (Index v : mesh.triangles.vertices[t])
-      is_needed[v] |= mesh.is_final[t];
-  std::vector<double> sizes(b.size(), 0);
-  for (std::size_t v = 0; v < sizes.size(); ++v)
-    if (is_needed[v])
-      sizes[v] = sizing(b.x[v], b.y[v]);
-  return sizes;
 }
 
 /// Collective. Puts the statistics of the mesh of all ranks into the report, as `evaluate()` does of that of one.
@@ -222,12 +149,7 @@ inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& 
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
   Size_gradient_2 gradient(Report::steep_size_gradient);
-  agreement.reach_after([&] {
-    const std::vector<double> sizes = sizes_around_own(mesh, sizing);
-    for_each_owned_edge(mesh, comm.rank(), [&](Index a, Index b) {
-      gradient.add(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
-    });
-  });
+  agreement.reach_after([&] { gradient = size_gradient(mesh, sizing, Threads()); });
   gradient.tell(report, Values_of_all_ranks(comm));
 }
 

@@ -48,9 +48,10 @@ public:
 
   std::int64_t next_number() const { return m_next_number; }
 
-  /// `touched`, as far as it is known of others' bubbles as well
   bool is_alone() const override { return false; }
+  bool any(bool here) const override { return m_comm.any(here); }
 
+  /// `touched`, as far as it is known of others' bubbles as well
   std::vector<Index> share_touched(const Bubbles_2& b, std::vector<Index> touched) override
   {
     std::vector<char> is_touched(b.size(), 0);
@@ -85,15 +86,15 @@ public:
         triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
   }
 
-  bool share(std::vector<char>& values) override { return share_values(values); }
-  bool share(std::vector<double>& values) override { return share_values(values); }
+  void share(std::vector<char>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
+  void share(std::vector<double>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
 
   std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
   {
     return m_holes.share(*m_partition, holes, reach);
   }
 
-  void agree_on(Greedy_choice_2& choice) override { m_holes.agree_on(choice); }
+  void share_choice(std::vector<char>& states) override { m_holes.share_choice(states); }
 
   bool owns_place(const Point& p) const override { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
 
@@ -133,26 +134,6 @@ public:
   }
 
 private:
-  template <class T>
-  bool share_values(std::vector<T>& values) const
-  {
-    Messages<T> out, in;
-    for (const auto& list : m_halo.sent())
-      for (Index i : list.second)
-        out[list.first].push_back(values[i]);
-    for (const auto& list : m_halo.received())
-      in[list.first].resize(list.second.size());
-    exchange_known(m_comm, out, in);
-    bool has_changed = false;
-    for (const auto& list : m_halo.received())
-      for (std::size_t n = 0; n < list.second.size(); ++n) {
-        T& value = values[list.second[n]];
-        has_changed = has_changed || value != in[list.first][n];
-        value = in[list.first][n];
-      }
-    return m_comm.any(has_changed);
-  }
-
   /// a bubble of the outline
   struct Placed
   {

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 
 #include <algorithm>
@@ -42,30 +43,24 @@ class Patch_choice_2
 public:
   Patch_choice_2(const Communicator& comm, Sparse_exchange& exchange, const std::vector<Patch_claim_2>& claims,
                  const Bubbles_2& known)
-    : m_comm(comm), m_exchange(exchange), m_states(claims.size(), UNDECIDED)
+    : m_comm(comm), m_exchange(exchange)
   {
-    find_rivals(claims, known);
+    add_candidates(claims.size(), find_rivals(claims, known));
   }
 
   /// Collective. `is_worth_it(k)` is asked only of claims that no other one is in the way of, in whatever order.
   template <class Predicate>
   void operator()(const Predicate& is_worth_it, Agreement& agreement)
   {
-    for (bool is_open = true; is_open; is_open = m_comm.any(is_open)) {
-      take_states();
-      agreement.reach_after([&] {
-        for (std::size_t k = 0; k < m_states.size(); ++k)
-          decide(k, is_worth_it);
-      });
-      is_open = std::find(m_states.begin(), m_states.end(), UNDECIDED) != m_states.end();
-    }
+    const auto decide = [&] {
+      bool is_open = false;
+      agreement.reach_after([&] { is_open = m_choice.decide(is_worth_it); });
+      return is_open;
+    };
+    decide_together(m_comm, decide, [this] { share_values(m_comm, m_sent, m_received, m_choice.states()); });
   }
 
-  bool is_chosen(std::size_t k) const { return m_states[k] == CHOSEN; }
-
 private:
-  enum State : char { UNDECIDED, CHOSEN, REFUSED };
-
   using Name = std::pair<std::int32_t, std::int32_t>; // rank and claim
 
   struct Claimed
@@ -83,22 +78,8 @@ private:
     std::int32_t claim, rival_rank, rival;
   };
 
-  /// if all claims before it are decided
-  template <class Predicate>
-  void decide(std::size_t k, const Predicate& is_worth_it)
-  {
-    bool may_be_chosen = true;
-    for (const Name& name : m_rivals[k]) {
-      const char state = name.first == m_comm.rank() ? m_states[name.second] : m_rival_states.at(name);
-      if (state == CHOSEN)
-        m_states[k] = REFUSED;
-      may_be_chosen = may_be_chosen && state == REFUSED;
-    }
-    if (m_states[k] == UNDECIDED && may_be_chosen)
-      m_states[k] = is_worth_it(k) ? CHOSEN : REFUSED;
-  }
-
-  void find_rivals(const std::vector<Patch_claim_2>& claims, const Bubbles_2& known)
+  /// tells the ranks that claim triangles who comes before
+  Messages<Rivalry> find_rivals(const std::vector<Patch_claim_2>& claims, const Bubbles_2& known)
   {
     Messages<Claimed> out;
     for (std::size_t k = 0; k < claims.size(); ++k)
@@ -119,44 +100,38 @@ private:
       for (std::size_t r = first; r < k; ++r)
         rivalries[claimed[k].rank].push_back(Rivalry{claimed[k].claim, claimed[r].rank, claimed[r].claim});
     }
-    m_rivals.resize(claims.size());
-    for (const auto& message : m_exchange(rivalries))
-      for (const Rivalry& r : message.second)
-        m_rivals[r.claim].emplace_back(r.rival_rank, r.rival);
-    for (std::vector<Name>& rivals : m_rivals) {
-      std::sort(rivals.begin(), rivals.end());
-      rivals.erase(std::unique(rivals.begin(), rivals.end()), rivals.end());
-      for (const Name& name : rivals)
-        if (name.first != m_comm.rank())
-          m_rival_states[name] = UNDECIDED;
-    }
-    Messages<std::int32_t> questions;
-    for (const auto& rival : m_rival_states)
-      questions[rival.first.first].push_back(rival.first.second);
-    m_asked = m_exchange(questions);
+    return m_exchange(rivalries);
   }
 
-  /// asks the other ranks what became of rivals
-  void take_states()
+  /// the claims of this rank, and after them those of others that come before one of them
+  void add_candidates(std::size_t n, const Messages<Rivalry>& rivalries)
   {
-    Messages<char> out, in;
-    for (const auto& message : m_asked)
-      for (std::int32_t k : message.second)
-        out[message.first].push_back(m_states[k]);
-    for (const auto& rival : m_rival_states)
-      in[rival.first.first].push_back(UNDECIDED);
-    exchange_known(m_comm, out, in);
-    std::map<int, std::size_t> next; // answers come in the order of the questions
-    for (auto& rival : m_rival_states)
-      rival.second = in[rival.first.first][next[rival.first.first]++];
+    std::map<Name, Index> others;
+    for (const auto& message : rivalries)
+      for (const Rivalry& r : message.second)
+        if (r.rival_rank != m_comm.rank())
+          others[{r.rival_rank, r.rival}] = no_index;
+    Messages<std::int32_t> questions;
+    Index next = static_cast<Index>(n);
+    for (auto& other : others) {
+      other.second = next++;
+      questions[other.first.first].push_back(other.first.second);
+      m_received[other.first.first].push_back(other.second);
+    }
+    m_sent = m_exchange(questions);
+    m_choice.start(static_cast<std::size_t>(next));
+    for (std::size_t k = 0; k < n; ++k)
+      m_choice.add(static_cast<Index>(k));
+    for (const auto& message : rivalries)
+      for (const Rivalry& r : message.second)
+        m_choice.rivals(static_cast<std::size_t>(r.claim))
+          .push_back(r.rival_rank == m_comm.rank() ? r.rival : others.at({r.rival_rank, r.rival}));
   }
 
   const Communicator& m_comm;
   Sparse_exchange& m_exchange;
-  std::vector<char> m_states;              // of own claims
-  std::vector<std::vector<Name>> m_rivals; // of each claim those that come before it
-  std::map<Name, char> m_rival_states;     // of other ranks
-  Messages<std::int32_t> m_asked;          // claims of this rank that others ask for
+  Greedy_choice m_choice;
+  Messages<Index> m_sent, m_received; // claims that others ask for, and theirs that this rank asks for
 };
 
 } // namespace internal

@@ -9,17 +9,13 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_INSIDE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_INSIDE_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/Greedy_coloring_2.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -51,11 +47,11 @@ class Treatment_inside_2 : public Treating_team
 {
 public:
   Treatment_inside_2(const Communicator& comm, const Distributed_mesh_2& mesh)
-    : m_comm(comm), m_mesh(mesh), m_has_foreign_neighbors(mesh.bubbles.size(), 0)
+    : m_comm(comm), m_mesh(mesh)
   {
     for (Index t : triangles_beside_others(mesh))
       for (Index v : mesh.triangles.vertices[t])
-        m_has_foreign_neighbors[v] = 1;
+        m_beside_others.push_back(v);
   }
 
   bool is_collective() const override { return false; }
@@ -65,11 +61,11 @@ public:
   /// Collective. Whether any rank came too near to others: then what was done is worth nothing.
   bool has_failed() const override { return m_comm.any(m_is_too_near); }
 
-  void share_colors(const Editable_triangulation_2&, const std::vector<Index>& candidates, Greedy_coloring_2&) override
+  /// `values`: not 0 for candidates only
+  void share(std::vector<char>& values) override
   {
-    m_is_too_near = m_is_too_near || std::any_of(candidates.begin(), candidates.end(), [this](Index v) {
-                      return m_has_foreign_neighbors[v] != 0;
-                    });
+    m_is_too_near = m_is_too_near || std::any_of(m_beside_others.begin(), m_beside_others.end(),
+                                                 [&values](Index v) { return values[v] != 0; });
   }
 
   void restore_border(Editable_triangulation_2& mesh) override
@@ -87,7 +83,7 @@ public:
 private:
   const Communicator& m_comm;
   const Distributed_mesh_2& m_mesh;
-  std::vector<char> m_has_foreign_neighbors; // of each bubble
+  std::vector<Index> m_beside_others; // bubbles with neighbours of other ranks, and these
   std::vector<Index> m_changed;
   bool m_is_too_near = false;
 };

@@ -15,13 +15,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_inside_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/Greedy_coloring_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -63,29 +60,24 @@ public:
     return static_cast<std::size_t>(m_comm.largest(static_cast<std::int64_t>(here)));
   }
 
-  void share_colors(const Editable_triangulation_2& mesh, const std::vector<Index>& candidates,
-                    Greedy_coloring_2& coloring) override
-  {
-    if (is_alone())
-      return;
-    const std::vector<Index> at_border = vertices_beside_others(mesh, candidates);
-    std::vector<Index> changed, foreign;
-    for (Index v : candidates)
-      if (!m_targets.is_empty(v))
-        changed.push_back(v);
-    for (bool is_wrong = true; is_wrong; is_wrong = m_comm.any(!changed.empty())) {
-      take_colors(share<Color>(changed, [&](Index v) { return Color{0, coloring[v]}; }), coloring, foreign);
-      changed = color_anew(mesh, at_border, coloring);
-    }
-    coloring.forget(foreign);
-  }
+  bool any(bool here) const override { return m_comm.any(here); }
+
+  void share(std::vector<char>& values) override { share_values(m_comm, m_piece.sent, m_piece.received, values); }
 
   void share_moved(Bubble_mesh_2& mesh, const std::vector<Index>& moved, Undo_log_2& log) override
   {
     if (is_alone())
       return;
     Bubbles_2& b = mesh.bubbles;
-    const Messages<Move> in = share<Move>(moved, [&](Index v) { return Move{0, b.host[v], b.x[v], b.y[v], b.s[v]}; });
+    Messages<Move> out, in;
+    for (const auto& list : m_piece.sent)
+      out[list.first];
+    for (const auto& list : m_piece.received)
+      in[list.first].resize(list.second.size());
+    for (Index v : moved)
+      for (const auto& target : m_targets[v])
+        out[target.first].push_back(Move{target.second, b.host[v], b.x[v], b.y[v], b.s[v]});
+    exchange_known(m_comm, out, in);
     for (const auto& message : in)
       for (const Move& m : message.second) {
         const Index v = m_piece.received.at(message.first)[m.position];
@@ -131,18 +123,12 @@ public:
   const std::vector<Index>& changed_triangles() const override { return m_beside_others; }
 
 private:
-  struct Color
-  {
-    std::int32_t position, color;
-  };
-
   struct Move
   {
     std::int32_t position;
     Index host;
     double x, y, s;
   };
-
 
   /// flipped triangles may have a bubble of another rank now
   void follow_flips(Editable_triangulation_2& mesh)
@@ -154,71 +140,6 @@ private:
   bool has_moved_vertex(const std::array<Index, 3>& v) const
   {
     return m_was_moved[v[0]] || m_was_moved[v[1]] || m_was_moved[v[2]];
-  }
-
-  /// tells the ranks that know some own bubbles of these; returns what they tell
-  template <class T, class Tell>
-  Messages<T> share(const std::vector<Index>& bubbles, const Tell& tell) const
-  {
-    Messages<T> out, in;
-    for (const auto& list : m_piece.sent)
-      out[list.first];
-    for (const auto& list : m_piece.received)
-      in[list.first].resize(list.second.size());
-    for (Index v : bubbles)
-      for (const auto& target : m_targets[v]) {
-        out[target.first].push_back(tell(v));
-        out[target.first].back().position = target.second;
-      }
-    exchange_known(m_comm, out, in);
-    return in;
-  }
-
-  std::vector<Index> vertices_beside_others(const Editable_triangulation_2& mesh,
-                                            const std::vector<Index>& candidates) const
-  {
-    std::vector<Index> result;
-    for (Index v : candidates) {
-      bool is_beside = false;
-      if (!m_targets.is_empty(v)) // all with a neighbour of another rank have
-        for (const Corner_2& c : mesh.star(v))
-          for (Index w : mesh.vertices(c.triangle))
-            is_beside = is_beside || !m_piece.mesh.bubbles.is_ours(w);
-      if (is_beside)
-        result.push_back(v);
-    }
-    return result;
-  }
-
-  void take_colors(const Messages<Color>& in, Greedy_coloring_2& coloring, std::vector<Index>& foreign) const
-  {
-    for (const auto& message : in)
-      for (const Color& c : message.second) {
-        const Index v = m_piece.received.at(message.first)[c.position];
-        coloring.set(v, static_cast<unsigned char>(c.color));
-        foreign.push_back(v);
-      }
-  }
-
-  /// colours own candidates beside others anew, and what depends on them; returns those that others have to know
-  std::vector<Index> color_anew(const Editable_triangulation_2& mesh, const std::vector<Index>& at_border,
-                                Greedy_coloring_2& coloring) const
-  {
-    std::set<Index> queue(at_border.begin(), at_border.end());
-    std::vector<Index> changed;
-    while (!queue.empty()) { // in order: what a colour depends on is right then
-      const Index v = *queue.begin();
-      queue.erase(queue.begin());
-      if (!coloring.color(mesh, v))
-        continue;
-      if (!m_targets.is_empty(v))
-        changed.push_back(v);
-      for (const Corner_2& c : mesh.star(v))
-        for (Index w : mesh.vertices(c.triangle))
-          if (w > v && m_piece.mesh.bubbles.is_ours(w) && coloring[w] != Greedy_coloring_2::none)
-            queue.insert(w);
-    }
-    return changed;
   }
 
   const Communicator& m_comm;

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_PLACE_CHOICE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_PLACE_CHOICE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Chooses places for bubbles, the best first, as long as they do not come too near to a better one that was chosen.
+class Place_choice_2
+{
+public:
+  /// `number_of_ours`: as many are decided on here, the first ones, the others by other ranks. Two places nearer than
+  /// `reach` times their mean size stand in each other's way; those for which `is_possible(place)` does not hold are not
+  /// chosen.
+  template <class Is_possible>
+  void operator()(const std::vector<Hole_2>& places, std::size_t number_of_ours, double reach, Team& team,
+                  const Threads& threads, const Is_possible& is_possible)
+  {
+    const std::size_t n = places.size();
+    m_order.resize(n);
+    std::iota(m_order.begin(), m_order.end(), Index(0));
+    sort_indices(m_order, [&places](Index a, Index b) { return places[a] < places[b]; });
+    m_is_possible.resize(n);
+    parallel_for(
+      threads, n, [&](std::size_t k) { m_is_possible[k] = is_possible(places[k]); }, grain);
+    m_choice.start(n);
+    for (Index k : m_order)
+      if (m_is_possible[k] && static_cast<std::size_t>(k) < number_of_ours)
+        m_choice.add(k);
+    find_rivals(places, reach, threads);
+    decide_together(
+      team, [this] { return m_choice.decide([](Index) { return true; }); },
+      [&] { team.share_choice(m_choice.states()); });
+  }
+
+  /// calls `visit(place)` for all that were chosen, those of other ranks too, the best first
+  template <class Visitor>
+  void for_each_chosen(const Visitor& visit) const
+  {
+    for (Index k : m_order)
+      if (m_choice.is_chosen(k))
+        visit(k);
+  }
+
+private:
+  static constexpr std::size_t grain = 64;
+
+  void find_rivals(const std::vector<Hole_2>& places, double reach, const Threads& threads)
+  {
+    if (places.empty())
+      return;
+    Bubble_buckets_2 near(reach, places[0].d, places[0].x, places[0].y, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (m_is_possible[k])
+        near.insert(static_cast<Index>(k), places[k].x, places[k].y, places[k].d);
+    const std::vector<Index>& ours = m_choice.candidates();
+    parallel_for(
+      threads, ours.size(),
+      [&](std::size_t k) {
+        const Hole_2& place = places[ours[k]];
+        near.for_each_near(place.x, place.y, place.d, [&](Index r, double, double) {
+          if (places[r] < place)
+            m_choice.rivals(k).push_back(r);
+          return true;
+        });
+      },
+      grain);
+  }
+
+  std::vector<Index> m_order; // the best first
+  std::vector<char> m_is_possible;
+  Greedy_choice m_choice;
+};
+
+/// Adds bubbles in holes, the best first, none nearer to another than `reach` times the mean size, where
+/// `is_possible(hole)` holds. Each rank tells of its holes and gets bubbles in its own part.
+template <class Is_possible>
+void fill_holes(std::vector<Hole_2>& holes, double reach, Team& team, const Threads& threads,
+                const Is_possible& is_possible, Bubbles_2& bubbles)
+{
+  const std::size_t number_of_ours = team.share_holes(holes, reach);
+  Place_choice_2 choose;
+  choose(holes, number_of_ours, reach, team, threads, is_possible);
+  choose.for_each_chosen([&](Index k) {
+    const Hole_2& h = holes[k];
+    if (static_cast<std::size_t>(k) < number_of_ours)
+      bubbles.add(Point(h.x, h.y), h.d, Bubbles_2::FACE, h.triangle);
+  });
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_PLACE_CHOICE_2_H
