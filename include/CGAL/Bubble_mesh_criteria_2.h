@@ -41,7 +41,7 @@ class Bubble_mesh_criteria_2
 {
   using Point_2 = typename CDT::Geom_traits::Point_2;
   using Checked_sizing =
-    Bubble_relaxation_2::internal::Checked_sizing_field_2<Point_2, SizingField_>;
+    Bubble_relaxation_2::internal::Checked_sizing_field_2<Point_2, const SizingField_&>;
 
 public:
   using SizingField = SizingField_;
