@@ -5,7 +5,7 @@ here=$(cd "$(dirname "$0")/.." && pwd)
 cd "$here"
 
 scripts/install_dependencies.sh
-scripts/install_dependencies.sh librsvg2-bin
+scripts/install_dependencies.sh librsvg2-bin python3
 cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXATION_2_TESTS=OFF \
   -DBUBBLE_RELAXATION_2_BENCHMARKS=ON > /dev/null
 cmake --build build/release
@@ -25,6 +25,7 @@ figures=$here/doc/Bubble_relaxation_2/fig
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .
 "$here/scripts/benchmark.sh" influence 1e4 1e6 | grep -v '^\[\|^ninja' | tee "$figures/influence_domains.txt"
+"$here/doc/Bubble_relaxation_2/draw_rooms.py" rooms.svg
 # those that the manual shows
 for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
   rsvg-convert --width 1000 "${picture%.png}.svg" -o "$figures/$picture"
