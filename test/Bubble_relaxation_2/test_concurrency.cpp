@@ -12,6 +12,7 @@
 #include "random_seeds.h"
 #include "validation.h"
 
+#include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 

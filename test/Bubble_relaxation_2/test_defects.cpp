@@ -14,6 +14,7 @@
 #include "random_seeds.h"
 #include "validation.h"
 
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 

@@ -227,8 +227,8 @@ TEST(Distributed_triangulation, one_rank_has_all)
   Ranks ranks;
   const Case c = random(paper::trunk(1), 300, 4);
   const std::vector<std::int64_t> numbers = numbers_of(c, Options());
-  const Hilbert_partition_2 partition =
-    Hilbert_partition_2::of_first_rank(hilbert_curve(c.domain()), ranks.comm.size());
+  const std::vector<Hilbert_partition_2::Key> none_but_the_first(ranks.comm.size() - 1, ~Hilbert_partition_2::Key(0));
+  const Hilbert_partition_2 partition(hilbert_curve(c.domain()), none_but_the_first);
   const Distributed_mesh_2 part = distributed_triangulate(
     c.domain(), distributed::own_part(c.bubbles, numbers, partition, ranks.comm.rank()), partition, ranks.comm,
     ranks.agreement, ranks.exchange);
