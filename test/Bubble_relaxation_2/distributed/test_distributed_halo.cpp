@@ -11,7 +11,6 @@
 #include "../random_seeds.h"
 #include "union_of_ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>

@@ -108,14 +108,6 @@ struct Step_flags
   }
 };
 
-/// What a simulation remembers of a bubble, beside the bubble itself.
-struct Bubble_memory_2
-{
-  double reference_x, reference_y, reference_d; ///< where its neighbours were last looked for
-  double asked_x, asked_y;                      ///< where d was last asked
-  char is_active, is_touched;
-};
-
 /// The bubbles in motion, with all that outlasts a round: neighbour sets, sizes, and who sleeps.
 class Simulation_2
 {

@@ -11,8 +11,8 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fuzzy_iso_box.h>

@@ -11,11 +11,8 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Bubble_answers_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 

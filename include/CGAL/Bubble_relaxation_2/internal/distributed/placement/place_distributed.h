@@ -10,10 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACE_DISTRIBUTED_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Bubbles_on_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Given_bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>

@@ -11,9 +11,9 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 

@@ -11,15 +11,13 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/wide_hole_sides.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
