@@ -15,10 +15,7 @@
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>

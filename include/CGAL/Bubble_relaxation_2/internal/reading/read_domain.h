@@ -13,17 +13,14 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/Constraint_graph_2.h>
 
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>

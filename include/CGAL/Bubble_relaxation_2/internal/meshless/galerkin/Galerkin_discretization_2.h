@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
