@@ -25,7 +25,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 

@@ -19,8 +19,6 @@
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/node_set_2.h>
 
-#include <cstddef>
-#include <utility>
 
 namespace CGAL {
 

@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Point_distribution_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <type_traits>
 
 namespace CGAL {
 namespace Distributed {

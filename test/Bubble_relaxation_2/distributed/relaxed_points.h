@@ -11,7 +11,7 @@
 
 #include "paper_domains.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Distributed/npbs_relax.h>
 #include <CGAL/Point_set_3.h>
 

@@ -11,7 +11,6 @@
 #include "../random_seeds.h"
 #include "union_of_ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
@@ -70,7 +69,7 @@ protected:
 
   void look_after(const std::vector<Index>& those)
   {
-    Bubbles_here_2 finder(m_here);
+    Position_index_2 finder(m_here);
     m_halo.look_after(
       m_here, those, finder,
       [&](Index i) { return Bubble_state_2{record(m_here, i), Bubble_memory_2()}; },

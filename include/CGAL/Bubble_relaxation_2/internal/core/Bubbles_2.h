@@ -206,6 +206,14 @@ struct Population_change
   bool is_empty() const { return deleted.empty() && inserted.size() == 0; }
 };
 
+/// What a simulation remembers of a bubble, beside the bubble itself.
+struct Bubble_memory_2
+{
+  double reference_x, reference_y, reference_d; ///< where its neighbours were last looked for
+  double asked_x, asked_y;                      ///< where d was last asked
+  char is_active, is_touched;
+};
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL

@@ -183,14 +183,14 @@ public:
   virtual std::size_t resume(Simulation_2&, Bubbles_2&, Report&) { return 0; }
 
   /// looks for the bubbles of other ranks around ours before the first step
-  virtual void surround(Simulation_2&, Bubbles_2&) {}
+  virtual void look_for_ghosts(Simulation_2&, Bubbles_2&) {}
 
   /// whether no rank wants to stop
   virtual bool goes_on(bool here) const { return here; }
 
   /// whether bubbles have gone so far that those of other ranks around them are to be looked for anew
   virtual bool is_outgrown() const { return false; }
-  virtual void surround_anew(Simulation_2&, Bubbles_2&) {} ///< looks for them
+  virtual void look_for_ghosts_anew(Simulation_2&, Bubbles_2&) {} ///< looks for them
 
   virtual std::size_t number_of_all(const Bubbles_2& bubbles) const { return bubbles.size(); } ///< of all ranks
 

@@ -11,12 +11,54 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// How an existing mesh looks around a vertex.
+struct Mesh_star_2
+{
+  double spacing;   ///< mean length of the edges
+  double direction; ///< angle of the shortest edge
+
+  /// whether a bubble of size `d` may stay there: the mesh is about as fine as d asks
+  bool fits(double d) const
+  {
+    constexpr double largest_misfit = 1.25;
+    return !(spacing > largest_misfit * d || d > largest_misfit * spacing);
+  }
+};
+
+/// `ring`: the neighbours of a vertex at `p`, counterclockwise from the lexicographically smallest one on
+inline Mesh_star_2 mesh_star(const Point& p, const std::vector<Point>& ring)
+{
+  double sum = 0, shortest = 0, direction = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const double dx = ring[k].x() - p.x(), dy = ring[k].y() - p.y(), length = std::hypot(dx, dy);
+    sum += length;
+    if (k == 0 || length < shortest) {
+      shortest = length;
+      direction = std::atan2(dy, dx);
+    }
+  }
+  return Mesh_star_2{sum / static_cast<double>(ring.size()), direction};
+}
+
+/// What a triangulation had inside of its domain before, as far as its vertices are no corners.
+struct Given_mesh_2
+{
+  std::vector<Point> pinned;
+  std::vector<std::vector<Point>> on_edge; ///< those that split an edge of the domain, from source to target
+  std::vector<Point> free;                 ///< along the curve
+  std::vector<Mesh_star_2> around; ///< of the free ones, if that was asked for
+};
 
 /// What is to be done, without the user's types. It refers to what was read.
 struct Problem_2

@@ -9,7 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARKED_TRIANGULATION_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARKED_TRIANGULATION_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/compiled.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <array>
@@ -93,6 +94,15 @@ inline void label_edges(Marked_triangles_2& m)
       if (m.edges[t][i] != no_index)
         m.edges[t][i] = edge_label(m, static_cast<Index>(t), i);
 }
+
+/// Bubbles and the triangles between them, whose vertices are indices of bubbles.
+struct Bubble_mesh_2
+{
+  Bubbles_2 bubbles;
+  Marked_triangles_2 triangles;
+
+  Point point(Index t, int i) const { return bubbles.point(static_cast<std::size_t>(triangles.vertices[t][i])); }
+};
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

@@ -80,7 +80,7 @@ public:
   /// whether no bubble is in the way of one of size `d` at (x, y)
   bool is_free(double x, double y, double d) const
   {
-    return m_buckets.is_free(x, y, d, Surroundings_2::least_distance);
+    return m_buckets.is_free(x, y, d, Growth_limits_2::least_distance);
   }
 
   const Bubble_buckets_2& buckets() const { return m_buckets; }

@@ -74,7 +74,7 @@ Point settled(const Bubbles_2& b, std::size_t i, const Indices& others)
 }
 
 /// The bubbles around a place where another may go, gathered once for all questions about it.
-class Surroundings_2
+class Growth_limits_2
 {
 public:
   /// no bubble is set nearer to another than this, in units of their mean size

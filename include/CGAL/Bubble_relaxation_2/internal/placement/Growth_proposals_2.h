@@ -177,7 +177,7 @@ private:
     unsigned taken = 0;
     for (Index j : m_crystal.links(i)) {
       const double x = m_bubbles.x[j] - m_bubbles.x[i], y = m_bubbles.y[j] - m_bubbles.y[i];
-      const double reach = 0.5 * Surroundings_2::least_distance * (d + m_bubbles.d[j]);
+      const double reach = 0.5 * Growth_limits_2::least_distance * (d + m_bubbles.d[j]);
       // by the law of cosines; opposite places differ in a sign
       const double least = (x * x + y * y + d * d - reach * reach) / (2 * d);
       const double a = x * u.x + y * u.y, b = x * v.x + y * v.y, c = x * w.x + y * w.y;
@@ -188,9 +188,9 @@ private:
   }
 
   /// the bubbles around `p` that are linked to `i`, or to one of these, and other proposals of `i`
-  Surroundings_2 surroundings(Index i, const Point& p, const List& proposals) const
+  Growth_limits_2 surroundings(Index i, const Point& p, const List& proposals) const
   {
-    Surroundings_2 result;
+    Growth_limits_2 result;
     const double d = m_bubbles.d[i];
     result.add_if_near(i, m_bubbles, p, d, surroundings_reach);
     for (Index j : m_crystal.links(i))
@@ -210,7 +210,7 @@ private:
     const Index i = from.index;
     const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
     const Point start(x + d_i * u.x, y + d_i * u.y);
-    const Surroundings_2 around = surroundings(i, start, proposals);
+    const Growth_limits_2 around = surroundings(i, start, proposals);
     if (!around.is_free(start, d_i) || is_left_to_other(i, start, around))
       return;
     const Index seen = visible_triangle(i, start);
@@ -235,7 +235,7 @@ private:
 
   /// Whether another of the generation, one that came before, has about `p` among its six places: then it is
   /// the one to propose it.
-  bool is_left_to_other(Index i, const Point& p, const Surroundings_2& around) const
+  bool is_left_to_other(Index i, const Point& p, const Growth_limits_2& around) const
   {
     constexpr double tolerance = 0.15, least_cosine = 0.62; // of the distance; of six times the angle
     return around.any_of([&](Index j, double x, double y, double d_j) {

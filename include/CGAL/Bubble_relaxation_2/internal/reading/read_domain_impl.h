@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_IMPL_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/sort_indices.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
@@ -64,7 +64,7 @@ void Read_domain_2::look_around(const Marked_copy_2& copy)
     points.clear();
     for (Index u : ring)
       points.push_back(m_vertices.points[u]);
-    given.around.push_back(mesh_surroundings(m_vertices.points[v], points));
+    given.around.push_back(mesh_star(m_vertices.points[v], points));
   }
 }
 

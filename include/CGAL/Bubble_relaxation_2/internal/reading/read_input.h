@@ -22,7 +22,6 @@
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/property_map.h>
 
-#include <cstddef>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {

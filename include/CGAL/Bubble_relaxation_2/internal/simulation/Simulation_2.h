@@ -108,14 +108,6 @@ struct Step_flags
   }
 };
 
-/// What a simulation remembers of a bubble, beside the bubble itself.
-struct Bubble_memory_2
-{
-  double reference_x, reference_y, reference_d; ///< where its neighbours were last looked for
-  double asked_x, asked_y;                      ///< where d was last asked
-  char is_active, is_touched;
-};
-
 /// The bubbles in motion, with all that outlasts a round: neighbour sets, sizes, and who sleeps.
 class Simulation_2
 {
@@ -224,7 +216,7 @@ public:
       {
         const Phase_timer timer(seconds.renewal);
         if (m_team.is_outgrown())
-          m_team.surround_anew(*this, m_bubbles);
+          m_team.look_for_ghosts_anew(*this, m_bubbles);
         result.renewals += renew_neighbors(result.steps);
       }
       const Phase_timer timer(seconds.motion);
@@ -293,7 +285,7 @@ private:
       return false;
     m_has_begun = true;
     build_neighbors();
-    m_team.surround(*this, m_bubbles);
+    m_team.look_for_ghosts(*this, m_bubbles);
     return true;
   }
 

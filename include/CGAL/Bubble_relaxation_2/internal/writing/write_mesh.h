@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>

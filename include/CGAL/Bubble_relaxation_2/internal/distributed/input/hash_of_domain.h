@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 
 #include <cstdint>
 #include <cstring>

@@ -29,7 +29,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {

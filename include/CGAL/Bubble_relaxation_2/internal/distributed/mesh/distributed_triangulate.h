@@ -9,13 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Bubble_answers_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Query_answers_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
@@ -311,7 +308,7 @@ private:
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
-  Bubble_answers_2 m_answers;
+  Query_answers_2 m_answers;
   Distributed_mesh_2 m_mesh;
   bool m_is_new = true;              // there are bubbles that are not in the triangulation
   std::vector<double> m_free_radius; // of own bubbles: of a disc that reaches into no other piece, or 0

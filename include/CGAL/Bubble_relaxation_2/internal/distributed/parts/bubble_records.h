@@ -69,6 +69,15 @@ inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
   return result;
 }
 
+/// all that a simulation knows of a bubble, on its way from one rank to another
+struct Bubble_state_2
+{
+  Bubble_record_2 bubble;
+  Bubble_memory_2 memory;
+
+  bool operator<(const Bubble_state_2& s) const { return bubble.id < s.bubble.id; }
+};
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL

@@ -10,11 +10,10 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACE_DISTRIBUTED_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Bubbles_on_curve_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Given_bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Starting_points_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
@@ -88,10 +87,10 @@ struct Placement_2
 };
 
 /// Bubbles where those in faces were given.
-inline void keep_given(const Domain_2& domain, const Given_bubbles_2& given, const Sizes_2& sizing, Placement_2& placed)
+inline void keep_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing, Placement_2& placed)
 {
   Index hint = 0;
-  for (const Given_bubbles_2::Free& f : given.free()) {
+  for (const Starting_points_2::Free& f : given.free()) {
     const Index triangle = domain.place_inside(f.point, hint);
     if (triangle == no_index) // rounded out of the domain
       continue;
@@ -111,21 +110,21 @@ inline Bubbles_2 large_bubbles(const Domain_2& domain, const Sizes_2& sizing, co
 }
 
 /// Bubbles where those in faces were given, as far as they fit d; the rest is filled by a front of all ranks.
-inline void adapt_given(const Domain_2& domain, const Given_bubbles_2& given, const Sizes_2& sizing, Growth_team_2& team,
+inline void adapt_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing, Growth_team_2& team,
                         Bubbles_2& bubbles)
 {
   team.divide(domain, large_bubbles(domain, sizing, bubbles));
-  const std::vector<Mesh_surroundings_2> surroundings = given.surroundings();
+  const std::vector<Mesh_star_2> stars = given.stars();
   std::vector<Growth_seed_2> seeds;
   Index hint = 0;
-  for (std::size_t k = 0; k < surroundings.size(); ++k) {
-    const Given_bubbles_2::Free& f = given.free()[k];
+  for (std::size_t k = 0; k < stars.size(); ++k) {
+    const Starting_points_2::Free& f = given.free()[k];
     const Index triangle = domain.place_inside(f.point, hint);
     if (triangle == no_index)
       continue;
     const double d = sizing(f.point);
-    if (surroundings[k].fits(d))
-      seeds.push_back(Growth_seed_2{f.point.x(), f.point.y(), d, surroundings[k].direction, f.number, triangle});
+    if (stars[k].fits(d))
+      seeds.push_back(Growth_seed_2{f.point.x(), f.point.y(), d, stars[k].direction, f.number, triangle});
   }
   std::vector<double> directions(bubbles.size(), 0);
   team.bring_seeds(seeds, bubbles, directions);
@@ -145,7 +144,7 @@ inline void place_rhombic_by_all(const Communicator& comm, Sparse_exchange& exch
 
 /// what `place_bubbles()` does, by all ranks together
 inline Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                const Problem_2& problem, const Given_bubbles_2& given)
+                                const Problem_2& problem, const Starting_points_2& given)
 {
   const Domain_2& domain = problem.domain;
   const Sizes_2& sizing = problem.sizes;
@@ -179,13 +178,13 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
 {
   Bubbles_2& bubbles = placed.bubbles;
   remove_crowded_on_edges(domain, bubbles);
-  Bubbles_on_curve_2 on_curve(hilbert_curve(domain), bubbles);
+  Curve_sort_2 on_curve(hilbert_curve(domain), bubbles);
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (!bubbles.is_gone(i) && placed.is_ours[i])
       on_curve.add(static_cast<Index>(i));
   on_curve.sort();
   const Hilbert_partition_2 partition = on_curve.even_partition(comm);
-  on_curve.bring_home(partition, exchange, comm.rank());
+  on_curve.send_home(partition, exchange, comm.rank());
   on_curve.forget_coincident();
   on_curve.select();
   bubbles.id.resize(bubbles.size());
@@ -199,7 +198,7 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
 inline Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                                        const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Given_bubbles_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
+  const Starting_points_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
   Placement_2 placed = place_by_all(comm, exchange, agreement, problem, given);
   agreement.reach();
   return bring_home_and_number(comm, exchange, problem.domain, placed);
@@ -209,7 +208,7 @@ inline Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange
 inline Placed_part_2 given_bubbles_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
                                                const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Given_bubbles_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
+  const Starting_points_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
   Placement_2 placed(place_on_outline(problem.domain, given.outline(), On_edges::KEEP, problem.sizes), comm);
   keep_given(problem.domain, given, problem.sizes, placed);
   agreement.reach();

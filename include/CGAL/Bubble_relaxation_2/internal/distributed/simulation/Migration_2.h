@@ -11,9 +11,9 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Bubble_state_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
@@ -102,7 +102,7 @@ public:
   }
 
   /// Collective. Brings each bubble to the rank that owns its place now, and what the simulation knows of it.
-  void bring_home(Simulation_2& simulation, Bubbles_2& bubbles) const
+  void send_home(Simulation_2& simulation, Bubbles_2& bubbles) const
   {
     std::vector<Bubble_state_2> ours;
     Messages<Bubble_state_2> out;

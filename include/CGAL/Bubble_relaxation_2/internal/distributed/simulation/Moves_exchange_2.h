@@ -9,10 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MOVES_EXCHANGE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MOVES_EXCHANGE_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
 #include <algorithm>
@@ -23,6 +25,98 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// Finds bubbles as `Neighbor_sets_2` does, but where they are now and not by references.
+class Position_index_2
+{
+public:
+  explicit Position_index_2(const Bubbles_2& b)
+    : m_buckets(1., b.size() == 0 ? 1. : b.d[0], b.size() == 0 ? 0. : b.x[0], b.size() == 0 ? 0. : b.y[0], b.size())
+  {
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!b.is_gone(i))
+        add(b, static_cast<Index>(i));
+  }
+
+  void add(const Bubbles_2& b, Index i) { m_buckets.insert(i, b.x[i], b.y[i], b.d[i]); }
+
+  template <class Visitor>
+  void find_within(double x, double y, double d, double near, const Visitor& visit) const
+  {
+    m_buckets.for_each_within(x, y, near * d, [&visit](const auto& e, double) { return visit(e.id), true; });
+  }
+
+  template <class Visitor>
+  void find_large(double x, double y, double least, double near, const Visitor& visit) const
+  {
+    m_buckets.for_each_large(x, y, least, near, [&visit](const auto& e, double) { return visit(e.id), true; });
+  }
+
+private:
+  Bubble_buckets_2 m_buckets;
+};
+
+/// The protocol of section 2.2.1 of the paper: ranks tell each other of their bubbles every so many steps only.
+/// In between each takes those of others to be where they were; and a bubble that moves into another's part is
+/// marked, and stays where it is until it goes there.
+class Exchange_interval_2
+{
+public:
+  /// `steps` between exchanges; 0: the protocol is not used
+  explicit Exchange_interval_2(std::size_t steps) : m_steps(steps) {}
+
+  bool is_used() const { return m_steps != 0; }
+  bool is_due() const { return m_is_due || m_steps_since >= m_steps; }
+
+  /// the next exchange is to be before the next step
+  void make_due() { m_is_due = true; }
+
+  void start_stage()
+  {
+    m_is_due = false;
+    m_steps_since = 0;
+  }
+
+  void count_step() { ++m_steps_since; }
+
+  /// whether bubbles may have moved since others were told of them
+  bool is_stale() const { return is_used() && m_steps_since > 1; }
+
+  /// A bubble of ours that has left our part rests, as one of others would, but keeps its velocity.
+  void mark(Bubbles_2& b, Index i)
+  {
+    b.owner[i] = nobody;
+    m_marked.push_back(Marked{i, b.vx[i], b.vy[i]});
+  }
+
+  bool has_marked() const { return !m_marked.empty(); }
+
+  /// lets the marked bubbles move again, and calls `wake(i)` for each
+  template <class Wake>
+  void release(Bubbles_2& b, const Wake& wake)
+  {
+    for (const Marked& m : m_marked) {
+      b.owner[m.bubble] = b.rank;
+      b.vx[m.bubble] = m.vx;
+      b.vy[m.bubble] = m.vy;
+      wake(m.bubble);
+    }
+    m_marked.clear();
+  }
+
+private:
+  static constexpr std::int32_t nobody = -1;
+
+  struct Marked
+  {
+    Index bubble;
+    double vx, vy;
+  };
+
+  std::size_t m_steps, m_steps_since = 0;
+  bool m_is_due = false;
+  std::vector<Marked> m_marked;
+};
 
 /// Tells neighbouring ranks after each step where the bubbles at the border are that took part in it. Receives
 /// are persistent, as large as all bubbles of a rank; what is sent is only what moved.

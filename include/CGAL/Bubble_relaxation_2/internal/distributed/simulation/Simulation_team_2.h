@@ -11,15 +11,13 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Exchange_interval_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/wide_hole_sides.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
@@ -71,7 +69,7 @@ public:
     if (!m_checkpoints.is_restart())
       return 0;
     const std::size_t rounds = m_checkpoints.resume(simulation, report);
-    surround(simulation, bubbles);
+    look_for_ghosts(simulation, bubbles);
     return rounds;
   }
 
@@ -81,22 +79,22 @@ public:
   }
 
   /// Gives the bubbles of each rank their surroundings before the first step.
-  void surround(Simulation_2& simulation, Bubbles_2& bubbles) override
+  void look_for_ghosts(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
-    surround(simulation, bubbles, m_interval.is_used() ? Bubble_force_2::cut_off * largest_size(bubbles) : 0);
+    look_for_ghosts(simulation, bubbles, m_interval.is_used() ? Bubble_force_2::cut_off * largest_size(bubbles) : 0);
     m_interval.start_stage();
   }
 
   /// Looks after the bubbles that have gone far or grown. If one has gone too far, all are brought to the ranks
   /// that own their places now; and so they are in each exchange of the paper's protocol.
-  void surround_anew(Simulation_2& simulation, Bubbles_2& bubbles) override
+  void look_for_ghosts_anew(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
     if (m_interval.is_used()) {
       release_marked(simulation, bubbles);
-      migrate_and_surround(simulation, bubbles);
+      migrate_and_look_for_ghosts(simulation, bubbles);
       wake_around_others(simulation, bubbles);
     } else if (m_is_far_from_home)
-      migrate_and_surround(simulation, bubbles);
+      migrate_and_look_for_ghosts(simulation, bubbles);
     else
       look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles, m_outgrown));
     m_outgrown.clear();
@@ -113,7 +111,7 @@ public:
     if (!m_has_population)
       return;
     migrate(simulation, bubbles);
-    surround(simulation, bubbles, 0);
+    look_for_ghosts(simulation, bubbles, 0);
   }
 
   /// Gets the bubbles that those of ours beside wide holes look at, which are farther away than others ever look.
@@ -230,7 +228,7 @@ public:
 
 private:
   /// makes the halo, of one width or by the bubbles' sizes
-  void surround(Simulation_2& simulation, Bubbles_2& bubbles, double width)
+  void look_for_ghosts(Simulation_2& simulation, Bubbles_2& bubbles, double width)
   {
     m_halo.start(bubbles, partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
     std::vector<Index> near_others;
@@ -304,9 +302,9 @@ private:
 
   void look_after(Simulation_2& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
-    std::unique_ptr<Bubbles_here_2> here;
+    std::unique_ptr<Position_index_2> here;
     if (!simulation.keeps_references())
-      here = std::make_unique<Bubbles_here_2>(bubbles);
+      here = std::make_unique<Position_index_2>(bubbles);
     const auto look_after_with = [&](const auto& finder) {
       m_halo.look_after(
         bubbles, those, finder,
@@ -324,14 +322,14 @@ private:
     m_moves.connect(m_halo, bubbles.size());
   }
 
-  void migrate_and_surround(Simulation_2& simulation, Bubbles_2& bubbles)
+  void migrate_and_look_for_ghosts(Simulation_2& simulation, Bubbles_2& bubbles)
   {
     if (!simulation.keeps_references()) {
       migrate_with_sets(simulation, bubbles);
       return;
     }
     migrate(simulation, bubbles);
-    surround(simulation, bubbles);
+    look_for_ghosts(simulation, bubbles);
   }
 
   /// the same; neighbour sets that are not what references tell go with their bubbles
@@ -344,8 +342,8 @@ private:
         messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
                      static_cast<Index>(i));
     messages.exchange(m_exchange);
-    m_migration.bring_home(simulation, bubbles);
-    surround(simulation, bubbles);
+    m_migration.send_home(simulation, bubbles);
+    look_for_ghosts(simulation, bubbles);
     std::vector<std::vector<Index>> sets(bubbles.size());
     messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
     simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
@@ -354,7 +352,7 @@ private:
   void migrate(Simulation_2& simulation, Bubbles_2& bubbles)
   {
     m_migration.balance(bubbles, m_interval.is_used());
-    m_migration.bring_home(simulation, bubbles);
+    m_migration.send_home(simulation, bubbles);
   }
 
   const Communicator& m_comm;

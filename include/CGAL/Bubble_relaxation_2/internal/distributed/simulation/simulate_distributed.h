@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATE_DISTRIBUTED_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Simulation_team_2.h>
@@ -143,7 +143,7 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
       left.push_back(static_cast<Index>(i));
   bubbles.select(left);
   bubbles.owner.clear(); // all are ours
-  Bubbles_2 home = bring_home(partition, exchange, comm.rank(), std::move(bubbles));
+  Bubbles_2 home = send_home(partition, exchange, comm.rank(), std::move(bubbles));
   remove_those_in_one_place(home);
   home.forget_gone();
   Number_compaction(comm, exchange, end)(home.id);

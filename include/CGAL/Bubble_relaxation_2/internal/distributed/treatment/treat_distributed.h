@@ -11,17 +11,15 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Piece_stitching_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_inside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/widen_mesh.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/Outside_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
 #include <algorithm>
@@ -97,7 +95,7 @@ public:
     for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
       if (mesh.bubbles.owner[i] == m_comm.rank())
         add_own(own, record(mesh.bubbles, i));
-    return bring_home(m_partition, m_exchange, m_comm.rank(), std::move(own));
+    return send_home(m_partition, m_exchange, m_comm.rank(), std::move(own));
   }
 
 private:

@@ -10,10 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_NEIGHBORS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/sparse_exchange.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Clearance_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -34,7 +32,7 @@ namespace internal {
 
 /// The bubbles of a rank, in the order of their numbers, and after them those of other ranks that are neighbours of
 /// one of them, and perhaps some more.
-struct Surrounded_bubbles_2
+struct Bubbles_with_ghosts_2
 {
   Bubbles_2 known;
   std::size_t number_of_own = 0;
@@ -61,7 +59,7 @@ public:
   Neighbors_of_ranks_2& operator=(const Neighbors_of_ranks_2&) = delete;
 
   /// Collective.
-  Surrounded_bubbles_2 operator()()
+  Bubbles_with_ghosts_2 operator()()
   {
     Messages<Owned_record> out;
     m_agreement.reach_after([&] {
@@ -143,7 +141,7 @@ private:
   const Communicator& m_comm;
   Agreement& m_agreement;
   Sparse_exchange& m_exchange;
-  Surrounded_bubbles_2 m_result;
+  Bubbles_with_ghosts_2 m_result;
   Bubbles_2& m_known; // of the result
   std::set<std::pair<Index, int>> m_told; // of which bubble which rank
   std::unordered_set<std::int64_t> m_learnt;
@@ -151,7 +149,7 @@ private:
 
 /// Collective. The bubbles of this rank, and all bubbles of others that are neighbours of one of them.
 /// \pre the numbers of `own` ascend
-inline Surrounded_bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition,
+inline Bubbles_with_ghosts_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition,
                                            double radius, const Communicator& comm, Agreement& agreement,
                                            Sparse_exchange& exchange)
 {
@@ -179,7 +177,7 @@ void write_ghosts(const Bubbles_2& known, const std::vector<char>& is_ghost, Rel
 /// Writes the neighbour sets of the bubbles of a rank into a `Relaxation_2`, and what it has to know of neighbours
 /// that others own.
 template <class Relaxation>
-void write_neighbors(const Surrounded_bubbles_2& bubbles, Relaxation& relaxation)
+void write_neighbors(const Bubbles_with_ghosts_2& bubbles, Relaxation& relaxation)
 {
   constexpr std::size_t block_size = Neighbor_search_2::block_size, usual_number = 7;
   const Bubbles_2& known = bubbles.known;

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Consistent_gradients_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Multiplier_space_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_rows.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_solver.h>
 
 #include <CGAL/Element_free_Galerkin_report_2.h>
 

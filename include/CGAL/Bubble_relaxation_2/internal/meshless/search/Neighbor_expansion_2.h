@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_SEARCH_NEIGHBOR_EXPANSION_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_SEARCH_NEIGHBOR_EXPANSION_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_disc_2.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>

@@ -6,20 +6,24 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GIVEN_BUBBLES_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GIVEN_BUBBLES_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_STARTING_POINTS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_STARTING_POINTS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Agreement.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/gather_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Point_distribution_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Given_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -31,7 +35,7 @@ namespace internal {
 /// The bubbles to start from, which are given as points on any ranks; or, if no rank has any, as the vertices of
 /// the domain's triangulation, which all ranks have. All ranks get those on the outline and the pinned ones, and
 /// each an equal share of the others.
-class Given_bubbles_2
+class Starting_points_2
 {
 public:
   /// one in a face
@@ -43,7 +47,7 @@ public:
 
   /// Collective. `points`: what this rank has of them.
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
-  Given_bubbles_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Domain_2& domain,
+  Starting_points_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Domain_2& domain,
                   const Given_mesh_2& given, const Bubbles_2& points)
     : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_domain(domain), m_given(given),
       m_outline{given.pinned, given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
@@ -65,11 +69,11 @@ public:
   const std::vector<Free>& free() const { return m_free; }
 
   /// Collective. How the mesh of all given bubbles looks around those of `free()`.
-  std::vector<Mesh_surroundings_2> surroundings() const
+  std::vector<Mesh_star_2> stars() const
   {
     if (m_are_points)
-      return surroundings_of_points();
-    std::vector<Mesh_surroundings_2> result;
+      return stars_of_points();
+    std::vector<Mesh_star_2> result;
     for (const Free& f : m_free)
       result.push_back(m_given.around[static_cast<std::size_t>(f.number)]);
     return result;
@@ -145,7 +149,7 @@ private:
     return std::binary_search(m_pinned_by_place.begin(), m_pinned_by_place.end(), p);
   }
 
-  std::vector<Mesh_surroundings_2> surroundings_of_points() const
+  std::vector<Mesh_star_2> stars_of_points() const
   {
     const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm,
                                                             m_agreement, m_exchange);
@@ -154,12 +158,12 @@ private:
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
       for (Index v : tr.vertices[t])
         beside[v] = static_cast<Index>(t);
-    std::vector<Mesh_surroundings_2> result;
+    std::vector<Mesh_star_2> result;
     std::size_t v = 0;
     for (const Free& f : m_free) { // in the order of their numbers, as the known ones
       while (mesh.bubbles.id[v] != f.number)
         ++v;
-      result.push_back(mesh_surroundings(f.point, ring(mesh, beside[v], static_cast<Index>(v))));
+      result.push_back(mesh_star(f.point, ring(mesh, beside[v], static_cast<Index>(v))));
     }
     return result;
   }
@@ -192,8 +196,99 @@ private:
   std::vector<Free> m_free;
 };
 
+/// The order of a rank's bubbles along the curve. Bubbles stay where they are in memory until the end: what is sorted
+/// are their keys.
+class Curve_sort_2
+{
+public:
+  Curve_sort_2(const Hilbert_curve_2& curve, Bubbles_2& bubbles) : m_curve(curve), m_bubbles(bubbles)
+  {
+    m_places.reserve(bubbles.size());
+  }
+
+  void add(Index i) { m_places.push_back(Place{m_curve.key(m_bubbles.x[i], m_bubbles.y[i]), i}); }
+
+  void sort() { sort_from(0); }
+
+  /// Collective. Cuts the curve so that all ranks own equally many bubbles. \pre they are sorted
+  Hilbert_partition_2 even_partition(const Communicator& comm) const
+  {
+    return internal::even_partition(comm, m_curve, m_places);
+  }
+
+  /// Collective. Those that other ranks own go there, and others' come here. \pre they are sorted
+  void send_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank)
+  {
+    std::vector<Place> home;
+    Messages<Bubble_record_2> out;
+    partition.for_each_owner(m_places.begin(), m_places.end(), [&](int owner, auto first, auto last) {
+      if (owner == rank)
+        home.assign(first, last);
+      else
+        std::transform(first, last, std::back_inserter(out[owner]), [this](const Place& p) {
+          return record(m_bubbles, static_cast<std::size_t>(p.index), 0);
+        });
+    });
+    m_places.swap(home);
+    const std::size_t own = m_places.size();
+    for (const auto& message : exchange(out))
+      for (const Bubble_record_2& r : message.second) {
+        internal::add(m_bubbles, r);
+        add(static_cast<Index>(m_bubbles.size() - 1));
+      }
+    sort_from(own);
+  }
+
+  /// Of bubbles in one place the one of the lowest dimension stays. \pre they are sorted
+  void forget_coincident()
+  {
+    m_places.erase(std::unique(m_places.begin(), m_places.end(),
+                               [this](const Place& p, const Place& q) {
+                                 return p.key == q.key && m_bubbles.x[p.index] == m_bubbles.x[q.index] &&
+                                        m_bubbles.y[p.index] == m_bubbles.y[q.index];
+                               }),
+                   m_places.end());
+  }
+
+  /// Keeps these bubbles in this order and forgets the others, once; makes room for those of other ranks that will be
+  /// added.
+  void select()
+  {
+    std::vector<Index> order;
+    order.reserve(m_places.size());
+    for (const Place& p : m_places)
+      order.push_back(p.index);
+    m_bubbles.select(order);
+  }
+
+private:
+  struct Place
+  {
+    Hilbert_curve_2::Key key;
+    Index index;
+  };
+
+  /// \pre those before `first` are sorted
+  void sort_from(std::size_t first)
+  {
+    merge_tail(m_places, first, [this](const Place& p, const Place& q) {
+      return p.key != q.key ? p.key < q.key : values(p) < values(q);
+    });
+  }
+
+  std::tuple<double, double, int, Index> values(const Place& p) const
+  {
+    const Index i = p.index;
+    return std::make_tuple(m_bubbles.x[i], m_bubbles.y[i], int(m_bubbles.dimension[i]), i);
+  }
+
+  const Hilbert_curve_2 m_curve;
+  Bubbles_2& m_bubbles;
+  std::vector<Place> m_places;
+};
+
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GIVEN_BUBBLES_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_STARTING_POINTS_2_H

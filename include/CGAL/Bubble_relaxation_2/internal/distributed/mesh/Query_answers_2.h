@@ -6,13 +6,13 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fuzzy_iso_box.h>
@@ -137,13 +137,13 @@ struct Bubble_answer_2
 /// Answers the questions of other ranks from the bubbles of this one, and none twice to the same rank. A
 /// triangle over a part of the domain that its rank hardly knows has a huge disc, so an answer names only
 /// some bubbles, those next to the asker; if the triangle outlives them it will be asked about again.
-class Bubble_answers_2
+class Query_answers_2
 {
 public:
   static constexpr std::size_t most_bubbles = 12; ///< in one answer: about two stars
 
   /// keeps a reference to this rank's bubbles
-  explicit Bubble_answers_2(const Bubbles_2& own) : m_own(own) {}
+  explicit Query_answers_2(const Bubbles_2& own) : m_own(own) {}
 
   /// the bubble `i` was sent to `rank`
   void note_sent(int rank, Index i) { m_sent[rank].insert(i); }
@@ -210,4 +210,4 @@ private:
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_BUBBLE_ANSWERS_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
