@@ -13,7 +13,7 @@
 #include "random_seeds.h"
 #include "validation.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/fields/Outline_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 #include <CGAL/npbs_relax.h>
 
 using CGAL::Bubble_relaxation_2::internal::Outline_field_2;
