@@ -104,7 +104,8 @@ TEST(Mesh_criteria, relaxation_improves_the_mesh_and_keeps_its_size)
     EXPECT_GE(report.quality.mean_quality(), 0.9835);
     EXPECT_GE(report.quality.minimum_quality(), 0.82);
     EXPECT_GT(report.quality.minimum_quality(), before.minimum_quality());
-    EXPECT_NEAR(report.quality.mean_length_ratio(), 0.982, 0.005);
+    // the meshes of CGAL's refinement differ between its versions: 0.98 with 5.5, 0.964 with 6.2
+    EXPECT_NEAR(report.quality.mean_length_ratio(), 0.974, 0.014);
   }
 }
 
