@@ -14,7 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <tuple>
 #include <vector>

@@ -24,7 +24,6 @@
 #include <CGAL/Bubble_relaxation_enums.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace CGAL {

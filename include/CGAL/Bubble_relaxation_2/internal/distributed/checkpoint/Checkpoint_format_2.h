@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
