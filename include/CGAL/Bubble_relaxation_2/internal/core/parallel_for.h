@@ -89,13 +89,6 @@ void parallel_for(const Threads& threads, std::size_t n, const Function& f, std:
   threads.run(n, grain, Threads::Part{&f, call});
 }
 
-/// the same with the threads of a tag
-template <class Concurrency_tag, class Function>
-void parallel_for(std::size_t n, const Function& f, std::size_t grain = 1024)
-{
-  parallel_for(threads_of<Concurrency_tag>(), n, f, grain);
-}
-
 /// Sorts values of which none are equal, or else cannot be told apart: so the result does not depend on the
 /// number of threads. Blocks are sorted, then merged two by two.
 template <class T, class Less>

@@ -33,7 +33,7 @@ Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh, const std::vector<char>&
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given)
 {
-  return sizes_of_outline(domain, given);
+  return Sizes_2(Outline_field_2(Outline_sizes_2(domain, given)(), domain.bbox()));
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

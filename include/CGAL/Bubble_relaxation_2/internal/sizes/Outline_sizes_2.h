@@ -325,12 +325,6 @@ private:
   std::vector<Size_source_2> m_sources;
 };
 
-/// the sizes for a domain that has no mesh yet
-inline Sizes_2 sizes_of_outline(const Domain_2& domain, const Given_mesh_2& given)
-{
-  return Sizes_2(Outline_field_2(Outline_sizes_2(domain, given)(), domain.bbox()));
-}
-
 /// The sizes that the simulation follows: those that are wanted, and smaller ones where the outline is too fine or the
 /// domain too narrow for them. Both are counted.
 /// \throws std::length_error if they ask for too many bubbles

@@ -284,25 +284,20 @@ private:
         continue;
       }
       is_left[original] = 1;
-      const Index i = indices[original];
+      const std::size_t i = static_cast<std::size_t>(indices[original]);
       numbers.push_back(m_known.id[i]);
       result.bubbles.push_back({operation.place, m_known.owner[i], // those on the rim look like corners
-                                b.can_move(k) ? record(b, k, numbers.back()) : record_here(i)});
+                                b.can_move(k) ? record(b, k, numbers.back()) : record(m_known, i)});
     }
     for (std::size_t l = 0; l < indices.size(); ++l)
       if (!is_left[l]) {
-        Bubble_record_2 gone = record_here(indices[l]);
+        Bubble_record_2 gone = record(m_known, static_cast<std::size_t>(indices[l]));
         gone.dimension = Bubbles_2::GONE;
         result.bubbles.push_back({operation.place, m_known.owner[indices[l]], gone});
         ++number_of_deletions;
       }
     describe_triangles(operation, numbers, result);
     return result;
-  }
-
-  Bubble_record_2 record_here(Index i) const
-  {
-    return record(m_known, static_cast<std::size_t>(i), m_known.id[i]);
   }
 
   void describe_triangles(const Operation& operation, const std::vector<std::int64_t>& numbers,

@@ -38,7 +38,9 @@ using Parallel_loop = std::function<void(std::size_t n, const std::function<void
 template <class Concurrency_tag>
 Parallel_loop make_parallel_loop()
 {
-  return [](std::size_t n, const std::function<void(std::size_t)>& f) { parallel_for<Concurrency_tag>(n, f, 1); };
+  return [](std::size_t n, const std::function<void(std::size_t)>& f) {
+    parallel_for(threads_of<Concurrency_tag>(), n, f, 1);
+  };
 }
 
 template <class Point_2>

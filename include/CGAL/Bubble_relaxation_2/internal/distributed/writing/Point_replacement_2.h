@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_BUBBLES_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_BUBBLES_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_POINT_REPLACEMENT_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_POINT_REPLACEMENT_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 
@@ -115,17 +115,8 @@ private:
   bool m_has_added_normals = false, m_is_done = false;
 };
 
-/// replaces the points of a set by bubbles, with all the properties that `read_bubbles()` knows
-template <class Point_set>
-void write_bubbles(const Bubbles_2& numbered, Point_set& points)
-{
-  Point_replacement_2<Point_set> replacement(points);
-  replacement.prepare(numbered);
-  replacement.finish();
-}
-
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_BUBBLES_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_POINT_REPLACEMENT_2_H
