@@ -174,13 +174,23 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
 {
   using namespace Bubble_relaxation_2::internal;
   using FT = typename Quality_number<typename CDT::Geom_traits>::type;
-  const Domain_marks_2<CDT> is_inside(cdt, np);
+  const Domain_marks_2<CDT> domain(cdt, np);
+  const Flat_triangulation_2& tr = domain.tr;
   Mesh_quality_accumulator_2 accumulator;
-  add_domain(cdt, is_inside, accumulator);
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+    const Index f = static_cast<Index>(t);
+    if (domain.is_inside(f))
+      accumulator.add_triangle(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2));
+  }
+  add_vertices(
+    tr, domain.inside(), tr.points.size(), [&](Index t, int i) { return domain.is_constrained(t, i); },
+    [](std::size_t) { return true; }, accumulator);
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
     const auto sizing = checked_sizing_field<typename CDT::Geom_traits::Point_2>(f);
-    add_lengths(cdt, is_inside, sizing, accumulator);
+    for_each_edge(tr, domain.inside(), 0, tr.number_of_triangles(), [&](Index t, int i) {
+      add_length(tr.point(t, ccw(i)), tr.point(t, cw(i)), sizing, accumulator);
+    });
   }
   return Mesh_quality_2<FT>(accumulator.statistics());
 }

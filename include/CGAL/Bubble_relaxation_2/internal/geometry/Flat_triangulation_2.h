@@ -36,6 +36,20 @@ struct Triangles_2
   }
 };
 
+/// Calls `visit(t, i)` for edges of the domain, each as the side `i` of the first of the triangles of the domain that have
+/// it: for those of which it is one of the triangles from `first` to `last`, without.
+template <class Visitor>
+void for_each_edge(const Triangles_2& tr, const std::vector<char>& inside, std::size_t first, std::size_t last,
+                   const Visitor& visit)
+{
+  for (std::size_t k = first; k < last; ++k)
+    for (int i = 0; i < 3 && inside[k]; ++i) {
+      const Index t = static_cast<Index>(k), n = tr.neighbors[k][i];
+      if (n == no_index || !inside[n] || n > t)
+        visit(t, i);
+    }
+}
+
 /// A triangulation in arrays, for walks that many bubbles do at once.
 struct Flat_triangulation_2 : Triangles_2
 {

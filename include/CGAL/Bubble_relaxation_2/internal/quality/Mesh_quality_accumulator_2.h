@@ -10,9 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
-#include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/radius_ratio_2.h>
 
@@ -272,52 +272,41 @@ private:
   std::vector<double> m_qualities, m_lengths;
 };
 
-/// adds all triangles and vertices of a domain
-template <class Cdt, class Is_inside>
-void add_domain(const Cdt& cdt, const Is_inside& is_inside, Mesh_quality_accumulator_2& accumulator)
+/// Adds vertices of a domain.
+/// \param inside of each triangle whether it is in the domain
+/// \param is_constrained `is_constrained(t, i)`: whether the side `i` of the triangle is
+/// \param is_counted of a vertex whether it is to be added
+template <class Is_constrained, class Is_counted>
+void add_vertices(const Triangles_2& tr, const std::vector<char>& inside, std::size_t number_of_vertices,
+                  const Is_constrained& is_constrained, const Is_counted& is_counted,
+                  Mesh_quality_accumulator_2& accumulator)
 {
-  Unique_hash_map<typename Cdt::Vertex_handle, bool> is_seen(false);
-  for (auto f : cdt.finite_face_handles()) {
-    if (!is_inside(f))
-      continue;
-    accumulator.add_triangle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+  std::vector<char> is_in_domain(number_of_vertices, 0), is_interior(number_of_vertices, 1);
+  std::vector<std::size_t> degrees(number_of_vertices, 0);
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+    const std::array<Index, 3>& v = tr.vertices[t];
     for (int i = 0; i < 3; ++i) {
-      const auto v = f->vertex(i);
-      if (is_seen[v])
-        continue;
-      is_seen[v] = true;
-      bool is_interior = true;
-      std::size_t degree = 0;
-      auto g = cdt.incident_faces(v), start = g;
-      do {
-        is_interior = is_interior && is_inside(g) && !g->is_constrained(cdt.ccw(g->index(v)));
-        ++degree;
-      } while (++g != start);
-      accumulator.add_vertex(is_interior, degree);
+      ++degrees[v[i]];
+      if (inside[t])
+        is_in_domain[v[i]] = 1;
+      if (is_constrained(static_cast<Index>(t), i)) // all ways out of the domain lead across constraints
+        is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;
     }
   }
+  for (std::size_t v = 0; v < number_of_vertices; ++v)
+    if (is_in_domain[v] && is_counted(v))
+      accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
 }
 
-/// adds the lengths of all edges of a domain
-template <class Cdt, class Is_inside, class Sizing>
-void add_lengths(const Cdt& cdt, const Is_inside& is_inside, const Sizing& sizing,
-                 Mesh_quality_accumulator_2& accumulator)
+/// Adds the length of an edge over d in the midpoint. It begins at the end that comes first: what rounds must not
+/// depend on the triangle from which the edge is seen.
+template <class Sizing>
+void add_length(const Point& p, const Point& q, const Sizing& sizing, Mesh_quality_accumulator_2& accumulator)
 {
-  using Point_2 = typename Cdt::Geom_traits::Point_2;
-  const auto add = [&](const Point_2& p, const Point_2& q) {
-    const double dx = CGAL::to_double(q.x() - p.x()), dy = CGAL::to_double(q.y() - p.y());
-    const Point_2 middle(p.x() + (q.x() - p.x()) / 2, p.y() + (q.y() - p.y()) / 2);
-    accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(middle));
-  };
-  // from faces, since the direction that CGAL's iterator gives an edge depends on addresses
-  for (auto f : cdt.finite_face_handles())
-    for (int i = 0; i < 3 && is_inside(f); ++i) {
-      const auto &p = f->vertex(cdt.ccw(i))->point(), &q = f->vertex(cdt.cw(i))->point();
-      if (CGAL::lexicographically_xy_smaller(p, q))
-        add(p, q);
-      else if (!is_inside(f->neighbor(i))) // else it is added from the other side
-        add(q, p);
-    }
+  const bool is_reversed = CGAL::lexicographically_xy_smaller(q, p);
+  const Point &a = is_reversed ? q : p, &b = is_reversed ? p : q;
+  const double dx = b.x() - a.x(), dy = b.y() - a.y();
+  accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(a.x() + dx / 2, a.y() + dy / 2));
 }
 
 } // namespace internal

@@ -124,16 +124,6 @@ inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& s
   return gradient;
 }
 
-/// Adds the length of an edge over d in the midpoint. It begins at the end that comes first: what rounds must not
-/// depend on the triangle from which the edge is seen.
-inline void add_length(const Point& p, const Point& q, const Sizes_2& sizing, Mesh_quality_accumulator_2& accumulator)
-{
-  const bool is_reversed = CGAL::lexicographically_xy_smaller(q, p);
-  const Point &a = is_reversed ? q : p, &b = is_reversed ? p : q;
-  const double dx = b.x() - a.x(), dy = b.y() - a.y();
-  accumulator.add_length(std::sqrt(dx * dx + dy * dy) / sizing(a.x() + dx / 2, a.y() + dy / 2));
-}
-
 /// adds the lengths of edges of this rank over d in the midpoints, of those that have their first triangle in a range
 inline void add_lengths(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last, const Sizes_2& sizing,
                         Mesh_quality_accumulator_2& accumulator)
@@ -159,21 +149,9 @@ inline void add_triangles(const Bubble_mesh_2& mesh, std::size_t first, std::siz
 inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& accumulator)
 {
   const Marked_triangles_2& tr = mesh.triangles;
-  std::vector<char> is_in_domain(mesh.bubbles.size(), 0), is_interior(mesh.bubbles.size(), 1);
-  std::vector<std::size_t> degrees(mesh.bubbles.size(), 0);
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
-    const auto& v = tr.vertices[t];
-    for (int i = 0; i < 3; ++i) {
-      ++degrees[v[i]];
-      if (tr.inside[t])
-        is_in_domain[v[i]] = 1;
-      if (tr.edges[t][i] != no_index) // all ways out of the domain lead across edges
-        is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;
-    }
-  }
-  for (std::size_t v = 0; v < mesh.bubbles.size(); ++v)
-    if (is_in_domain[v] && mesh.bubbles.is_ours(v))
-      accumulator.add_vertex(is_interior[v] != 0, degrees[v]);
+  add_vertices(
+    tr, tr.inside, mesh.bubbles.size(), [&](Index t, int i) { return tr.edges[t][i] != no_index; },
+    [&](std::size_t v) { return mesh.bubbles.is_ours(v); }, accumulator);
 }
 
 /// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
