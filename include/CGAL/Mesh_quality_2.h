@@ -14,7 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/quality/print_mesh_quality.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/radius_ratio_2.h>
 
@@ -195,6 +194,14 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
   return Mesh_quality_2<FT>(accumulator.statistics());
 }
 
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+void print(std::ostream& out, const Mesh_quality_2<double>& quality);
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+
 /*!
 \ingroup PkgBubbleRelaxation2Functions
 
@@ -203,10 +210,14 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
 template <class FT>
 std::ostream& operator<<(std::ostream& out, const Mesh_quality_2<FT>& quality)
 {
-  Bubble_relaxation_2::internal::print(out, quality);
+  Bubble_relaxation_2::internal::print(out, Mesh_quality_2<double>(quality));
   return out;
 }
 
 } // namespace CGAL
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
+#include <CGAL/Bubble_relaxation_2/internal/quality/print_mesh_quality_impl.h>
+#endif
 
 #endif // CGAL_MESH_QUALITY_2_H

@@ -11,4 +11,5 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2_impl.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine_impl.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/mark_triangulation_impl.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/print_mesh_quality_impl.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain_impl.h>

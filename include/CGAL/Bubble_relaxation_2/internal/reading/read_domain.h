@@ -134,6 +134,7 @@ public:
 
 protected:
   Read_domain_2(const Marked_copy_2& copy, Is_before is_before);
+  ~Read_domain_2();
 
   /// once it is known which vertices are pinned or given, and which edges are of one constraint only
   void build();

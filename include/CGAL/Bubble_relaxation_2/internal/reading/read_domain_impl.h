@@ -110,6 +110,9 @@ void Read_domain_2::build()
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
+Read_domain_2::~Read_domain_2() = default;
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
 void Read_domain_2::add_edge(const Marked_copy_2& copy, Index t, int i)
 {
   const Index u = m_vertices.number[copy.tr.vertices[t][ccw(i)]], v = m_vertices.number[copy.tr.vertices[t][cw(i)]],

@@ -6,10 +6,13 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_IMPL_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_IMPL_H
+
+#include <CGAL/Mesh_quality_2.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -19,8 +22,7 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-template <class Quality>
-void print_table(std::ostream& out, const Quality& q)
+inline void print_table(std::ostream& out, const Mesh_quality_2<double>& q)
 {
   const auto row = [&](const char* name) -> std::ostream& {
     return out << "  " << std::left << std::setw(36) << name << std::right;
@@ -45,8 +47,7 @@ void print_table(std::ostream& out, const Quality& q)
 }
 
 /// one line a bar, from the first that is not empty
-template <class Quality>
-void print_histogram(std::ostream& out, const Quality& q)
+inline void print_histogram(std::ostream& out, const Mesh_quality_2<double>& q)
 {
   constexpr std::size_t width = 40;
   const auto& bars = q.histogram();
@@ -64,8 +65,8 @@ void print_histogram(std::ostream& out, const Quality& q)
   }
 }
 
-template <class Quality>
-void print(std::ostream& out, const Quality& quality)
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void print(std::ostream& out, const Mesh_quality_2<double>& quality)
 {
   std::ostringstream text; // the user's stream keeps its format
   print_table(text, quality);
@@ -78,4 +79,4 @@ void print(std::ostream& out, const Quality& quality)
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_IMPL_H
