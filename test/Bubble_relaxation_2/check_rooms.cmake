@@ -97,7 +97,7 @@ endforeach()
 
 if(DEFINED TEST_DIR)
   # of these, what they test cannot be seen from a door yet
-  set(white_box test_treatment_parts test_domain test_distributed_halo)
+  set(white_box test_distributed_halo)
   file(GLOB_RECURSE tests ${TEST_DIR}/*.cpp ${TEST_DIR}/*.h)
   foreach(test IN LISTS tests)
     get_filename_component(name ${test} NAME_WE)

@@ -14,7 +14,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
-#include <CGAL/Bubble_relaxation_2/internal/sizes/expected_number_of_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 
 using namespace CGAL::Bubble_relaxation_2::internal;
 using domains::CDT;
