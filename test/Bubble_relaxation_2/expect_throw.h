@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,13 @@ void expect_throw(const Function& f, const std::vector<std::string>& words)
     for (const std::string& word : words)
       EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what() << " has no " << word;
   }
+}
+
+/// expects that an argument is refused, in these words among others
+template <class Function>
+void expect_invalid(const Function& f, const std::vector<std::string>& words)
+{
+  expect_throw<std::invalid_argument>(f, words);
 }
 
 #endif // BUBBLE_RELAXATION_2_TEST_EXPECT_THROW_H

@@ -8,10 +8,10 @@
 
 // The treatment of the last defects, and sizes that follow the outline where it is finer than d.
 
-#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "distributed/bubbles.h"
 #include "domains.h"
 #include "random_seeds.h"
+#include "relax_and_validate.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
@@ -28,20 +28,6 @@ using internal::Index;
 using paper::CDT;
 using paper::Domain;
 using paper::Point;
-
-template <class Parameters>
-auto relax(const Domain& domain, CDT& cdt, const Parameters& parameters)
-{
-  cdt = paper::triangulate(domain);
-  const validation::Snapshot before = validation::snapshot(cdt);
-  const auto report = CGAL::npbs_relax(cdt, parameters.sizing_function(domain.d));
-  const validation::Snapshot after = validation::snapshot(cdt);
-  validation::expect_valid_mesh(cdt);
-  validation::expect_vertices_kept(before.vertices, after);
-  validation::expect_constraints_kept(before, after);
-  EXPECT_EQ(report.number_of_vertices, cdt.number_of_vertices());
-  return report;
-}
 
 double angle(const Point& p, const Point& q, const Point& r)
 {
@@ -118,8 +104,8 @@ TEST_P(Treated_domain, has_no_bad_triangles)
     const Domain domain = paper::all_domains(f)[GetParam()];
     SCOPED_TRACE(domain.name);
     CDT treated, untreated;
-    const auto with = relax(domain, treated, P::mass(1.));
-    const auto without = relax(domain, untreated, P::defect_treatment(false));
+    const auto with = relax_and_validate(domain, treated, P::mass(1.));
+    const auto without = relax_and_validate(domain, untreated, P::defect_treatment(false));
     EXPECT_GE(with.quality.minimum_quality(), least_quality[GetParam()]);
     EXPECT_GE(with.quality.minimum_angle(), 40);
     EXPECT_GE(with.quality.minimum_quality(), without.quality.minimum_quality());
@@ -175,7 +161,7 @@ TEST(Defects, surgery_removes_and_inserts)
   for (bool is_missing : {false, true}) {
     const Domain domain = uniform(points(domains::square(0, 0, 1)), 0.1);
     CDT cdt;
-    relax(domain, cdt, P::mass(1.));
+    relax_and_validate(domain, cdt, P::mass(1.));
     const CDT::Vertex_handle victim = inner_vertex(cdt, Point(0.5, 0.5));
     if (is_missing)
       cdt.remove(victim);
@@ -199,7 +185,7 @@ TEST(Defects, a_given_mesh_is_never_made_worse)
   for (int seed = 0; seed < 10; ++seed) {
     const Domain domain = paper::all_domains(1)[seed % 8];
     CDT cdt;
-    relax(domain, cdt, P::mass(1.));
+    relax_and_validate(domain, cdt, P::mass(1.));
     std::mt19937 random(random_seeds::seed(static_cast<unsigned>(seed)));
     std::uniform_real_distribution<double> parameter(0, 1);
     const auto before = CGAL::mesh_quality_2(cdt);
@@ -227,7 +213,7 @@ TEST(Defects, angles_away_from_sharp_corners_of_random_domains)
     const double x = 2 * u(random) - 1, y = 2 * u(random) - 1;
     domain.d = [=](const Point& p) { return d0 + g * std::hypot(p.x() - x, p.y() - y); };
     CDT cdt;
-    relax(domain, cdt, P::mass(1.));
+    relax_and_validate(domain, cdt, P::mass(1.));
     EXPECT_GE(smallest_angle_away_from(sharp_corners(domain), cdt), 33); // 33.4 is the least of 400
   }
 }
@@ -236,8 +222,8 @@ TEST(Outline_limit, grades_from_a_short_piece)
 {
   const Domain domain = uniform({{0, 0}, {0.5, 0}, {0.503, 0.001}, {1, 0}, {1, 1}, {0, 1}}, 0.1);
   CDT limited, not_limited;
-  const auto with = relax(domain, limited, P::mass(1.));
-  const auto without = relax(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
+  const auto with = relax_and_validate(domain, limited, P::mass(1.));
+  const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
   EXPECT_LT(without.quality.minimum_angle(), 2);
   EXPECT_GE(with.quality.minimum_angle(), 41.5);
   EXPECT_NEAR(double(with.number_of_vertices), 323, 5);
@@ -249,8 +235,8 @@ TEST(Outline_limit, makes_a_narrow_channel_finer)
     uniform({{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0.53}, {1, 0.53}, {1, 1}, {0, 1}},
             0.1);
   CDT limited, not_limited;
-  const auto with = relax(domain, limited, P::mass(1.));
-  const auto without = relax(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
+  const auto with = relax_and_validate(domain, limited, P::mass(1.));
+  const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
   EXPECT_LT(without.quality.minimum_angle(), 11);
   EXPECT_GE(with.quality.minimum_angle(), 39);
 }
@@ -259,8 +245,8 @@ TEST(Outline_limit, leaves_an_outline_alone_that_fits)
 {
   for (const Domain& domain : paper::all_domains(1)) {
     CDT limited, not_limited;
-    const auto with = relax(domain, limited, P::mass(1.));
-    const auto without = relax(domain, not_limited, P::limit_by_outline(false));
+    const auto with = relax_and_validate(domain, limited, P::mass(1.));
+    const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false));
     EXPECT_EQ(with.quality.mean_quality(), without.quality.mean_quality()) << domain.name;
   }
 }

@@ -9,6 +9,7 @@
 // A sizing field that is given by sizes at the vertices of another triangulation.
 
 #include "domains.h"
+#include "expect_throw.h"
 #include "random_seeds.h"
 #include "validation.h"
 
@@ -73,18 +74,6 @@ CDT graded_mesh(const std::vector<domains::Outline>& outlines)
   CDT cdt = domains::make(outlines);
   CGAL::npbs_relax(cdt, P::sizing_function([](const Point& p) { return 0.03 + 0.1 * p.x(); }));
   return cdt;
-}
-
-template <class Function>
-void expect_invalid(const Function& f, const std::vector<std::string>& words)
-{
-  try {
-    f();
-    ADD_FAILURE() << "nothing was thrown";
-  } catch (const std::invalid_argument& e) {
-    for (const std::string& word : words)
-      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
-  }
 }
 
 } // namespace

@@ -9,8 +9,8 @@
 // The paper's domains, meshed with the defaults and with the paper's parameters: invariants, and bounds of quality close
 // to what is measured. The bits are the same in every run, so that no margin is needed for chance.
 
-#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 #include "random_seeds.h"
+#include "relax_and_validate.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -32,20 +32,6 @@ std::vector<double> coordinates(const CDT& cdt)
     result.push_back(v->point().y());
   }
   return result;
-}
-
-template <class Parameters>
-auto relax_and_validate(const Domain& domain, CDT& cdt, const Parameters& parameters)
-{
-  cdt = paper::triangulate(domain);
-  const validation::Snapshot before = validation::snapshot(cdt);
-  const auto report = CGAL::npbs_relax(cdt, parameters.sizing_function(domain.d));
-  const validation::Snapshot after = validation::snapshot(cdt);
-  validation::expect_valid_mesh(cdt);
-  validation::expect_vertices_kept(before.vertices, after);
-  validation::expect_constraints_kept(before, after);
-  EXPECT_EQ(report.number_of_vertices, cdt.number_of_vertices());
-  return report;
 }
 
 /// what is measured of the meshes of the defaults, from which a loss is seen

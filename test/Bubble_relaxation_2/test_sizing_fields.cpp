@@ -9,6 +9,7 @@
 // Sizing fields: limited in their gradation, interpolated, and the minimum of several.
 
 #include "domains.h"
+#include "expect_throw.h"
 #include "random_seeds.h"
 #include "validation.h"
 
@@ -62,18 +63,6 @@ double steepest(const Field& h, double reach)
 }
 
 CDT square() { return domains::make({domains::square(0, 0, 1)}); }
-
-template <class Function>
-void expect_invalid(const Function& f, const std::vector<std::string>& words)
-{
-  try {
-    f();
-    ADD_FAILURE() << "nothing was thrown";
-  } catch (const std::invalid_argument& e) {
-    for (const std::string& word : words)
-      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
-  }
-}
 
 struct Case
 {
