@@ -34,7 +34,7 @@ using namespace CGAL::Bubble_relaxation_2::internal;
 class Halo : public testing::Test
 {
 protected:
-  Halo() : m_engine(random_seeds::seed(1)), m_halo(m_comm, m_exchange, m_traffic, radius)
+  Halo() : m_engine(random_seeds::seed(1)), m_halo(m_comm, m_traffic, radius)
   {
     for (int i = 0; i < 300; ++i)
       m_all.add(Point(uniform(), uniform()), 0.02 * std::pow(4, uniform()), Bubbles_2::FACE, 0);
@@ -98,7 +98,6 @@ protected:
 
   std::mt19937 m_engine; // the same numbers on all ranks
   Communicator m_comm{MPI_COMM_WORLD};
-  Sparse_exchange m_exchange{m_comm};
   Traffic_2 m_traffic;
   Halo_2 m_halo;
   Hilbert_partition_2 m_partition{Hilbert_curve_2(CGAL::Bbox_2(0, 0, 1, 1)), {}};
@@ -181,7 +180,7 @@ TEST_F(Halo, sets_of_others_are_those_of_their_owners)
   expected.build(m_here);
   for (std::size_t i = m_number_of_own; i < m_here.size(); ++i)
     sets.assign(static_cast<Index>(i), {});
-  Shared_sets_2(m_halo, m_here)(m_exchange, sets);
+  Shared_sets_2(m_halo, m_here)(m_comm, sets);
   for (std::size_t i = 0; i < m_here.size(); ++i)
     EXPECT_EQ(std::vector<Index>(sets.begin(i), sets.end(i)),
               std::vector<Index>(expected.begin(i), expected.end(i)));

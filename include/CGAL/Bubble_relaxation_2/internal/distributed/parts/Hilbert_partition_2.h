@@ -152,7 +152,7 @@ private:
 /// Collective. Cuts the curve so that all ranks own equally many of some keys, which are on any ranks. All cuts
 /// are searched at once by halving: 64 times each rank counts its keys before each cut.
 /// \param keys this rank's, sorted
-inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+inline Hilbert_partition_2 even_partition(Communicator& comm, const Hilbert_curve_2& curve,
                                           const std::vector<Hilbert_curve_2::Key>& keys)
 {
   using Key = Hilbert_curve_2::Key;
@@ -164,8 +164,7 @@ inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilber
     const Key half = Key(1) << bit;
     for (std::size_t k = 0; k < cuts; ++k)
       counts[k] = std::lower_bound(keys.begin(), keys.end(), first[k] | half) - keys.begin();
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(cuts), MPI_INT64_T, MPI_SUM,
-                            comm.handle()));
+    comm.reduce_each(counts, MPI_SUM);
     for (std::size_t k = 0; k < cuts; ++k)
       if (counts[k] <= all * static_cast<std::int64_t>(k + 1) / comm.size())
         first[k] |= half;
@@ -175,7 +174,7 @@ inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilber
 
 /// the same of the keys of sorted elements
 template <class Keyed>
-Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
+Hilbert_partition_2 even_partition(Communicator& comm, const Hilbert_curve_2& curve,
                                    const std::vector<Keyed>& sorted)
 {
   std::vector<Hilbert_curve_2::Key> keys;

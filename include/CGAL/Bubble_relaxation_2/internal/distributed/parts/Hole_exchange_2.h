@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
@@ -27,7 +27,7 @@ namespace internal {
 class Hole_exchange_2
 {
 public:
-  Hole_exchange_2(const Communicator& comm, Sparse_exchange& exchange) : m_comm(comm), m_exchange(exchange) {}
+  Hole_exchange_2(Communicator& comm) : m_comm(comm) {}
 
   /// Collective. See `Team::share_holes()`.
   std::size_t share(const Hilbert_partition_2& partition, std::vector<Hole_2>& holes, double reach)
@@ -36,7 +36,7 @@ public:
     for (const Hole_2& h : holes)
       out[partition.owner(h.x, h.y)].push_back(h);
     holes.clear();
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       holes.insert(holes.end(), message.second.begin(), message.second.end());
     const std::size_t number_of_ours = holes.size();
     m_sent.clear();
@@ -90,7 +90,7 @@ private:
 
   void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes, std::vector<int>& owners)
   {
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (const Hole_2& h : message.second) {
         m_received[message.first].push_back(static_cast<Index>(holes.size()));
         holes.push_back(h);
@@ -98,8 +98,7 @@ private:
       }
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Messages<Index> m_sent, m_received; // holes, in one order on both sides
 };
 

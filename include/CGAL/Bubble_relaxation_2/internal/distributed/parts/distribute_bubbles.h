@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -86,19 +86,19 @@ struct Records_at_home
 
 /// brings each bubble, with its key, to the rank that owns its place; those that are there already stay in memory
 template <class Keyed_record>
-Records_at_home<Keyed_record> send_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
-                                         const std::vector<Place_on_curve<Keyed_record>>& sorted)
+Records_at_home<Keyed_record> send_home(Communicator& comm, const Hilbert_partition_2& partition,
+                                        const std::vector<Place_on_curve<Keyed_record>>& sorted)
 {
   using Place = Place_on_curve<Keyed_record>;
   Records_at_home<Keyed_record> home;
   Messages<Keyed_record> out;
   partition.for_each_owner(sorted.begin(), sorted.end(), [&](int owner, auto first, auto last) {
-    if (owner == rank)
+    if (owner == comm.rank())
       home.places.assign(first, last);
     else
       std::transform(first, last, std::back_inserter(out[owner]), [](const Place& p) { return *p.record; });
   });
-  home.others = exchange(out);
+  home.others = deliver(comm, out);
   const std::size_t own = home.places.size();
   for (const auto& message : home.others)
     for (const Keyed_record& r : message.second)
@@ -108,24 +108,23 @@ Records_at_home<Keyed_record> send_home(const Hilbert_partition_2& partition, Sp
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
-inline Bubbles_2 send_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
-                            Bubbles_2 bubbles)
+inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, Bubbles_2 bubbles)
 {
   const Bubbles_2& b = bubbles;
   std::vector<Index> home;
   home.reserve(b.size());
   Messages<Bubble_record_2> out;
-  Clearance_2 clearance(partition, rank);
+  Clearance_2 clearance(partition, comm.rank());
   for (std::size_t i = 0; i < b.size(); ++i) {
-    const int owner = clearance(b.x[i], b.y[i], b.d[i]) > 0 ? rank : partition.owner(b.x[i], b.y[i]);
-    if (owner == rank)
+    const int owner = clearance(b.x[i], b.y[i], b.d[i]) > 0 ? comm.rank() : partition.owner(b.x[i], b.y[i]);
+    if (owner == comm.rank())
       home.push_back(static_cast<Index>(i));
     else
       out[owner].push_back(record(b, i));
   }
   if (home.size() < b.size())
     bubbles.select(home);
-  for (const auto& message : exchange(out))
+  for (const auto& message : deliver(comm, out))
     for (const Bubble_record_2& r : message.second)
       add_own(bubbles, r);
   bubbles.sort_by_id();
@@ -134,7 +133,7 @@ inline Bubbles_2 send_home(const Hilbert_partition_2& partition, Sparse_exchange
 
 /// Numbers bubbles along the curve, the first of all ranks by 0.
 /// \pre the records of each rank are sorted, and come before those of the next
-inline Bubbles_2 number_along_curve(const Communicator& comm, const std::vector<Keyed_record_2>& records)
+inline Bubbles_2 number_along_curve(Communicator& comm, const std::vector<Keyed_record_2>& records)
 {
   std::int64_t number = comm.sum_before(static_cast<std::int64_t>(records.size()));
   Bubbles_2 result;
@@ -151,9 +150,8 @@ inline Bubbles_2 number_along_curve(const Communicator& comm, const std::vector<
 class Point_distribution_2
 {
 public:
-  Point_distribution_2(const Domain_2& domain, const Communicator& comm, Agreement& agreement,
-                       Sparse_exchange& exchange)
-    : m_domain(domain), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+  Point_distribution_2(const Domain_2& domain, Communicator& comm)
+    : m_domain(domain), m_comm(comm),
       m_partition(hilbert_curve(domain), {})
   {}
 
@@ -168,19 +166,19 @@ public:
   {
     const bool are_numbered = check_numbers(points, has_numbers);
     std::vector<Keyed_record_2> records;
-    m_agreement.reach_after([&] { records = keyed(points); });
+    m_comm.agree_after([&] { records = keyed(points); });
     add_missing_corners(records, are_numbered);
     const auto places = places_on_curve(records);
     m_partition = even_partition(m_comm, m_partition.curve(), places);
-    records = send_home(m_partition, m_exchange, m_comm.rank(), places).records();
-    m_agreement.reach_after([&] {
+    records = send_home(m_comm, m_partition, places).records();
+    m_comm.agree_after([&] {
       check_places(records);
       estimate_sizes(records);
     });
     if (!are_numbered)
       return number_along_curve(m_comm, records);
     Bubbles_2 result;
-    m_agreement.reach_after([&] { result = in_order_of_numbers(records); });
+    m_comm.agree_after([&] { result = in_order_of_numbers(records); });
     return result;
   }
 
@@ -190,18 +188,18 @@ private:
     const bool any_has = m_comm.any(points.size() > 0 && has_numbers);
     if (!any_has)
       return false;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       if (points.size() > 0 && !has_numbers)
         throw std::invalid_argument("Bubble_relaxation_2: points of some ranks have the property global_id, "
                                     "points of others have not");
     });
     Messages<std::int64_t> out;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       for (std::int64_t number : points.id)
         out[static_cast<int>(number % m_comm.size())].push_back(number);
     });
-    const Messages<std::int64_t> in = m_exchange(out);
-    m_agreement.reach_after([&] {
+    const Messages<std::int64_t> in = deliver(m_comm, out);
+    m_comm.agree_after([&] {
       std::vector<std::int64_t> numbers;
       for (const auto& message : in)
         numbers.insert(numbers.end(), message.second.begin(), message.second.end());
@@ -238,10 +236,9 @@ private:
         is_there[r.bubble.host] = 1;
       last = (std::max)(last, r.bubble.id);
     }
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, is_there.data(), static_cast<int>(is_there.size()), MPI_INT32_T,
-                            MPI_MAX, m_comm.handle()));
+    m_comm.reduce_each(is_there, MPI_MAX);
     last = m_comm.largest(last);
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       const auto missing = std::count(is_there.begin(), is_there.end(), 0);
       if (are_numbered && last > (std::numeric_limits<std::int64_t>::max)() - missing)
         throw std::length_error("Bubble_relaxation_2: after the largest global_id there is no room for those of "
@@ -302,9 +299,7 @@ private:
   }
 
   const Domain_2& m_domain;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Hilbert_partition_2 m_partition;
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
@@ -47,11 +47,11 @@ public:
 
   /// Collective. `points`: what this rank has of them.
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
-  Starting_points_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Domain_2& domain,
+  Starting_points_2(Communicator& comm, const Domain_2& domain,
                   const Given_mesh_2& given, const Bubbles_2& points)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_domain(domain), m_given(given),
+    : m_comm(comm), m_domain(domain), m_given(given),
       m_outline{given.pinned, given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
-      m_distribution(domain, comm, agreement, exchange)
+      m_distribution(domain, comm)
   {
     if (m_are_points)
       distribute(points);
@@ -151,8 +151,7 @@ private:
 
   std::vector<Mesh_star_2> stars_of_points() const
   {
-    const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm,
-                                                            m_agreement, m_exchange);
+    const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm);
     const Marked_triangles_2& tr = mesh.triangles;
     std::vector<Index> beside(mesh.bubbles.size(), no_index); // a triangle at each vertex
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
@@ -183,9 +182,7 @@ private:
     return result;
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
   Given_mesh_2 m_outline; // of it, or of the points
@@ -211,18 +208,18 @@ public:
   void sort() { sort_from(0); }
 
   /// Collective. Cuts the curve so that all ranks own equally many bubbles. \pre they are sorted
-  Hilbert_partition_2 even_partition(const Communicator& comm) const
+  Hilbert_partition_2 even_partition(Communicator& comm) const
   {
     return internal::even_partition(comm, m_curve, m_places);
   }
 
   /// Collective. Those that other ranks own go there, and others' come here. \pre they are sorted
-  void send_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank)
+  void send_home(Communicator& comm, const Hilbert_partition_2& partition)
   {
     std::vector<Place> home;
     Messages<Bubble_record_2> out;
     partition.for_each_owner(m_places.begin(), m_places.end(), [&](int owner, auto first, auto last) {
-      if (owner == rank)
+      if (owner == comm.rank())
         home.assign(first, last);
       else
         std::transform(first, last, std::back_inserter(out[owner]), [this](const Place& p) {
@@ -231,7 +228,7 @@ public:
     });
     m_places.swap(home);
     const std::size_t own = m_places.size();
-    for (const auto& message : exchange(out))
+    for (const auto& message : deliver(comm, out))
       for (const Bubble_record_2& r : message.second) {
         internal::add(m_bubbles, r);
         add(static_cast<Index>(m_bubbles.size() - 1));

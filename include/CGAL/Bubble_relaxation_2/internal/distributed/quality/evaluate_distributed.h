@@ -34,7 +34,7 @@ namespace internal {
 class Values_of_all_ranks : public Team
 {
 public:
-  explicit Values_of_all_ranks(const Communicator& comm) : m_comm(comm) {}
+  explicit Values_of_all_ranks(Communicator& comm) : m_comm(comm) {}
 
   bool is_alone() const override { return false; }
   double smallest(double value) const override { return m_comm.smallest(value); }
@@ -118,17 +118,17 @@ private:
     found = found << 8 | byte;
   }
 
-  const Communicator& m_comm;
+  Communicator& m_comm;
 };
 
 /// Collective. The statistics of the mesh of all ranks, on all ranks the same as one rank alone would find them,
 /// to the last bit. `sizing`: a pointer to the sizing field, or null if there are to be no lengths. What it
 /// throws on one rank all throw.
 inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh, const Sizes_2* sizing,
-                                                  const Communicator& comm, Agreement& agreement)
+                                                  Communicator& comm)
 {
   Mesh_quality_accumulator_2 accumulator;
-  agreement.reach_after([&] {
+  comm.agree_after([&] {
     const std::size_t n = mesh.triangles.number_of_triangles();
     add_triangles(mesh, 0, n, accumulator);
     add_vertices(mesh, accumulator);
@@ -140,15 +140,15 @@ inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh
 
 /// Collective. Puts the statistics of the mesh of all ranks into the report, as `evaluate()` does of that of one.
 /// What d throws on one rank all throw.
-inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& sizing, const Communicator& comm,
-                                 Agreement& agreement, Report& report)
+inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& sizing, Communicator& comm,
+                                 Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
-  report.quality = distributed_quality(mesh, &sizing, comm, agreement);
+  report.quality = distributed_quality(mesh, &sizing, comm);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
   Size_gradient_2 gradient(Report::steep_size_gradient);
-  agreement.reach_after([&] { gradient = size_gradient(mesh, sizing, Threads()); });
+  comm.agree_after([&] { gradient = size_gradient(mesh, sizing, Threads()); });
   gradient.tell(report, Values_of_all_ranks(comm));
 }
 

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
@@ -45,7 +45,7 @@ struct Traffic_2
     bytes += static_cast<std::int64_t>(size);
   }
 
-  /// `Messages`: see `Sparse_exchange`
+  /// `Messages`: see `deliver()`
   template <class Messages>
   void add_messages(const Messages& out)
   {
@@ -77,8 +77,8 @@ public:
   static constexpr double away_from_part = farthest_from_home + most_moved + Boundary_2::longest_step;
 
   /// `neighbor_radius`: of the neighbour sets
-  Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic, double neighbor_radius)
-    : m_comm(comm), m_exchange(exchange), m_traffic(traffic),
+  Halo_2(Communicator& comm, Traffic_2& traffic, double neighbor_radius)
+    : m_comm(comm), m_traffic(traffic),
       m_needed_reach((std::max)(least_needed_reach, 2 * neighbor_radius)),
       m_reach(m_needed_reach + away_from_part + most_moved + Boundary_2::longest_step)
   {}
@@ -202,7 +202,7 @@ public:
         tell_owners(b, those, finder, state, out);
       m_traffic.add_messages(out);
       those.clear();
-      for (const auto& message : m_exchange(out))
+      for (const auto& message : deliver(m_comm, out))
         for (const Bubble_state_2& s : message.second) {
           those.push_back(static_cast<Index>(b.size()));
           add(s, message.first);
@@ -223,13 +223,13 @@ public:
   void fetch(const Messages<Asked>& asked, const Find& find, const State& state, const Add& add)
   {
     Messages<Bubble_state_2> out;
-    for (const auto& message : m_exchange(asked))
+    for (const auto& message : deliver(m_comm, asked))
       for (const Asked& place : message.second)
         find(place, [&](Index j) {
           if (is_ours(j))
             give(j, message.first, state, out);
         });
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (const Bubble_state_2& s : message.second)
         add(s, message.first);
   }
@@ -394,8 +394,7 @@ private:
     out[rank].push_back(state(i));
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Traffic_2& m_traffic;
   const Bubbles_2* m_bubbles = nullptr;
   const Hilbert_partition_2* m_partition = nullptr;

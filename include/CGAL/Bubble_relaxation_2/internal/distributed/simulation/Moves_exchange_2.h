@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -123,7 +123,7 @@ private:
 class Moves_exchange_2
 {
 public:
-  Moves_exchange_2(const Communicator& comm, Traffic_2& traffic) : m_comm(comm), m_traffic(traffic) {}
+  Moves_exchange_2(Communicator& comm, Traffic_2& traffic) : m_comm(comm), m_traffic(traffic) {}
   ~Moves_exchange_2() { free_requests(); }
   Moves_exchange_2(const Moves_exchange_2&) = delete;
   Moves_exchange_2& operator=(const Moves_exchange_2&) = delete;
@@ -240,7 +240,7 @@ private:
     m_receive_requests.clear();
   }
 
-  const Communicator& m_comm;
+  Communicator& m_comm;
   Traffic_2& m_traffic;
   std::size_t m_number_of_changes = 0; // of the halo, when it was connected
   Lists_of_few<Target> m_targets;      // of each bubble
@@ -254,7 +254,7 @@ private:
 class Stage_exchange_2
 {
 public:
-  explicit Stage_exchange_2(const Communicator& comm) : m_exchange(comm) {}
+  explicit Stage_exchange_2(Communicator& comm) : m_delivery(comm) {}
 
   /// Collective. Begins to tell where our bubbles are. `receive()` has to follow.
   void send(const Halo_2& halo, const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
@@ -271,13 +271,13 @@ public:
     }
     for (const auto& list : halo.received())
       m_in[list.first].resize(list.second.size());
-    m_exchange.start(m_out, m_in);
+    m_delivery.start(m_out, m_in);
   }
 
   /// Collective. Puts in where the bubbles of others are. \pre `send()` was called, and the halo has not changed
   void receive(const Halo_2& halo, std::vector<double>& x, std::vector<double>& y)
   {
-    m_exchange.finish();
+    m_delivery.finish();
     for (const auto& list : halo.received())
       for (const Place& p : m_in[list.first]) {
         const Index i = list.second[static_cast<std::size_t>(p.position)];
@@ -309,7 +309,7 @@ private:
     m_set_changes = sets.number_of_changes();
   }
 
-  Known_exchange<Place> m_exchange;
+  Expected_delivery<Place> m_delivery;
   Messages<Place> m_out, m_in;
   std::size_t m_halo_changes = 0, m_set_changes = 0; // when the neighbours were found
 };

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
@@ -68,8 +68,8 @@ class Population_team_2 : public Team
 public:
   using Triangle = std::array<Index, 3>;
 
-  Population_team_2(const Communicator& comm, Sparse_exchange& exchange, const Halo_2& halo)
-    : m_comm(comm), m_exchange(exchange), m_halo(halo), m_holes(comm, exchange)
+  Population_team_2(Communicator& comm, const Halo_2& halo)
+    : m_comm(comm), m_halo(halo), m_holes(comm)
   {}
 
   /// `number`: of all bubbles that ever were
@@ -114,7 +114,7 @@ public:
       const auto found = indices.find(number);
       return found == indices.end() ? no_index : found->second;
     };
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (const Numbers& n : message.second)
         triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
   }
@@ -192,8 +192,7 @@ private:
     return result;
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   const Halo_2& m_halo;
   Hole_exchange_2 m_holes;
   const Hilbert_partition_2* m_partition = nullptr;

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SHARED_SETS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
@@ -39,7 +39,7 @@ public:
   }
 
   /// Collective. Sends them, and gets those that are for this rank.
-  void exchange(Sparse_exchange& exchange) { m_messages = exchange(m_messages); }
+  void send(Communicator& comm) { m_messages = deliver(comm, m_messages); }
 
   /// calls `take(bubble, set)` for each set that this rank got, with the bubbles that it knows
   template <class Take>
@@ -80,12 +80,12 @@ public:
   Shared_sets_2(const Halo_2& halo, const Bubbles_2& bubbles) : m_halo(halo), m_bubbles(bubbles) {}
 
   /// Collective. The sets of others' bubbles become what their owners say, as far as the neighbours are known here.
-  void operator()(Sparse_exchange& exchange, Neighbor_sets_2& sets)
+  void operator()(Communicator& comm, Neighbor_sets_2& sets)
   {
     Messages<std::int64_t> messages;
     for (const auto& list : m_halo.sent())
       tell(list.first, list.second, sets, messages[list.first]);
-    const Messages<std::int64_t> in = exchange(messages);
+    const Messages<std::int64_t> in = deliver(comm, messages);
     for (const auto& message : in)
       take(message.first, message.second, sets);
   }

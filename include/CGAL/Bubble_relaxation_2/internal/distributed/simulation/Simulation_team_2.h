@@ -38,12 +38,12 @@ class Simulation_team_2 : public Team
 public:
   bool is_alone() const override { return false; }
 
-  Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+  Simulation_team_2(Communicator& comm,
                     Checkpoints_2& checkpoints, const Relaxation_options& options)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
-      m_interval(options.exchange_interval), m_migration(comm, exchange, m_traffic),
-      m_halo(comm, exchange, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
-      m_population(comm, exchange, m_halo),
+    : m_comm(comm), m_checkpoints(checkpoints),
+      m_interval(options.exchange_interval), m_migration(comm, m_traffic),
+      m_halo(comm, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
+      m_population(comm, m_halo),
       m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
       m_has_population(options.population != Bubble_population::NONE)
   {}
@@ -173,7 +173,7 @@ public:
 
   void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets) override
   {
-    Shared_sets_2(m_halo, b)(m_exchange, sets);
+    Shared_sets_2(m_halo, b)(m_comm, sets);
   }
 
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving) override
@@ -202,11 +202,11 @@ public:
     const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
     const bool is_far_here = m_is_far_here || (!m_interval.is_used() && m_halo.has_gone_far());
     std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
-                                       static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
+                                       static_cast<std::int64_t>(sums.outrun), m_comm.has_failed(),
                                        !m_outgrown.empty() || is_far_here, is_far_here, is_stale};
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 6, MPI_INT64_T, MPI_SUM, m_comm.handle()));
+    m_comm.reduce_each(values, MPI_SUM);
     if (values[2] != 0)
-      m_agreement.reach();
+      m_comm.agree();
     m_is_outgrown = m_is_outgrown || values[3] != 0; // until the next step
     m_is_far_from_home = m_is_far_from_home || values[4] != 0;
     m_is_far_here = false;
@@ -341,7 +341,7 @@ private:
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
         messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
                      static_cast<Index>(i));
-    messages.exchange(m_exchange);
+    messages.send(m_comm);
     m_migration.send_home(simulation, bubbles);
     look_for_ghosts(simulation, bubbles);
     std::vector<std::vector<Index>> sets(bubbles.size());
@@ -355,9 +355,7 @@ private:
     m_migration.send_home(simulation, bubbles);
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   Checkpoints_2& m_checkpoints;
   Exchange_interval_2 m_interval;
   Traffic_2 m_traffic;

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATE_DISTRIBUTED_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Simulation_team_2.h>
@@ -35,15 +35,15 @@ namespace internal {
 class Number_compaction
 {
 public:
-  Number_compaction(const Communicator& comm, Sparse_exchange& exchange, std::int64_t end)
-    : m_comm(comm), m_exchange(exchange), m_end(end)
+  Number_compaction(Communicator& comm, std::int64_t end)
+    : m_comm(comm), m_end(end)
   {}
 
   /// Collective. To be called once.
   void operator()(std::vector<std::int64_t>& numbers)
   {
     find_own(numbers);
-    const Messages<std::int64_t> in = m_exchange(those_of_others(numbers));
+    const Messages<std::int64_t> in = deliver(m_comm, those_of_others(numbers));
     for (const auto& message : in)
       m_received.insert(m_received.end(), message.second.begin(), message.second.end());
     std::sort(m_received.begin(), m_received.end());
@@ -54,7 +54,7 @@ public:
         replies[message.first].push_back(m_before + count_below(numbers, number));
     for (const auto& interval : m_intervals)
       answers[interval.first].resize(static_cast<std::size_t>(interval.second.second - interval.second.first));
-    exchange_known(m_comm, replies, answers);
+    deliver_expected(m_comm, replies, answers);
     compact_own(numbers);
     for (const auto& answer : answers)
       std::copy(answer.second.begin(), answer.second.end(), numbers.begin() + m_intervals[answer.first].first);
@@ -109,8 +109,7 @@ private:
     }
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   const std::int64_t m_end;
   Position m_first = 0, m_last = 0; // between these are the numbers that this rank has and counts
   std::map<int, std::pair<Position, Position>> m_intervals; // of those that others count
@@ -133,7 +132,7 @@ inline void remove_crowded_of_ours(const Domain_2& domain, const Population_team
 }
 
 /// The bubbles that are left, each on the rank that owns its place and numbered from 0 on.
-inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exchange& exchange,
+inline Placed_part_2 bring_home_and_number(Communicator& comm,
                                            const Hilbert_partition_2& partition, std::int64_t end, Bubbles_2 bubbles)
 {
   std::vector<Index> left;
@@ -143,15 +142,15 @@ inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exch
       left.push_back(static_cast<Index>(i));
   bubbles.select(left);
   bubbles.owner.clear(); // all are ours
-  Bubbles_2 home = send_home(partition, exchange, comm.rank(), std::move(bubbles));
+  Bubbles_2 home = send_home(comm, partition, std::move(bubbles));
   remove_those_in_one_place(home);
   home.forget_gone();
-  Number_compaction(comm, exchange, end)(home.id);
+  Number_compaction(comm, end)(home.id);
   return Placed_part_2{std::move(home), partition};
 }
 
 /// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
-inline std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+inline std::size_t find_first_bubbles(Communicator& comm,
                                       const Problem_2& problem, const Bubbles_2& points,
                                       Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
 {
@@ -163,7 +162,7 @@ inline std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange&
     team.start(restart);
     return static_cast<std::size_t>(restart.header.initial_bubbles);
   }
-  Placed_part_2 part = place_distributed(comm, exchange, agreement, problem, points);
+  Placed_part_2 part = place_distributed(comm, problem, points);
   team.start(part);
   bubbles = std::move(part.bubbles);
   bubbles.rank = comm.rank();
@@ -175,23 +174,23 @@ inline std::size_t find_first_bubbles(const Communicator& comm, Sparse_exchange&
 /// numbers are their indices there. `points`: see `place_distributed()`;
 /// `traffic`: what this rank sent and held, if it is asked for.
 /// \pre sizes of `problem` keep what they throw until ranks agree on it
-inline Placed_part_2 simulate_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+inline Placed_part_2 simulate_distributed(Communicator& comm,
                                           const Problem_2& problem, Progress& progress, Report& report,
                                           const Bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
-  Checkpoints_2 checkpoints(comm, exchange, agreement, hash_of_places(problem.domain, problem.given), problem.options);
-  Simulation_team_2 team(comm, exchange, agreement, checkpoints, problem.options);
+  Checkpoints_2 checkpoints(comm, hash_of_places(problem.domain, problem.given), problem.options);
+  Simulation_team_2 team(comm, checkpoints, problem.options);
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
     report.number_of_initial_bubbles =
-      find_first_bubbles(comm, exchange, agreement, problem, points, checkpoints, team, bubbles);
+      find_first_bubbles(comm, problem, points, checkpoints, team, bubbles);
   }
   relax(problem, bubbles, team, progress, report);
   if (traffic)
     *traffic = team.traffic();
   remove_crowded_of_ours(problem.domain, team.population(), bubbles);
-  return bring_home_and_number(comm, exchange, team.partition(), team.population().next_number(),
+  return bring_home_and_number(comm, team.partition(), team.population().next_number(),
                                std::move(bubbles));
 }
 

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_DISTRIBUTED_SURGERY_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_exchange_2.h>
@@ -43,20 +43,20 @@ struct Patch_claim_2
 class Patch_choice_2
 {
 public:
-  Patch_choice_2(const Communicator& comm, Sparse_exchange& exchange, const std::vector<Patch_claim_2>& claims,
+  Patch_choice_2(Communicator& comm, const std::vector<Patch_claim_2>& claims,
                  const Bubbles_2& known)
-    : m_comm(comm), m_exchange(exchange)
+    : m_comm(comm)
   {
     add_candidates(claims.size(), find_rivals(claims, known));
   }
 
   /// Collective. `is_worth_it(k)` is asked only of claims that no other one is in the way of, in whatever order.
   template <class Predicate>
-  void operator()(const Predicate& is_worth_it, Agreement& agreement)
+  void operator()(const Predicate& is_worth_it)
   {
     const auto decide = [&] {
       bool is_open = false;
-      agreement.reach_after([&] { is_open = m_choice.decide(is_worth_it); });
+      m_comm.agree_after([&] { is_open = m_choice.decide(is_worth_it); });
       return is_open;
     };
     decide_together(m_comm, decide, [this] { share_values(m_comm, m_sent, m_received, m_choice.states()); });
@@ -92,7 +92,7 @@ private:
         out[known.owner[*std::min_element(t.begin(), t.end())]].push_back(claimed);
       }
     std::vector<Claimed> claimed;
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       claimed.insert(claimed.end(), message.second.begin(), message.second.end());
     std::sort(claimed.begin(), claimed.end());
     Messages<Rivalry> rivalries;
@@ -102,7 +102,7 @@ private:
       for (std::size_t r = first; r < k; ++r)
         rivalries[claimed[k].rank].push_back(Rivalry{claimed[k].claim, claimed[r].rank, claimed[r].claim});
     }
-    return m_exchange(rivalries);
+    return deliver(m_comm, rivalries);
   }
 
   /// the claims of this rank, and after them those of others that come before one of them
@@ -120,7 +120,7 @@ private:
       questions[other.first.first].push_back(other.first.second);
       m_received[other.first.first].push_back(other.second);
     }
-    m_sent = m_exchange(questions);
+    m_sent = deliver(m_comm, questions);
     m_choice.start(static_cast<std::size_t>(next));
     for (std::size_t k = 0; k < n; ++k)
       m_choice.add(static_cast<Index>(k));
@@ -130,8 +130,7 @@ private:
           .push_back(r.rival_rank == m_comm.rank() ? r.rival : others.at({r.rival_rank, r.rival}));
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Greedy_choice m_choice;
   Messages<Index> m_sent, m_received; // claims that others ask for, and theirs that this rank asks for
 };
@@ -142,10 +141,9 @@ private:
 class Distributed_surgery_2
 {
 public:
-  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, const Communicator& comm,
-                        Agreement& agreement, Sparse_exchange& exchange)
+  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, Communicator& comm)
     : m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
-      m_comm(comm), m_agreement(agreement), m_exchange(exchange)
+      m_comm(comm)
   {}
 
   /// what was done on all ranks
@@ -157,7 +155,7 @@ public:
   {
     bool is_cut_off = false;
     std::vector<Bad_triangle_2> worst;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       worst = bad_triangles(m_piece.mesh, bad_quality);
       worst.erase(std::remove_if(worst.begin(), worst.end(),
                                  [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
@@ -165,7 +163,7 @@ public:
       worst.resize((std::min)(most, worst.size()));
     });
     keep_worst_of_all(most, worst);
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       for (const Bad_triangle_2& bad : worst) {
         m_operations.push_back(
           Operation{bad, Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
@@ -182,18 +180,18 @@ public:
     std::vector<Patch_claim_2> claims;
     for (const Operation& operation : m_operations)
       claims.push_back(claim(operation));
-    Patch_choice_2 choose(m_comm, m_exchange, claims, m_known);
-    choose([this](std::size_t k) { return operate_on(m_operations[k]); }, m_agreement);
+    Patch_choice_2 choose(m_comm, claims, m_known);
+    choose([this](std::size_t k) { return operate_on(m_operations[k]); });
     number_operations(end);
     Patch_changes_2 own;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       for (const Operation& operation : m_operations)
         if (operation.is_chosen)
           own[operation.place] = describe(operation);
     });
     number_of_insertions = m_comm.sum(number_of_insertions);
     number_of_deletions = m_comm.sum(number_of_deletions);
-    return Patch_exchange_2(m_piece, m_comm, m_exchange)(own);
+    return Patch_exchange_2(m_piece, m_comm)(own);
   }
 
 private:
@@ -320,9 +318,7 @@ private:
   const Mesh_piece_2& m_piece;
   const Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   std::vector<Operation> m_operations;
 };
 

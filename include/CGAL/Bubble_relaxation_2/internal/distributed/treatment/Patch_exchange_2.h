@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_EXCHANGE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 
@@ -58,8 +58,8 @@ using Patch_changes_2 = std::map<std::int32_t, Patch_change_2>;
 class Patch_exchange_2
 {
 public:
-  Patch_exchange_2(const Mesh_piece_2& piece, const Communicator& comm, Sparse_exchange& exchange)
-    : m_known(piece.mesh.bubbles), m_comm(comm), m_exchange(exchange)
+  Patch_exchange_2(const Mesh_piece_2& piece, Communicator& comm)
+    : m_known(piece.mesh.bubbles), m_comm(comm)
   {
     for (const auto& list : piece.sent)
       for (Index i : list.second)
@@ -70,13 +70,13 @@ public:
   /// Collective. Returns the changes of all ranks that are known here.
   Patch_changes_2 operator()(const Patch_changes_2& own)
   {
-    const Patch_changes_2 at_owners = deliver(own, [](const Patch_change_2& change) {
+    const Patch_changes_2 at_owners = tell(own, [](const Patch_change_2& change) {
       std::set<int> ranks;
       for (const Changed_bubble_2& b : change.bubbles)
         ranks.insert(b.owner);
       return ranks;
     });
-    return deliver(at_owners, [this](const Patch_change_2& change) { return takers(change); });
+    return tell(at_owners, [this](const Patch_change_2& change) { return takers(change); });
   }
 
 private:
@@ -96,7 +96,7 @@ private:
   }
 
   template <class Ranks_of>
-  Patch_changes_2 deliver(const Patch_changes_2& changes, const Ranks_of& ranks_of)
+  Patch_changes_2 tell(const Patch_changes_2& changes, const Ranks_of& ranks_of)
   {
     Messages<Changed_bubble_2> bubbles;
     Messages<Changed_triangle_2> triangles;
@@ -107,8 +107,8 @@ private:
         triangles[rank].insert(triangles[rank].end(), c.triangles.begin(), c.triangles.end());
       }
     Patch_changes_2 result;
-    collect(m_exchange(bubbles), result, &Patch_change_2::bubbles);
-    collect(m_exchange(triangles), result, &Patch_change_2::triangles);
+    collect(deliver(m_comm, bubbles), result, &Patch_change_2::bubbles);
+    collect(deliver(m_comm, triangles), result, &Patch_change_2::triangles);
     return result;
   }
 
@@ -124,8 +124,7 @@ private:
   }
 
   const Bubbles_2& m_known;
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   std::vector<std::pair<Index, int>> m_takers; // own bubbles, and the other ranks that know them
 };
 

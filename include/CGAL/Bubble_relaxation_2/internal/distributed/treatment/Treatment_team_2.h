@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
@@ -52,7 +52,7 @@ public:
 class Treatment_inside_2 : public Treating_team
 {
 public:
-  Treatment_inside_2(const Communicator& comm, const Distributed_mesh_2& mesh)
+  Treatment_inside_2(Communicator& comm, const Distributed_mesh_2& mesh)
     : m_comm(comm), m_mesh(mesh)
   {
     for (Index t : triangles_beside_others(mesh))
@@ -87,7 +87,7 @@ public:
   const std::vector<Index>& changed_triangles() const override { return m_changed; }
 
 private:
-  const Communicator& m_comm;
+  Communicator& m_comm;
   const Distributed_mesh_2& m_mesh;
   std::vector<Index> m_beside_others; // bubbles with neighbours of other ranks, and these
   std::vector<Index> m_changed;
@@ -100,7 +100,7 @@ private:
 class Treatment_team_2 : public Treating_team
 {
 public:
-  Treatment_team_2(const Communicator& comm, const Mesh_piece_2& piece)
+  Treatment_team_2(Communicator& comm, const Mesh_piece_2& piece)
     : m_comm(comm), m_piece(piece), m_targets(piece.mesh.bubbles.size()),
       m_beside_others(triangles_beside_others(piece.mesh)),
       m_certificate(piece.mesh), m_was_moved(piece.mesh.bubbles.size(), 0)
@@ -145,7 +145,7 @@ public:
     for (Index v : moved)
       for (const auto& target : m_targets[v])
         out[target.first].push_back(Move{target.second, b.host[v], b.x[v], b.y[v], b.s[v]});
-    exchange_known(m_comm, out, in);
+    deliver_expected(m_comm, out, in);
     for (const auto& message : in)
       for (const Move& m : message.second) {
         const Index v = m_piece.received.at(message.first)[m.position];
@@ -210,7 +210,7 @@ private:
     return m_was_moved[v[0]] || m_was_moved[v[1]] || m_was_moved[v[2]];
   }
 
-  const Communicator& m_comm;
+  Communicator& m_comm;
   const Mesh_piece_2& m_piece;
   /// of each own bubble: the ranks that know it, and its position in the lists of both
   Lists_of_few<std::pair<int, std::int32_t>> m_targets;

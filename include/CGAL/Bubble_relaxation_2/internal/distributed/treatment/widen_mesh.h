@@ -35,9 +35,8 @@ class Mesh_widening_2
 {
 public:
   /// \pre the edges of `mesh` are labelled, and its final triangles are right
-  Mesh_widening_2(Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition, const Communicator& comm,
-                  Agreement& agreement, Sparse_exchange& exchange)
-    : m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+  Mesh_widening_2(Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition, Communicator& comm)
+    : m_partition(partition), m_comm(comm),
       m_piece{std::move(mesh), {}, {}}, m_mesh(m_piece.mesh)
   {}
 
@@ -49,13 +48,13 @@ public:
   {
     Messages<Bubble_record_2> bubbles;
     Messages<Triangle> triangles;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       find_takers(reach);
       tell(bubbles, triangles);
     });
-    const Messages<Bubble_record_2> others = m_exchange(bubbles);
-    const Messages<Triangle> others_triangles = m_exchange(triangles);
-    m_agreement.reach_after([&] {
+    const Messages<Bubble_record_2> others = deliver(m_comm, bubbles);
+    const Messages<Triangle> others_triangles = deliver(m_comm, triangles);
+    m_comm.agree_after([&] {
       take_in(others);
       keep_final_triangles();
       add_triangles(others_triangles);
@@ -280,9 +279,7 @@ private:
   }
 
   const Hilbert_partition_2& m_partition;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Lists_of_few<int> m_takers; // the other ranks that have to know a bubble
   Mesh_piece_2 m_piece;
   Distributed_mesh_2& m_mesh;                            // of the piece
