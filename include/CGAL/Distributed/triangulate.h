@@ -125,7 +125,7 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   Bubbles_2 own;
   ranks.agree_after([&] { own = read_bubbles(points, reading->domain, sizes); });
   Point_distribution_2 distribute(reading->domain, ranks);
-  own = distribute(own, points.template has_property_map<std::int64_t>("global_id"));
+  own = distribute(std::move(own), points.template has_property_map<std::int64_t>("global_id"));
   const Distributed_mesh_2 mesh =
     distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
   const auto quality = distributed_quality(mesh, has_sizes ? &sizes : nullptr, ranks);

@@ -151,7 +151,7 @@ std::uint64_t fingerprint(Communicator& comm, const Result& result)
   }
   const Report& r = result.report;
   Hash_of_numbers hash;
-  hash.add(comm.sum_modulo(sum));
+  hash.add(comm.sum(sum));
   for (std::size_t n : {r.number_of_moves, r.number_of_returns, r.number_of_insertions, r.number_of_deletions})
     hash.add(comm.sum(static_cast<std::int64_t>(n)));
   for (std::size_t n : {r.number_of_initial_bubbles, r.number_of_rounds, r.number_of_steps,
@@ -198,7 +198,7 @@ void write_by_first_ranks(int n, const paper::Domain& d, const std::string& path
 
 TEST(Checkpoint, an_interrupted_simulation_goes_on_to_the_same_bits)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   const Directory directory;
   const paper::Domain d = domain(3);
   const std::string last = directory.file("last"), by_one = directory.file("by_one"), by_all = directory.file("by_all");
@@ -230,7 +230,7 @@ TEST(Checkpoint, an_interrupted_simulation_goes_on_to_the_same_bits)
 
 TEST(Checkpoint, of_the_paper)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   const Directory directory;
   const paper::Domain d = paper::all_domains(1.5)[3];
   const std::string path = directory.file("a");
@@ -249,7 +249,7 @@ TEST(Checkpoint, of_the_paper)
 /// a file after the first round, and what becomes of an attempt to go on from it or from another one
 struct Checkpoint_of_trunk : testing::Test
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   const Directory directory;
   const paper::Domain trunk = domain(4);
   const std::string path = directory.file("good"), bad = directory.file("bad");

@@ -139,7 +139,7 @@ Traffic_2 traffic(Communicator& ranks, const paper::Domain& domain, const NamedP
 
 TEST(Exchange_interval, lets_bubbles_wait)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   const auto np = P::population_control(CGAL::Bubble_population::NONE).number_of_rounds(2).number_of_iterations(20)
                     .damping(0.1);
   const paper::Domain d = paper::all_domains(1.5)[4];
@@ -149,7 +149,7 @@ TEST(Exchange_interval, lets_bubbles_wait)
 
 TEST(Exchange_interval, says_less_the_longer_it_is)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   const paper::Domain d = paper::all_domains(1)[8]; // the ring, where d varies most
   const auto np = P::number_of_rounds(1).number_of_iterations(8).displacement_tolerance(0).population_control(
     CGAL::Bubble_population::NONE);

@@ -12,7 +12,7 @@
 #include "union_of_ranks.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
 
 #include <gtest/gtest.h>
@@ -72,9 +72,9 @@ protected:
     Position_index_2 finder(m_here);
     m_halo.look_after(
       m_here, those, finder,
-      [&](Index i) { return Bubble_state_2{record(m_here, i), Bubble_memory_2()}; },
+      [&](Index i) { return bubble_state(m_here, static_cast<std::size_t>(i), Bubble_memory_2()); },
       [&](const Bubble_state_2& s, int owner) {
-        add_here(s.bubble, owner);
+        add_here(s.bubble(), owner);
         finder.add(m_here, static_cast<Index>(m_here.size()) - 1);
       });
   }
@@ -189,7 +189,7 @@ TEST_F(Halo, sets_of_others_are_those_of_their_owners)
 TEST_F(Halo, neighbors_tell_where_they_are_at_a_stage)
 {
   Neighbor_sets_2 sets(radius);
-  Stage_exchange_2 share(m_comm);
+  Stage_messages_2 share(m_comm);
   for (int turn = 0; turn < 2; ++turn) { // the second with other neighbours
     sets.build(m_here);
     std::vector<double> x = m_here.x, y = m_here.y;

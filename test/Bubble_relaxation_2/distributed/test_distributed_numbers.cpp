@@ -45,13 +45,13 @@ void expect_compact(std::int64_t end, const Owner& owner)
     }
     ++next;
   }
-  Number_compaction(comm, end)(numbers);
+  compact_numbers(comm, end, numbers);
   EXPECT_EQ(numbers, expected);
 }
 
 } // namespace
 
-TEST(Number_compaction, numbers_of_whatever_ranks)
+TEST(Compact_numbers, numbers_of_whatever_ranks)
 {
   for (const std::int64_t end : {0, 1, 2, 7, 1000}) {
     SCOPED_TRACE(end);

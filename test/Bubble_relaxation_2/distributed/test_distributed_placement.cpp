@@ -163,7 +163,7 @@ class Ways_to_start : public testing::TestWithParam<std::pair<bool, Bubble_place
 
 TEST_P(Ways_to_start, from_points_on_any_rank)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   for (int k : {0, 4}) {
     SCOPED_TRACE(k);
     Given given(k);
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(All, Ways_to_start,
 
 TEST(Ways_to_go_on, as_in_the_paper)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   for (int k : {1, 5}) {
     SCOPED_TRACE(k);
     Relaxation_options options = read_options(CGAL::npbs_paper_parameters());
@@ -199,7 +199,7 @@ TEST(Ways_to_go_on, as_in_the_paper)
 
 TEST(Ways_to_go_on, each_for_itself)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   const paper::Domain domain = paper::all_domains(0.8)[3];
   {
     SCOPED_TRACE("Runge-Kutta, and all else as by default");
@@ -223,7 +223,7 @@ TEST(Ways_to_go_on, each_for_itself)
 
 TEST(Ways_to_go_on, bubbles_that_go_far_take_their_neighbours_along)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   Given given(0);
   const CGAL::Bbox_2& box = given.bare.domain().bbox();
   const double middle = (box.xmin() + box.xmax()) / 2;
@@ -237,7 +237,7 @@ TEST(Ways_to_go_on, bubbles_that_go_far_take_their_neighbours_along)
 
 TEST_P(Ways_to_start, with_pinned_points)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   Given given(0);
   Bubbles_2& b = given.bare.bubbles;
   std::vector<Point> pinned;
@@ -257,7 +257,7 @@ TEST_P(Ways_to_start, with_pinned_points)
 
 TEST(Given_points, in_one_place_are_refused_on_all_ranks)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   Given given(0);
   Bubbles_2 points = scattered(ranks, given.bare.bubbles);
   Sizes_2 sizes([](double, double) { return 0.05; }); // the same everywhere
@@ -295,7 +295,7 @@ void make_holes(Given& given, double radius)
 /// Beside a wide hole bubbles are neighbours that are farther from each other than others ever look.
 TEST(Wide_holes, are_filled_as_by_one_rank)
 {
-  Communicator ranks(MPI_COMM_WORLD);
+  Communicator ranks{MPI_COMM_WORLD};
   Relaxation_options options = options_with(true, Bubble_placement::KEEP);
   options.neighbor_radius = 2.9; // beside holes they look three times as far, and this matters to 7 ranks
   for (const double radius : {2.5, 4.}) {

@@ -26,47 +26,7 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A bubble in a checkpoint: `Bubble_state_2` without gaps, which would hold any bytes.
-struct Checkpoint_record_2
-{
-  double x, y, d, vx, vy, s;
-  double reference_x, reference_y, reference_d, asked_x, asked_y;
-  std::int64_t id;
-  std::int32_t host, pin, dimension;
-  std::int16_t is_active, is_touched;
-};
-
-static_assert(sizeof(Checkpoint_record_2) == 112, "a record must not have gaps");
-
-inline Checkpoint_record_2 checkpoint_record(const Bubble_state_2& state)
-{
-  const Bubble_record_2& b = state.bubble;
-  const Bubble_memory_2& m = state.memory;
-  return Checkpoint_record_2{b.x, b.y, b.d, b.vx, b.vy, b.s, m.reference_x, m.reference_y, m.reference_d,
-                             m.asked_x, m.asked_y, b.id, b.host, b.pin, b.dimension,
-                             m.is_active, m.is_touched};
-}
-
-inline Bubble_state_2 bubble_state(const Checkpoint_record_2& r)
-{
-  return Bubble_state_2{{r.x, r.y, r.d, r.vx, r.vy, r.s, r.id, r.host, r.pin, r.dimension},
-                        {r.reference_x, r.reference_y, r.reference_d, r.asked_x, r.asked_y,
-                         static_cast<char>(r.is_active), static_cast<char>(r.is_touched)}};
-}
-
-/// a record with its place on the curve, along which they are written
-struct Keyed_checkpoint_record_2
-{
-  Hilbert_curve_2::Key key;
-  Checkpoint_record_2 record;
-
-  bool operator<(const Keyed_checkpoint_record_2& r) const
-  {
-    return std::tie(key, record.x, record.y, record.id) < std::tie(r.key, r.record.x, r.record.y, r.record.id);
-  }
-};
-
-/// What stands at the beginning of a checkpoint. After it come the records, along the curve.
+/// What stands at the beginning of a checkpoint. After it come the states of bubbles, along the curve.
 struct Checkpoint_header_2
 {
   static constexpr std::uint32_t own_byte_order = 0x01020304, own_version = 1;
@@ -114,7 +74,7 @@ inline std::uint64_t Checkpoint_header_2::own_hash() const
 }
 
 /// A record at its position among all. The sum over all records modulo 2^64 does not depend on who adds which.
-inline std::uint64_t hash_of(const Checkpoint_record_2& record, std::int64_t position)
+inline std::uint64_t hash_of(const Bubble_state_2& record, std::int64_t position)
 {
   Hash_of_numbers hash;
   hash.add(position);

@@ -64,16 +64,15 @@ public:
   {
     Shared_file file(m_comm, m_options.restart_path, Shared_file::READ);
     const Checkpoint_header_2 header = read_header(file);
-    std::vector<Keyed_checkpoint_record_2> keyed;
-    for (const Checkpoint_record_2& r : read_records(file, header))
-      keyed.push_back(Keyed_checkpoint_record_2{curve.key(r.x, r.y), r});
-    const auto places = places_on_curve(keyed);
-    Restart_2 result{header, even_partition(m_comm, curve, places), {}};
-    const auto home = send_home(m_comm, result.partition, places);
-    for (const auto& place : home.places)
-      result.states.push_back(bubble_state(place.record->record));
-    std::sort(result.states.begin(), result.states.end());
-    return result;
+    std::vector<Bubble_state_2> states = read_records(file, header);
+    std::vector<Hilbert_curve_2::Key> keys;
+    for (const Bubble_state_2& state : states)
+      keys.push_back(curve.key(state.x, state.y));
+    std::sort(keys.begin(), keys.end());
+    const Hilbert_partition_2 partition = even_partition(m_comm, curve, keys);
+    states = send_home(m_comm, partition, std::move(states));
+    std::sort(states.begin(), states.end());
+    return Restart_2{header, partition, std::move(states)};
   }
 
 private:
@@ -105,9 +104,9 @@ private:
              std::to_string(Checkpoint_header_2::own_version));
     if (header.hash_of_header != header.own_hash())
       tell_damage("was altered: its header has another checksum");
-    if (header.record_size != static_cast<std::int64_t>(sizeof(Checkpoint_record_2)))
+    if (header.record_size != static_cast<std::int64_t>(sizeof(Bubble_state_2)))
       refuse("has records of " + std::to_string(header.record_size) + " bytes, not " +
-             std::to_string(sizeof(Checkpoint_record_2)));
+             std::to_string(sizeof(Bubble_state_2)));
     if (size != header.file_size())
       tell_damage((size < header.file_size() ? "is truncated: it has " : "was altered: it has ") +
                   std::to_string(size) + " bytes, not " + std::to_string(header.file_size()));
@@ -128,11 +127,11 @@ private:
              std::to_string(m_options.number_of_rounds));
   }
 
-  std::vector<Checkpoint_record_2> read_records(Shared_file& file, const Checkpoint_header_2& header)
+  std::vector<Bubble_state_2> read_records(Shared_file& file, const Checkpoint_header_2& header)
   {
     const auto first_of = [&](std::int64_t rank) { return header.number_of_records * rank / m_comm.size(); };
     const std::int64_t first = first_of(m_comm.rank()), last = first_of(m_comm.rank() + 1);
-    std::vector<Checkpoint_record_2> records;
+    std::vector<Bubble_state_2> records;
     m_comm.agree_after([&] { records.resize(static_cast<std::size_t>(last - first)); });
     file.read(static_cast<std::int64_t>(sizeof(header)) + first * header.record_size, records);
     std::uint64_t hash = 0;
@@ -148,11 +147,11 @@ private:
   }
 
   /// A function cannot be written to a file. But each bubble tells what d was at one place.
-  void check_sizes(const std::vector<Checkpoint_record_2>& records)
+  void check_sizes(const std::vector<Bubble_state_2>& records)
   {
     constexpr double rounding = 1e-9; // another compiler's mathematical functions may have another last bit
     m_comm.agree_after([&] {
-      for (const Checkpoint_record_2& r : records) {
+      for (const Bubble_state_2& r : records) {
         const double d = m_sizing(r.asked_x, r.asked_y);
         if (m_comm.has_failed())
           return; // the function has thrown
@@ -212,7 +211,7 @@ inline void replace_file(Communicator& comm, const std::string& from,
 /// \param header with all that is not of the records
 /// \pre the records of each rank are sorted along the curve, and come before those of the next
 inline void write_checkpoint(Communicator& comm, const std::string& path,
-                             Checkpoint_header_2 header, const std::vector<Checkpoint_record_2>& records)
+                             Checkpoint_header_2 header, const std::vector<Bubble_state_2>& records)
 {
   const std::int64_t n = static_cast<std::int64_t>(records.size()), first = comm.sum_before(n);
   std::uint64_t hash = 0;
@@ -221,7 +220,7 @@ inline void write_checkpoint(Communicator& comm, const std::string& path,
   header.magic = Checkpoint_header_2::own_magic;
   header.byte_order = Checkpoint_header_2::own_byte_order;
   header.version = Checkpoint_header_2::own_version;
-  header.record_size = static_cast<std::int64_t>(sizeof(Checkpoint_record_2));
+  header.record_size = static_cast<std::int64_t>(sizeof(Bubble_state_2));
   header.number_of_records = comm.sum(n);
   header.hash_of_records = comm.sum(hash);
   header.hash_of_header = header.own_hash();
@@ -274,7 +273,7 @@ public:
       simulation.rest_finely();
     std::vector<Bubble_memory_2> memories;
     for (const Bubble_state_2& s : m_restart->states)
-      memories.push_back(s.memory);
+      memories.push_back(s.memory());
     simulation.restart(memories, h.is_roused != 0);
     report.number_of_rounds = static_cast<std::size_t>(h.rounds);
     report.number_of_steps = static_cast<std::size_t>(h.steps);
@@ -294,22 +293,29 @@ public:
   {
     if (m_options.rounds_per_checkpoint == 0 || report.number_of_rounds % m_options.rounds_per_checkpoint != 0)
       return;
-    std::vector<Keyed_checkpoint_record_2> keyed;
+    std::vector<Bubble_state_2> states;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-        keyed.push_back(Keyed_checkpoint_record_2{
-          partition.curve().key(bubbles.x[i], bubbles.y[i]),
-          checkpoint_record(Bubble_state_2{record(bubbles, i),
-                                           simulation.memory(static_cast<Index>(i))})});
-    std::vector<Checkpoint_record_2> records;
-    const auto home = send_home(m_comm, partition, places_on_curve(keyed));
-    for (const auto& place : home.places)
-      records.push_back(place.record->record);
+        states.push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
+    states = along_curve(partition.curve(), send_home(m_comm, partition, std::move(states)));
     write_checkpoint(m_comm, m_options.checkpoint_path, header(simulation, number_of_all, report),
-                     records);
+                     states);
   }
 
 private:
+  /// so that the file is the same for any number of ranks
+  static std::vector<Bubble_state_2> along_curve(const Hilbert_curve_2& curve, const std::vector<Bubble_state_2>& states)
+  {
+    std::vector<std::tuple<Hilbert_curve_2::Key, double, double, std::int64_t, std::size_t>> order;
+    for (std::size_t k = 0; k < states.size(); ++k)
+      order.emplace_back(curve.key(states[k].x, states[k].y), states[k].x, states[k].y, states[k].id, k);
+    std::sort(order.begin(), order.end());
+    std::vector<Bubble_state_2> result;
+    for (const auto& place : order)
+      result.push_back(states[std::get<4>(place)]);
+    return result;
+  }
+
   static std::uint64_t hash_of(const Relaxation_options& options)
   {
     Hash_of_numbers hash;

@@ -60,21 +60,21 @@ inline std::uint64_t hash_of(const Domain_2& domain)
 }
 
 /// Collective. \throws std::invalid_argument on all ranks, with the words `what`, if not all have the same hash
-inline void check_same(Communicator& comm, std::uint64_t hash, const std::string& what)
+inline void check_same(const Communicator& comm, std::uint64_t hash, const std::string& what)
 {
   if (comm.smallest(hash) == comm.largest(hash))
     return;
   comm.throw_on_all(std::invalid_argument("Bubble_relaxation_2: " + what + " on all ranks"));
 }
 
-inline void check_same_domain(Communicator& comm, const Domain_2& domain)
+inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
 {
   check_same(comm, hash_of(domain), "the domain is not the same");
 }
 
 /// Collective. \throws std::invalid_argument on all ranks if vertices in the domain, or on its edges, are not the
 /// same on all
-inline void check_same_vertices(Communicator& comm, const Given_mesh_2& given)
+inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& given)
 {
   Hash_of_numbers hash;
   const auto add = [&hash](const std::vector<Point>& points) {

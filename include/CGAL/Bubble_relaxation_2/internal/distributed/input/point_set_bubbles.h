@@ -262,7 +262,7 @@ Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Si
 /// Collective. `here`: points that this rank was given.
 /// \throws std::invalid_argument on all ranks if there are any and something that goes with them is missing, or if
 /// they would not be used
-inline void check_given_points(Communicator& comm, std::size_t here, bool has_sizing_function,
+inline void check_given_points(const Communicator& comm, std::size_t here, bool has_sizing_function,
                                const Relaxation_options& options)
 {
   const std::int64_t n = comm.sum(static_cast<std::int64_t>(here));

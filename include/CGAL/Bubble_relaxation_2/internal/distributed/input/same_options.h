@@ -65,7 +65,7 @@ inline std::array<Named_value, 13> steering_parameters(const Relaxation_options&
 /// Collective. All ranks have values of the same parameters, in the same order.
 /// \throws std::invalid_argument on all ranks if a value is not the same on all, naming the first such parameter
 /// and two of its values
-inline void check_same_values(Communicator& comm, const std::vector<Named_value>& values)
+inline void check_same_values(const Communicator& comm, const std::vector<Named_value>& values)
 {
   const std::size_t n = values.size();
   std::vector<double> first(n);
@@ -91,7 +91,7 @@ inline void check_same_values(Communicator& comm, const std::vector<Named_value>
 
 /// Collective. Callbacks need not be the same, nor be there on all ranks.
 /// \throws std::invalid_argument on all ranks if another parameter is not the same on all
-inline void check_same_options(Communicator& comm, const Relaxation_options& o)
+inline void check_same_options(const Communicator& comm, const Relaxation_options& o)
 {
   const auto steering = steering_parameters(o);
   std::vector<Named_value> values(steering.begin(), steering.end());
@@ -106,7 +106,7 @@ inline void check_same_options(Communicator& comm, const Relaxation_options& o)
 
 /// Collective. A sizing function cannot be compared, but how many bubbles it asks for in the domain.
 /// \throws std::invalid_argument on all ranks if that is not the same on all
-inline void check_same_sizes(Communicator& comm, double expected_number)
+inline void check_same_sizes(const Communicator& comm, double expected_number)
 {
   const auto text = [](double v) { return "one that asks for " + in_words(v) + " bubbles"; };
   check_same_values(comm, {{"sizing_function", expected_number, text}});

@@ -163,7 +163,7 @@ public:
 
   /// Collective. All ranks throw the same.
   template <class Exception>
-  [[noreturn]] void throw_on_all(const Exception& exception)
+  [[noreturn]] void throw_on_all(const Exception& exception) const
   {
     m_has_agreed = true;
     throw exception;
@@ -239,7 +239,7 @@ private:
   int m_rank = 0, m_size = 1;
   int m_exceptions = std::uncaught_exceptions();
   int m_tag = 0;
-  bool m_has_agreed = false;
+  mutable bool m_has_agreed = false;
   std::exception_ptr m_failure;
   std::mutex m_mutex;
 };

@@ -98,7 +98,7 @@ template <class T>
 class Expected_delivery
 {
 public:
-  explicit Expected_delivery(Communicator& comm) : m_comm(comm) {}
+  explicit Expected_delivery(const Communicator& comm) : m_comm(comm) {}
 
   Expected_delivery(const Expected_delivery&) = delete;
   Expected_delivery& operator=(const Expected_delivery&) = delete;
@@ -138,7 +138,7 @@ public:
 private:
   static constexpr int tag = 2; // not those of deliveries from unknown senders
 
-  Communicator& m_comm;
+  const Communicator& m_comm;
   Messages<T>* m_in = nullptr;
   std::vector<MPI_Request> m_requests; // those of `in` first
   std::vector<MPI_Status> m_statuses;
@@ -146,7 +146,7 @@ private:
 
 /// The same at once.
 template <class T>
-void deliver_expected(Communicator& comm, const Messages<T>& out, Messages<T>& in)
+void deliver_expected(const Communicator& comm, const Messages<T>& out, Messages<T>& in)
 {
   Expected_delivery<T> delivery(comm);
   delivery.start(out, in);
@@ -156,7 +156,7 @@ void deliver_expected(Communicator& comm, const Messages<T>& out, Messages<T>& i
 /// Puts in the values of what other ranks own. `sent`, `received`: indices of what pairs of ranks share, in one order on
 /// both sides.
 template <class T>
-void share_values(Communicator& comm, const Messages<Index>& sent, const Messages<Index>& received,
+void share_values(const Communicator& comm, const Messages<Index>& sent, const Messages<Index>& received,
                   std::vector<T>& values)
 {
   Messages<T> out, in;
@@ -174,7 +174,7 @@ void share_values(Communicator& comm, const Messages<Index>& sent, const Message
 /// Collective. The records of all ranks, one rank after the other: for what is small against the bubbles.
 /// \throws std::length_error on all ranks if they have more than 2^31 bytes
 template <class T>
-std::vector<T> gather_records(Communicator& comm, const std::vector<T>& own)
+std::vector<T> gather_records(const Communicator& comm, const std::vector<T>& own)
 {
   static_assert(std::is_trivially_copyable<T>::value, "records are sent as bytes");
   const std::int64_t bytes = static_cast<std::int64_t>(own.size() * sizeof(T)), all_bytes = comm.sum(bytes);

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Starting_points_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -31,40 +31,6 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-/// The ranks that place bubbles in cells together, each those whose centres are in its part.
-class Rhombic_team_2 : public Team
-{
-public:
-  Rhombic_team_2(Communicator& comm, const Hilbert_partition_2& partition)
-    : m_comm(comm), m_partition(partition), m_holes(comm)
-  {}
-
-  bool is_alone() const override { return false; }
-  bool any(bool here) const override { return m_comm.any(here); }
-
-  Share_of_disc share_of(const Point& p, double radius) const override
-  {
-    const Hilbert_partition_2::Ranks owners = m_partition.owners_in_disc(p.x(), p.y(), radius);
-    if (std::find(owners.begin(), owners.end(), m_comm.rank()) == owners.end())
-      return Share_of_disc::NONE;
-    return owners.size() == 1 ? Share_of_disc::ALL : Share_of_disc::SOME;
-  }
-
-  bool owns_place(const Point& p) const override { return m_partition.owner(p.x(), p.y()) == m_comm.rank(); }
-
-  std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
-  {
-    return m_holes.share(m_partition, holes, reach);
-  }
-
-  void share_choice(std::vector<char>& states) override { m_holes.share_choice(states); }
-
-private:
-  Communicator& m_comm;
-  const Hilbert_partition_2& m_partition;
-  Hole_exchange_2 m_holes;
-};
 
 /// bubbles of one rank, and who owns what
 struct Placed_part_2
@@ -137,7 +103,7 @@ inline void place_rhombic_by_all(Communicator& comm, const Domain_2& domain,
 {
   const Hilbert_partition_2 partition = partition_of_common(
     hilbert_curve(domain), large_bubbles(domain, sizing, placed.bubbles), comm.size());
-  Rhombic_team_2 team(comm, partition);
+  Part_team_2 team(comm, &partition); // each makes those whose centres are in its part
   Rhombic_placement(domain, sizing, placed.bubbles, team)();
   placed.is_ours.resize(placed.bubbles.size(), 1);
 }
@@ -178,17 +144,15 @@ inline Placed_part_2 bring_home_and_number(Communicator& comm,
 {
   Bubbles_2& bubbles = placed.bubbles;
   remove_crowded_on_edges(domain, bubbles);
+  bubbles.id.assign(bubbles.size(), no_index); // as yet
   Curve_sort_2 on_curve(hilbert_curve(domain), bubbles);
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (!bubbles.is_gone(i) && placed.is_ours[i])
       on_curve.add(static_cast<Index>(i));
-  on_curve.sort();
-  const Hilbert_partition_2 partition = on_curve.even_partition(comm);
-  on_curve.send_home(comm, partition);
+  const Hilbert_partition_2 partition = on_curve.send_home_evenly(comm);
   on_curve.forget_coincident();
   on_curve.select();
-  bubbles.id.resize(bubbles.size());
-  std::iota(bubbles.id.begin(), bubbles.id.end(), comm.sum_before(static_cast<std::int64_t>(bubbles.size())));
+  number_along_curve(comm, bubbles);
   return Placed_part_2{std::move(bubbles), partition};
 }
 

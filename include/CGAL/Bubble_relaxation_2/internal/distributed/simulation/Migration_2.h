@@ -74,7 +74,7 @@ public:
         continue;
       const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
       (owner == m_comm.rank() ? ours : out[owner])
-        .push_back(Bubble_state_2{record(bubbles, i), simulation.memory(static_cast<Index>(i))});
+        .push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
     }
     m_traffic.add_messages(out);
     const Census before = census(ours, out);
@@ -87,8 +87,8 @@ public:
     bubbles.make_room_for(ours.size());
     std::vector<Bubble_memory_2> memories;
     for (const Bubble_state_2& s : ours) {
-      add(bubbles, s.bubble, m_comm.rank());
-      memories.push_back(s.memory);
+      add(bubbles, s.bubble(), m_comm.rank());
+      memories.push_back(s.memory());
     }
     simulation.restart(memories, simulation.is_roused());
   }
@@ -107,7 +107,7 @@ private:
     const auto add = [&result](const std::vector<Bubble_state_2>& states) {
       result[0] += states.size();
       for (const Bubble_state_2& s : states)
-        result[1] += static_cast<std::uint64_t>(s.bubble.id);
+        result[1] += static_cast<std::uint64_t>(s.id);
     };
     add(here);
     for (const auto& message : leaving)

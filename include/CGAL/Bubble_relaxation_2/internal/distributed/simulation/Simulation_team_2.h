@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Population_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
@@ -180,7 +180,7 @@ public:
   {
     count_step();
     if (!m_interval.is_used())
-      m_moves.send(b, active, is_moving);
+      m_moves.send(m_halo, b, active, is_moving);
   }
 
   const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
@@ -191,7 +191,7 @@ public:
       mark_those_that_left(b, active);
       return m_others;
     }
-    m_moves.receive(b, m_others, is_moving);
+    m_moves.receive(m_halo, b, m_others, is_moving);
     note_outgrown(b, active);
     note_outgrown(b, m_others);
     return m_others;
@@ -288,14 +288,14 @@ private:
 
   static Bubble_state_2 state(const Simulation_2& simulation, const Bubbles_2& bubbles, Index i)
   {
-    return Bubble_state_2{record(bubbles, i), simulation.memory(i)};
+    return bubble_state(bubbles, static_cast<std::size_t>(i), simulation.memory(i));
   }
 
   Index add_of_other(Simulation_2& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
   {
     const Index i = static_cast<Index>(bubbles.size());
-    add(bubbles, s.bubble, owner);
-    simulation.add_known(s.memory);
+    add(bubbles, s.bubble(), owner);
+    simulation.add_known(s.memory());
     m_halo.add(bubbles, i);
     return i;
   }
@@ -361,8 +361,8 @@ private:
   Traffic_2 m_traffic;
   Migration_2 m_migration;
   Halo_2 m_halo;
-  Moves_exchange_2 m_moves;
-  Stage_exchange_2 m_stages;
+  Move_messages_2 m_moves;
+  Stage_messages_2 m_stages;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
   bool m_may_be_stopped, m_has_population, m_is_outgrown = false, m_is_far_here = false,
