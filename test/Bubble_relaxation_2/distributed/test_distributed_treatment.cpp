@@ -77,7 +77,7 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
   EXPECT_EQ(counts.deleted, expected.deleted);
   EXPECT_EQ(treat.smallest_quality(mesh), smallest_quality(whole));
 
-  const Bubbles_2 part = treat.bubbles(mesh);
+  const Bubbles_2 part = send_home(comm, partition, own_bubbles(mesh, comm.rank()));
   EXPECT_EQ(comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.bubbles.size()));
   expect_bubbles_are_those(whole.bubbles, part);
   for (std::size_t i = 0; i < part.size(); ++i)

@@ -106,6 +106,7 @@ public:
     m_triangles.neighbors.resize(static_cast<std::size_t>(left));
     m_triangles.edges.resize(static_cast<std::size_t>(left));
     m_triangles.inside.resize(static_cast<std::size_t>(left));
+    m_is_gone.assign(static_cast<std::size_t>(left), 0);
     for (Index& t : m_made)
       t = number[t];
   }

@@ -14,7 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/same_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
 #include <array>
 #include <cstddef>

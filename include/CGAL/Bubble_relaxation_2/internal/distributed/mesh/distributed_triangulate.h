@@ -42,21 +42,6 @@ inline bool follow_space(const Bubbles_2& b)
   return steps <= far * sizes;
 }
 
-/// the indices of bubbles, so that those that follow each other are near to each other
-inline std::vector<Index> order_in_space(const Hilbert_curve_2& curve, const Bubbles_2& b)
-{
-  if (follow_space(b)) {
-    std::vector<Index> order(b.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    return order;
-  }
-  std::vector<Point> points;
-  points.reserve(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i)
-    points.push_back(b.point(i));
-  return hilbert_order(curve, points);
-}
-
 /// Makes each rank's part of the constrained Delaunay triangulation of the bubbles of all ranks.
 ///
 /// All ranks get all bubbles of the outline, which are few, so each knows all constraints and which sides of
@@ -101,13 +86,7 @@ private:
 
   void get_outline()
   {
-    std::vector<Bubble_record_2> records;
-    m_comm.agree_after([&] {
-      for (std::size_t i = 0; i < m_own.size(); ++i)
-        if (is_on_outline(m_own, i))
-          records.push_back(record(m_own, i));
-    });
-    records = gather_records(m_comm, records);
+    const std::vector<Bubble_record_2> records = gather_outline(m_comm, m_own);
     m_comm.agree_after([&] {
       m_mesh.bubbles = with_owner(m_own, m_comm.rank());
       for (const Bubble_record_2& r : records) {
@@ -176,7 +155,10 @@ private:
   void triangulate_along_curve()
   {
     Bubble_mesh_2 sorted{m_mesh.bubbles, {}};
-    const std::vector<Index> order = order_in_space(m_partition.curve(), sorted.bubbles);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < sorted.bubbles.size(); ++i)
+      points.push_back(sorted.bubbles.point(i));
+    const std::vector<Index> order = hilbert_order(m_partition.curve(), points);
     sorted.bubbles.select(order);
     internal::triangulate(m_domain, sorted);
     m_mesh.triangles = std::move(sorted.triangles);

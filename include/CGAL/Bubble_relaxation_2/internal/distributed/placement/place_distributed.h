@@ -21,10 +21,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_rhombic.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 

@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -323,57 +322,25 @@ private:
   /// whether another rank has a bubble of ours
   bool has(int rank, Index i) const { return m_holders.has(i, rank); }
 
-  /// Tells the owners of others' bubbles of ours that these reach. Bubbles that follow each other mostly lie together,
-  /// and what a few of them reach is looked for at once.
+  /// tells the owners of others' bubbles of ours that these reach
   template <class Finder, class State>
   void tell_owners(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
                    Messages<Bubble_state_2>& out)
   {
-    std::vector<Index> group;
     for (Index i : those) {
       if (is_ours(i) || knows_all_of_ours(owner(i)))
         continue;
-      if (!group.empty() && !lies_with(b, i, group))
-        tell_owner_of(b, std::exchange(group, {}), finder, state, out);
-      group.push_back(i);
+      finder.find_within(b.x[i], b.y[i], b.d[i], m_reach, [&](Index j) {
+        if (is_ours(j) && is_reached_by(b, i, j))
+          give(j, owner(i), state, out);
+      });
     }
-    if (!group.empty())
-      tell_owner_of(b, group, finder, state, out);
   }
 
   bool knows_all_of_ours(int rank) const
   {
     const auto sent = m_sent.find(rank);
     return sent != m_sent.end() && sent->second.size() == m_number_of_ours;
-  }
-
-  bool lies_with(const Bubbles_2& b, Index i, const std::vector<Index>& group) const
-  {
-    constexpr std::size_t most = 8;
-    constexpr double farthest = 3, largest = 1.2; // in units of the first one's size
-    const Index first = group.front();
-    const double far = farthest * b.d[first];
-    return group.size() < most && owner(i) == owner(first) && b.d[i] <= largest * b.d[first] &&
-           CGAL::squared_distance(b.point(i), b.point(first)) <= far * far;
-  }
-
-  /// \pre the bubbles of the group have one owner
-  template <class Finder, class State>
-  void tell_owner_of(const Bubbles_2& b, const std::vector<Index>& group, const Finder& finder, const State& state,
-                     Messages<Bubble_state_2>& out)
-  {
-    const Index first = group.front();
-    const int owner = this->owner(first);
-    double d = 0, square_radius = 0;
-    for (Index i : group) {
-      d = (std::max)(d, b.d[i]);
-      square_radius = (std::max)(square_radius, CGAL::squared_distance(b.point(i), b.point(first)));
-    }
-    finder.find_within(b.x[first], b.y[first], d, m_reach + std::sqrt(square_radius) / d, [&](Index j) {
-      if (is_ours(j) && !has(owner, j) &&
-          std::any_of(group.begin(), group.end(), [&](Index i) { return is_reached_by(b, i, j); }))
-        give(j, owner, state, out);
-    });
   }
 
   bool is_reached_by(const Bubbles_2& b, Index i, Index j) const

@@ -48,20 +48,12 @@ public:
       m_has_population(options.population != Bubble_population::NONE)
   {}
 
-  /// Begins with bubbles that are numbered from 0 on, each on the rank that owns its place, sorted.
-  void start(const Placed_part_2& part)
+  /// Begins with bubbles each of which is on the rank that owns its place, sorted. `number`: of all that ever were
+  void start(const Hilbert_partition_2& partition, std::int64_t number)
   {
-    m_migration.start(part.partition);
-    m_number_of_all = m_comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
-    m_population.start(partition(), m_number_of_all);
-  }
-
-  /// Begins with bubbles that were simulated before.
-  void start(const Restart_2& restart)
-  {
-    m_migration.start(restart.partition);
-    m_number_of_all = restart.header.number_of_all;
-    m_population.start(partition(), m_number_of_all);
+    m_migration.start(partition);
+    m_number_of_all = number;
+    m_population.start(m_migration.partition(), number);
   }
 
   std::size_t resume(Simulation_2& simulation, Bubbles_2& bubbles, Report& report) override

@@ -92,15 +92,16 @@ inline std::size_t find_first_bubbles(Communicator& comm,
     const Restart_2& restart = checkpoints.read(hilbert_curve(problem.domain), problem.sizes);
     for (const Bubble_state_2& s : restart.states)
       add(bubbles, s.bubble(), comm.rank());
-    team.start(restart);
+    team.start(restart.partition, restart.header.number_of_all);
     return static_cast<std::size_t>(restart.header.initial_bubbles);
   }
   Placed_part_2 part = place_distributed(comm, problem, points);
-  team.start(part);
+  const std::int64_t number = comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
+  team.start(part.partition, number);
   bubbles = std::move(part.bubbles);
   bubbles.rank = comm.rank();
   bubbles.owner.assign(bubbles.size(), comm.rank());
-  return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(bubbles.size())));
+  return static_cast<std::size_t>(number);
 }
 
 /// Places bubbles and simulates them, all ranks together: those that `relax_bubbles()` makes on one. Their

@@ -13,7 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_changes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 
@@ -191,7 +191,7 @@ public:
     });
     number_of_insertions = m_comm.sum(number_of_insertions);
     number_of_deletions = m_comm.sum(number_of_deletions);
-    return Patch_exchange_2(m_piece, m_comm)(own);
+    return Patch_announcement_2(m_piece, m_comm)(own);
   }
 
 private:

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_changes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
 #include <algorithm>

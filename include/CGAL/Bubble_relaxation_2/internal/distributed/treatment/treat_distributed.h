@@ -87,17 +87,6 @@ public:
     return m_comm.sum(std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_comm.rank()));
   }
 
-  /// Collective. The bubbles of a mesh, brought home.
-  Bubbles_2 bubbles(const Distributed_mesh_2& mesh) const
-  {
-    Bubbles_2 own;
-    own.make_room_for(mesh.bubbles.size());
-    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
-      if (mesh.bubbles.owner[i] == m_comm.rank())
-        add_own(own, record(mesh.bubbles, i));
-    return send_home(m_comm, m_partition, std::move(own));
-  }
-
 private:
   static constexpr double treated_quality = Smoothing_sweeps_2::treated_quality;
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
@@ -175,23 +164,22 @@ private:
   {
     if (p.reach > 0) {
       Treatment_team_2 team(m_comm, p.piece);
-      return smooth_with(team, p.piece.mesh, smallest, number);
+      return smooth_with(team, [](const auto& sweep) { sweep(); }, p.piece.mesh, smallest, number);
     }
     std::optional<Treatment_inside_2> team;
     m_comm.agree_after([&] { team.emplace(m_comm, p.piece.mesh); });
-    return smooth_with(*team, p.piece.mesh, smallest, number);
+    return smooth_with(*team, [this](const auto& sweep) { m_comm.agree_after(sweep); }, p.piece.mesh, smallest, number);
   }
 
-  /// moves vertices, unless the mesh gets worse by that or a rank knows too little
-  Smoothing smooth_with(Treating_team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
+  /// Moves vertices, unless the mesh gets worse by that or a rank knows too little. `call`: calls what is done
+  template <class Treating_team, class Call>
+  Smoothing smooth_with(Treating_team& team, const Call& call, Distributed_mesh_2& mesh, double& smallest,
+                        std::size_t& number) const
   {
     Bubbles_2& bubbles = mesh.bubbles;
     Smoothing_sweeps_2 treat(m_domain, mesh, team);
     std::vector<Index> moved;
-    if (team.is_collective())
-      moved = treat();
-    else
-      m_comm.agree_after([&] { moved = treat(); });
+    call([&] { moved = treat(); });
     if (team.has_failed()) {
       treat.undo();
       ++mesh.number_of_failed_treatments;
@@ -214,11 +202,7 @@ private:
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
   {
-    std::vector<Bubble_record_2> own;
-    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
-      if (mesh.bubbles.owner[i] == m_comm.rank() && is_on_outline(mesh.bubbles, i))
-        own.push_back(record(mesh.bubbles, i));
-    std::vector<Bubble_record_2> all = gather_records(m_comm, own);
+    std::vector<Bubble_record_2> all = gather_outline(m_comm, mesh.bubbles);
     bool is_valid = false;
     m_comm.agree_after([&] {
       std::sort(all.begin(), all.end(), [](const Bubble_record_2& r, const Bubble_record_2& s) {

@@ -174,21 +174,20 @@ private:
         if (std::all_of(v.begin(), v.end(), [this](Index i) { return i != no_index && !is_own(i); }))
           made.push_back(New_triangle_2{v, t.edges});
       }
-    Mesh_stitching_2 stitching(m_mesh);
     std::vector<Index> old;
     for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
-      if (m_mesh.is_final[t])
-        stitching.open(static_cast<Index>(t));
-      else
+      if (!m_mesh.is_final[t])
         old.push_back(static_cast<Index>(t));
-    const std::size_t more = made.size() - (std::min)(made.size(), old.size());
-    internal::make_room_for(more, m.vertices);
-    internal::make_room_for(more, m.neighbors);
-    internal::make_room_for(more, m.edges);
-    internal::make_room_for(more, m.inside);
-    std::fill(m.inside.begin(), m.inside.end(), char(1));
-    stitching.replace(old, made);
-    stitching.forget_triangles();
+    Mesh_stitching_2 stitching(m_mesh);
+    stitching.replace(old, {});
+    stitching.forget_triangles(); // first: the order in which own ones are given to users stays
+    for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
+      stitching.open(static_cast<Index>(t));
+    internal::make_room_for(made.size(), m.vertices);
+    internal::make_room_for(made.size(), m.neighbors);
+    internal::make_room_for(made.size(), m.edges);
+    internal::make_room_for(made.size(), m.inside);
+    stitching.replace({}, made);
   }
 
   const Hilbert_partition_2& m_partition;

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_EXCHANGE_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_EXCHANGE_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_CHANGES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_CHANGES_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
@@ -55,10 +55,10 @@ using Patch_changes_2 = std::map<std::int32_t, Patch_change_2>;
 
 /// Tells all ranks that know bubbles of a patch what became of it: first the owners of its bubbles, who know which
 /// other ranks know them.
-class Patch_exchange_2
+class Patch_announcement_2
 {
 public:
-  Patch_exchange_2(const Mesh_piece_2& piece, Communicator& comm)
+  Patch_announcement_2(const Mesh_piece_2& piece, Communicator& comm)
     : m_known(piece.mesh.bubbles), m_comm(comm)
   {
     for (const auto& list : piece.sent)
@@ -132,4 +132,4 @@ private:
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_EXCHANGE_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_CHANGES_2_H
