@@ -180,7 +180,7 @@ TEST_F(Halo, sets_of_others_are_those_of_their_owners)
   expected.build(m_here);
   for (std::size_t i = m_number_of_own; i < m_here.size(); ++i)
     sets.assign(static_cast<Index>(i), {});
-  Shared_sets_2(m_halo, m_here)(m_comm, sets);
+  share_sets(m_comm, m_halo, m_here, sets);
   for (std::size_t i = 0; i < m_here.size(); ++i)
     EXPECT_EQ(std::vector<Index>(sets.begin(i), sets.end(i)),
               std::vector<Index>(expected.begin(i), expected.end(i)));

@@ -89,10 +89,8 @@ inline std::uint64_t hash_of_places(const Domain_2& domain, const Given_mesh_2& 
   for (const auto& vertices : domain.triangulation().vertices)
     for (Index v : vertices)
       hash.add(v);
-  for (const Point& p : given.pinned) {
-    hash.add(p.x());
-    hash.add(p.y());
-  }
+  for (const Point& p : given.pinned)
+    hash.add(p);
   return hash.value();
 }
 

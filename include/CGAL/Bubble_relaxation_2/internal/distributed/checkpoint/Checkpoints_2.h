@@ -54,8 +54,8 @@ struct Restart_2
 class Checkpoint_reader_2
 {
 public:
-  Checkpoint_reader_2(Communicator& comm, const Relaxation_options& options,
-                      std::uint64_t hash_of_domain, const Sizes_2& sizing)
+  Checkpoint_reader_2(Communicator& comm, const Relaxation_options& options, std::uint64_t hash_of_domain,
+                      const Sizes_2& sizing)
     : m_comm(comm), m_options(options), m_hash_of_domain(hash_of_domain), m_sizing(sizing)
   {}
 
@@ -197,8 +197,7 @@ inline void check_checkpoint_path(Communicator& comm, const std::string& path)
 }
 
 /// Puts a file that is whole into the place of another: at each moment there is the one or the other.
-inline void replace_file(Communicator& comm, const std::string& from,
-                         const std::string& to)
+inline void replace_file(Communicator& comm, const std::string& from, const std::string& to)
 {
   comm.agree_after([&] {
     if (comm.rank() == 0 && std::rename(from.c_str(), to.c_str()) != 0)
@@ -210,8 +209,8 @@ inline void replace_file(Communicator& comm, const std::string& from,
 /// Collective. Writes the records of all ranks. The last checkpoint stays until the new one is on the disk.
 /// \param header with all that is not of the records
 /// \pre the records of each rank are sorted along the curve, and come before those of the next
-inline void write_checkpoint(Communicator& comm, const std::string& path,
-                             Checkpoint_header_2 header, const std::vector<Bubble_state_2>& records)
+inline void write_checkpoint(Communicator& comm, const std::string& path, Checkpoint_header_2 header,
+                             const std::vector<Bubble_state_2>& records)
 {
   const std::int64_t n = static_cast<std::int64_t>(records.size()), first = comm.sum_before(n);
   std::uint64_t hash = 0;
@@ -245,10 +244,8 @@ class Checkpoints_2
 {
 public:
   /// Collective. \throws std::invalid_argument on all ranks if no checkpoint can be written where it is to be
-  Checkpoints_2(Communicator& comm,
-                std::uint64_t hash_of_domain, const Relaxation_options& options)
-    : m_comm(comm), m_hash_of_domain(hash_of_domain),
-      m_options(options)
+  Checkpoints_2(Communicator& comm, std::uint64_t hash_of_domain, const Relaxation_options& options)
+    : m_comm(comm), m_hash_of_domain(hash_of_domain), m_options(options)
   {
     check_same(comm, hash_of(options), "the parameter checkpoint or restart_from is not the same");
     if (options.rounds_per_checkpoint != 0)
@@ -298,13 +295,13 @@ public:
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
         states.push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
     states = along_curve(partition.curve(), send_home(m_comm, partition, std::move(states)));
-    write_checkpoint(m_comm, m_options.checkpoint_path, header(simulation, number_of_all, report),
-                     states);
+    write_checkpoint(m_comm, m_options.checkpoint_path, header(simulation, number_of_all, report), states);
   }
 
 private:
   /// so that the file is the same for any number of ranks
-  static std::vector<Bubble_state_2> along_curve(const Hilbert_curve_2& curve, const std::vector<Bubble_state_2>& states)
+  static std::vector<Bubble_state_2> along_curve(const Hilbert_curve_2& curve,
+                                                 const std::vector<Bubble_state_2>& states)
   {
     std::vector<std::tuple<Hilbert_curve_2::Key, double, double, std::int64_t, std::size_t>> order;
     for (std::size_t k = 0; k < states.size(); ++k)

@@ -37,6 +37,12 @@ public:
       m_hash = (m_hash ^ byte) * 1099511628211u;
   }
 
+  void add(const Point& p)
+  {
+    add(p.x());
+    add(p.y());
+  }
+
   std::uint64_t value() const { return m_hash; }
 
 private:
@@ -46,10 +52,8 @@ private:
 inline std::uint64_t hash_of(const Domain_2& domain)
 {
   Hash_of_numbers hash;
-  for (const Point& p : domain.corners()) {
-    hash.add(p.x());
-    hash.add(p.y());
-  }
+  for (const Point& p : domain.corners())
+    hash.add(p);
   for (const Domain_edge_2& e : domain.edges()) {
     hash.add(e.source);
     hash.add(e.target);
@@ -79,10 +83,8 @@ inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& gi
   Hash_of_numbers hash;
   const auto add = [&hash](const std::vector<Point>& points) {
     hash.add(points.size());
-    for (const Point& p : points) {
-      hash.add(p.x());
-      hash.add(p.y());
-    }
+    for (const Point& p : points)
+      hash.add(p);
   };
   add(given.pinned);
   add(given.free);

@@ -55,8 +55,8 @@ void receive_if_any(const Communicator& comm, int tag, Messages<T>& in)
 }
 
 /// Collective. Delivers messages between ranks that do not know beforehand who will send: each rank sends to few, and
-/// nothing is of the size of the communicator (non-blocking consensus, Hoefler, Siebert and Lumsdaine 2010). What a rank
-/// sends to itself it gets as well.
+/// nothing is of the size of the communicator (non-blocking consensus, Hoefler, Siebert and Lumsdaine 2010). What a
+/// rank sends to itself it gets as well.
 template <class T>
 Messages<T> deliver(Communicator& comm, const Messages<T>& out)
 {

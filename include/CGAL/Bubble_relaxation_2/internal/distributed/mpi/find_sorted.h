@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Collective. What sorting the elements of all ranks would bring to some positions. All are searched at once by halving:
-/// 64 times each rank counts its elements before each. No rank gets elements of others.
+/// Collective. What sorting the elements of all ranks would bring to some positions. All are searched at once by
+/// halving: 64 times each rank counts its elements before each. No rank gets elements of others.
 /// \param sorted this rank's
 /// \param bits the number in whose order an element is
 /// \returns these numbers; the largest one that there is, for positions where there is no element

@@ -69,8 +69,8 @@ inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
   return result;
 }
 
-/// All that a simulation knows of a bubble, on its way from one rank to another or into a file: without gaps, which would
-/// hold any bytes.
+/// All that a simulation knows of a bubble, on its way from one rank to another or into a file: without gaps, which
+/// would hold any bytes.
 struct Bubble_state_2
 {
   double x, y, d, vx, vy, s;

@@ -179,8 +179,7 @@ class Point_distribution_2
 {
 public:
   Point_distribution_2(const Domain_2& domain, Communicator& comm)
-    : m_domain(domain), m_comm(comm),
-      m_partition(hilbert_curve(domain), {})
+    : m_domain(domain), m_comm(comm), m_partition(hilbert_curve(domain), {})
   {}
 
   /// where they are afterwards

@@ -53,9 +53,7 @@ struct Growth_seed_2
 class Growth_team_2 : public Team
 {
 public:
-  Growth_team_2(Communicator& comm)
-    : m_comm(comm)
-  {}
+  explicit Growth_team_2(Communicator& comm) : m_comm(comm) {}
 
   /// whether bubbles have grown in parts
   bool is_divided() const { return m_partition != nullptr; }

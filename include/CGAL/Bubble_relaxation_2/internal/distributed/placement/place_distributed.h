@@ -106,8 +106,7 @@ inline void place_rhombic_by_all(Communicator& comm, const Domain_2& domain,
 }
 
 /// what `place_bubbles()` does, by all ranks together
-inline Placement_2 place_by_all(Communicator& comm,
-                                const Problem_2& problem, const Starting_points_2& given)
+inline Placement_2 place_by_all(Communicator& comm, const Problem_2& problem, const Starting_points_2& given)
 {
   const Domain_2& domain = problem.domain;
   const Sizes_2& sizing = problem.sizes;
@@ -136,8 +135,7 @@ inline Placement_2 place_by_all(Communicator& comm,
 
 /// Brings placed bubbles to the ranks that own their places, as many to each, and numbers them. Of those that
 /// cannot be told apart one stays, as `remove_coincident()` has it.
-inline Placed_part_2 bring_home_and_number(Communicator& comm,
-                                           const Domain_2& domain, Placement_2& placed)
+inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& domain, Placement_2& placed)
 {
   Bubbles_2& bubbles = placed.bubbles;
   remove_crowded_on_edges(domain, bubbles);
@@ -156,8 +154,7 @@ inline Placed_part_2 bring_home_and_number(Communicator& comm,
 /// The initial bubbles, each on the rank that owns its place. All ranks put bubbles on the outline, which all of
 /// them have; the faces are filled by all together. `points`: this rank's part of those to start from, if any rank
 /// has some; they take the place of the free vertices of the domain's triangulation.
-inline Placed_part_2 place_distributed(Communicator& comm,
-                                       const Problem_2& problem, const Bubbles_2& points = {})
+inline Placed_part_2 place_distributed(Communicator& comm, const Problem_2& problem, const Bubbles_2& points = {})
 {
   const Starting_points_2 given(comm, problem.domain, problem.given, points);
   Placement_2 placed = place_by_all(comm, problem, given);

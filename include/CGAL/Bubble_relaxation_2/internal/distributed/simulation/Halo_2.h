@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -96,7 +97,6 @@ public:
     m_near_border.clear();
     m_is_near_border.clear();
     m_has_gone_far = false;
-    m_number_of_ours = 0;
     m_sent.clear();
     m_received.clear();
     m_places.reserve(expected);
@@ -111,10 +111,9 @@ public:
     m_holders.add_empty();
     m_is_near_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
-    if (owner == m_comm.rank()) {
-      ++m_number_of_ours;
+    if (owner == m_comm.rank())
       find_clearance(b, i);
-    } else {
+    else {
       m_received[owner].push_back(i);
       ++m_number_of_changes;
       note_near_border(i);
@@ -126,7 +125,21 @@ public:
   const Messages<Index>& sent() const { return m_sent; }
   const Messages<Index>& received() const { return m_received; }
 
+  /// of bubbles that we have of others, and others of ours, by their numbers
+  std::unordered_map<std::int64_t, Index> indices_at_border(const Bubbles_2& b) const
+  {
+    std::unordered_map<std::int64_t, Index> result;
+    for (const auto* lists : {&m_sent, &m_received})
+      for (const auto& list : *lists)
+        for (Index i : list.second)
+          result[b.id[i]] = i;
+    return result;
+  }
+
   int owner(Index i) const { return m_bubbles->owner[i]; }
+
+  /// whether a rank has a bubble, for all we know
+  bool may_know(int rank, Index i) const { return !is_ours(i) || has(rank, i); }
 
   /// whether another rank has a bubble of ours
   bool is_at_border(Index i) const { return !m_holders.is_empty(i); }
@@ -327,20 +340,12 @@ private:
   void tell_owners(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
                    Messages<Bubble_state_2>& out)
   {
-    for (Index i : those) {
-      if (is_ours(i) || knows_all_of_ours(owner(i)))
-        continue;
-      finder.find_within(b.x[i], b.y[i], b.d[i], m_reach, [&](Index j) {
-        if (is_ours(j) && is_reached_by(b, i, j))
-          give(j, owner(i), state, out);
-      });
-    }
-  }
-
-  bool knows_all_of_ours(int rank) const
-  {
-    const auto sent = m_sent.find(rank);
-    return sent != m_sent.end() && sent->second.size() == m_number_of_ours;
+    for (Index i : those)
+      if (!is_ours(i))
+        finder.find_within(b.x[i], b.y[i], b.d[i], m_reach, [&](Index j) {
+          if (is_ours(j) && is_reached_by(b, i, j))
+            give(j, owner(i), state, out);
+        });
   }
 
   bool is_reached_by(const Bubbles_2& b, Index i, Index j) const
@@ -374,7 +379,6 @@ private:
   std::vector<char> m_is_near_border;    // the same, of each bubble
   bool m_has_gone_far = false;
   Messages<Index> m_sent, m_received;
-  std::size_t m_number_of_ours = 0; // that ever were
   std::size_t m_number_of_changes = 0;
 };
 

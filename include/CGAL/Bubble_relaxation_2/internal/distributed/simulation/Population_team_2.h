@@ -104,7 +104,7 @@ public:
         if (owners[k] != m_comm.rank() && std::find(owners.begin(), owners.begin() + k, owners[k]) == owners.begin() + k)
           out[owners[k]].push_back(numbers);
     }
-    const std::unordered_map<std::int64_t, Index> indices = indices_at_border(b);
+    const std::unordered_map<std::int64_t, Index> indices = m_halo.indices_at_border(b);
     const auto index = [&indices](std::int64_t number) {
       const auto found = indices.find(number);
       return found == indices.end() ? no_index : found->second;
@@ -166,17 +166,6 @@ private:
       return std::tie(is_on_edge, place, s, number) < std::tie(p.is_on_edge, p.place, p.s, p.number);
     }
   };
-
-  /// of bubbles that we have of others, and others of ours
-  std::unordered_map<std::int64_t, Index> indices_at_border(const Bubbles_2& b) const
-  {
-    std::unordered_map<std::int64_t, Index> result;
-    for (const auto* lists : {&m_halo.sent(), &m_halo.received()})
-      for (const auto& list : *lists)
-        for (Index i : list.second)
-          result[b.id[i]] = i;
-    return result;
-  }
 
   const Halo_2& m_halo;
   std::int64_t m_next_number = 0;

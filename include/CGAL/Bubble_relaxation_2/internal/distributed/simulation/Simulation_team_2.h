@@ -38,8 +38,7 @@ class Simulation_team_2 : public Team
 public:
   bool is_alone() const override { return false; }
 
-  Simulation_team_2(Communicator& comm,
-                    Checkpoints_2& checkpoints, const Relaxation_options& options)
+  Simulation_team_2(Communicator& comm, Checkpoints_2& checkpoints, const Relaxation_options& options)
     : m_comm(comm), m_checkpoints(checkpoints),
       m_interval(options.exchange_interval), m_migration(comm, m_traffic),
       m_halo(comm, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
@@ -165,7 +164,7 @@ public:
 
   void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets) override
   {
-    Shared_sets_2(m_halo, b)(m_comm, sets);
+    internal::share_sets(m_comm, m_halo, b, sets);
   }
 
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving) override

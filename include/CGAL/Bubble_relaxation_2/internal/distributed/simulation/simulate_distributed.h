@@ -83,8 +83,7 @@ inline Placed_part_2 bring_home_and_number(Communicator& comm,
 }
 
 /// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
-inline std::size_t find_first_bubbles(Communicator& comm,
-                                      const Problem_2& problem, const Bubbles_2& points,
+inline std::size_t find_first_bubbles(Communicator& comm, const Problem_2& problem, const Bubbles_2& points,
                                       Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
 {
   bubbles.rank = comm.rank();

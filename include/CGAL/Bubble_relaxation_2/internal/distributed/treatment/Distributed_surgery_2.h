@@ -31,11 +31,22 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The triangles that an operation wants to change.
-struct Patch_claim_2
+/// an operation on the triangles around a bad one, which tells who comes first
+struct Ranked_operation_2
 {
-  Bad_triangle_2 bad;                          ///< the one it is for, which tells who comes first
-  std::vector<std::array<Index, 3>> triangles; ///< their vertices
+  Bad_triangle_2 bad;
+  Mesh_patch_2 patch;
+  Patch_outcome_2 outcome;
+  bool is_chosen;
+  std::int32_t place = 0;        ///< among all that are chosen
+  std::int64_t first_number = 0; ///< of what is inserted
+
+  std::int64_t number_of_insertions() const
+  {
+    return std::count_if(outcome.original.begin(), outcome.original.end(), [this](Index i) {
+      return static_cast<std::size_t>(i) >= patch.indices().size();
+    });
+  }
 };
 
 /// Chooses among the claims of all ranks those that are worth it, the first ones first, and none that shares a
@@ -43,11 +54,11 @@ struct Patch_claim_2
 class Patch_choice_2
 {
 public:
-  Patch_choice_2(Communicator& comm, const std::vector<Patch_claim_2>& claims,
-                 const Bubbles_2& known)
+  Patch_choice_2(Communicator& comm, const std::vector<Ranked_operation_2>& claims,
+                 const Distributed_mesh_2& mesh)
     : m_comm(comm)
   {
-    add_candidates(claims.size(), find_rivals(claims, known));
+    add_candidates(claims.size(), find_rivals(claims, mesh));
   }
 
   /// Collective. `is_worth_it(k)` is asked only of claims that no other one is in the way of, in whatever order.
@@ -81,11 +92,13 @@ private:
   };
 
   /// tells the ranks that claim triangles who comes before
-  Messages<Rivalry> find_rivals(const std::vector<Patch_claim_2>& claims, const Bubbles_2& known)
+  Messages<Rivalry> find_rivals(const std::vector<Ranked_operation_2>& claims, const Distributed_mesh_2& mesh)
   {
+    const Bubbles_2& known = mesh.bubbles;
     Messages<Claimed> out;
     for (std::size_t k = 0; k < claims.size(); ++k)
-      for (const std::array<Index, 3>& t : claims[k].triangles) {
+      for (Index triangle : claims[k].patch.triangles()) {
+        const std::array<Index, 3>& t = mesh.triangles.vertices[triangle];
         Claimed claimed{{known.id[t[0]], known.id[t[1]], known.id[t[2]]},
                         claims[k].bad, m_comm.rank(), static_cast<std::int32_t>(k)};
         std::sort(claimed.triangle.begin(), claimed.triangle.end());
@@ -166,7 +179,7 @@ public:
     m_comm.agree_after([&] {
       for (const Bad_triangle_2& bad : worst) {
         m_operations.push_back(
-          Operation{bad, Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
+          Ranked_operation_2{bad, Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
         is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
       }
     });
@@ -177,15 +190,12 @@ public:
   /// inserted gets numbers from `end` on.
   Patch_changes_2 operate(std::int64_t end)
   {
-    std::vector<Patch_claim_2> claims;
-    for (const Operation& operation : m_operations)
-      claims.push_back(claim(operation));
-    Patch_choice_2 choose(m_comm, claims, m_known);
+    Patch_choice_2 choose(m_comm, m_operations, m_piece.mesh);
     choose([this](std::size_t k) { return operate_on(m_operations[k]); });
     number_operations(end);
     Patch_changes_2 own;
     m_comm.agree_after([&] {
-      for (const Operation& operation : m_operations)
+      for (const Ranked_operation_2& operation : m_operations)
         if (operation.is_chosen)
           own[operation.place] = describe(operation);
     });
@@ -195,23 +205,6 @@ public:
   }
 
 private:
-  struct Operation
-  {
-    Bad_triangle_2 bad;
-    Mesh_patch_2 patch;
-    Patch_outcome_2 outcome;
-    bool is_chosen;
-    std::int32_t place = 0;        ///< among all that are chosen
-    std::int64_t first_number = 0; ///< of what is inserted
-
-    std::int64_t number_of_insertions() const
-    {
-      return std::count_if(outcome.original.begin(), outcome.original.end(), [this](Index i) {
-        return static_cast<std::size_t>(i) >= patch.indices().size();
-      });
-    }
-  };
-
   void keep_worst_of_all(std::size_t most, std::vector<Bad_triangle_2>& worst) const
   {
     std::vector<Bad_triangle_2> all = gather_records(m_comm, worst);
@@ -223,20 +216,12 @@ private:
   }
 
   /// returns whether it helped
-  bool operate_on(Operation& operation) const
+  bool operate_on(Ranked_operation_2& operation) const
   {
     Patch_operation_2 operate(m_domain, m_piece.mesh, operation.patch);
     operation.is_chosen = operate(operation.bad.triangle);
     operation.outcome = operate.best();
     return operation.is_chosen;
-  }
-
-  Patch_claim_2 claim(const Operation& operation) const
-  {
-    Patch_claim_2 result{operation.bad, {}};
-    for (Index t : operation.patch.triangles())
-      result.triangles.push_back(m_triangles.vertices[t]);
-    return result;
   }
 
   /// numbers operations, and what they insert, as if all were made by one rank
@@ -250,14 +235,14 @@ private:
       bool operator<(const Insertion& i) const { return bad < i.bad; }
     };
     std::vector<Insertion> own;
-    for (const Operation& operation : m_operations)
+    for (const Ranked_operation_2& operation : m_operations)
       if (operation.is_chosen)
         own.push_back(Insertion{operation.bad, operation.number_of_insertions()});
     std::vector<Insertion> all = gather_records(m_comm, own);
     std::sort(all.begin(), all.end());
     for (Insertion& i : all)
       end += std::exchange(i.number, end);
-    for (Operation& operation : m_operations)
+    for (Ranked_operation_2& operation : m_operations)
       if (operation.is_chosen) {
         const auto found = std::lower_bound(all.begin(), all.end(), Insertion{operation.bad, 0});
         operation.place = static_cast<std::int32_t>(found - all.begin());
@@ -265,7 +250,7 @@ private:
       }
   }
 
-  Patch_change_2 describe(const Operation& operation)
+  Patch_change_2 describe(const Ranked_operation_2& operation)
   {
     Patch_change_2 result;
     const std::vector<Index>& indices = operation.patch.indices();
@@ -298,7 +283,7 @@ private:
     return result;
   }
 
-  void describe_triangles(const Operation& operation, const std::vector<std::int64_t>& numbers,
+  void describe_triangles(const Ranked_operation_2& operation, const std::vector<std::int64_t>& numbers,
                           Patch_change_2& change) const
   {
     for (Index t : operation.patch.triangles()) {
@@ -319,7 +304,7 @@ private:
   const Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;
   Communicator& m_comm;
-  std::vector<Operation> m_operations;
+  std::vector<Ranked_operation_2> m_operations;
 };
 
 } // namespace internal

@@ -42,8 +42,7 @@ public:
   /// `first_reach`: how much wider the pieces are at first, in units of d \pre it is positive
   Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, Communicator& comm,
                           double first_reach = usual_reach)
-    : m_domain(domain), m_partition(partition), m_comm(comm),
-      m_first_reach(first_reach)
+    : m_domain(domain), m_partition(partition), m_comm(comm), m_first_reach(first_reach)
   {}
 
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.

@@ -37,8 +37,7 @@ class Mesh_widening_2
 public:
   /// \pre the edges of `mesh` are labelled, and its final triangles are right
   Mesh_widening_2(Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition, Communicator& comm)
-    : m_partition(partition), m_comm(comm),
-      m_piece{std::move(mesh), {}, {}}, m_mesh(m_piece.mesh)
+    : m_partition(partition), m_comm(comm), m_piece{std::move(mesh), {}, {}}, m_mesh(m_piece.mesh)
   {}
 
   Mesh_widening_2(const Mesh_widening_2&) = delete;

@@ -49,8 +49,7 @@ struct Bubbles_with_ghosts_2
 class Neighbors_of_ranks_2
 {
 public:
-  Neighbors_of_ranks_2(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
-                       Communicator& comm)
+  Neighbors_of_ranks_2(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius, Communicator& comm)
     : m_partition(partition), m_comm(comm),
       m_result{with_owner(own, comm.rank()), own.size(), radius, nullptr}, m_known(m_result.known)
   {}
