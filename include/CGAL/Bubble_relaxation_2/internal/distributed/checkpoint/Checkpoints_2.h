@@ -317,11 +317,9 @@ private:
   {
     Hash_of_numbers hash;
     hash.add(options.rounds_per_checkpoint);
-    for (const std::string* path : {&options.checkpoint_path, &options.restart_path}) {
-      hash.add(path->size());
-      for (char c : *path)
-        hash.add(c);
-    }
+    for (const std::string& path : {options.checkpoint_path, options.restart_path})
+      for (std::size_t k = 0; k <= path.size(); ++k) // and the zero at its end
+        hash.add(path.c_str()[k]);
     return hash.value();
   }
 

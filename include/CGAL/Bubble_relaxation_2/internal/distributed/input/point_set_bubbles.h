@@ -168,8 +168,6 @@ public:
       m_edge(points, "edge")
   {}
 
-  bool has_numbers() const { return m_number.is_there(); }
-
   template <class Sizing>
   Bubbles_2 operator()(const Sizing& sizing)
   {

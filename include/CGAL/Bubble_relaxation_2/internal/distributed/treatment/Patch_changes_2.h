@@ -11,15 +11,14 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -59,12 +58,11 @@ class Patch_announcement_2
 {
 public:
   Patch_announcement_2(const Mesh_piece_2& piece, Communicator& comm)
-    : m_known(piece.mesh.bubbles), m_comm(comm)
+    : m_known(piece.mesh.bubbles), m_comm(comm), m_takers(piece.mesh.bubbles.size())
   {
     for (const auto& list : piece.sent)
       for (Index i : list.second)
-        m_takers.emplace_back(i, list.first);
-    std::sort(m_takers.begin(), m_takers.end());
+        m_takers.add(i, list.first);
   }
 
   /// Collective. Returns the changes of all ranks that are known here.
@@ -86,11 +84,8 @@ private:
     std::set<int> ranks{m_comm.rank()};
     for (const Changed_bubble_2& b : change.bubbles) {
       const Index i = b.owner == m_comm.rank() ? m_known.index_of(b.bubble.id) : no_index;
-      if (i == no_index) // of another rank, or inserted
-        continue;
-      for (auto taker = std::lower_bound(m_takers.begin(), m_takers.end(), std::make_pair(i, 0));
-           taker != m_takers.end() && taker->first == i; ++taker)
-        ranks.insert(taker->second);
+      if (i != no_index) // else it is of another rank, or inserted
+        ranks.insert(m_takers[i].begin(), m_takers[i].end());
     }
     return ranks;
   }
@@ -125,7 +120,7 @@ private:
 
   const Bubbles_2& m_known;
   Communicator& m_comm;
-  std::vector<std::pair<Index, int>> m_takers; // own bubbles, and the other ranks that know them
+  Lists_of_few<int> m_takers; // the other ranks that know own bubbles
 };
 
 } // namespace internal
