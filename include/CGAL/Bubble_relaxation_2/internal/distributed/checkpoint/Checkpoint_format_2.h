@@ -15,11 +15,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
-#include <type_traits>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -49,35 +49,26 @@ struct Checkpoint_header_2
     return static_cast<std::int64_t>(sizeof(Checkpoint_header_2)) + number_of_records * record_size;
   }
 
-  std::uint64_t own_hash() const;
+  std::uint64_t own_hash() const
+  {
+    Hash_of_numbers hash;
+    const unsigned char* const first = reinterpret_cast<const unsigned char*>(this);
+    std::for_each(first, reinterpret_cast<const unsigned char*>(&hash_of_header),
+                  [&hash](unsigned char byte) { hash.add(byte); });
+    return hash.value();
+  }
 };
 
 static_assert(sizeof(Checkpoint_header_2) ==
                 8 + 2 * 4 + 4 * 8 + sizeof(Checkpoint_header_2::parameters) + 8 + 2 * 4 + 9 * 8 + 8,
               "a header must not have gaps");
 
-/// the hash of the first bytes of a record
-template <class Record>
-void add_bytes(const Record& record, std::size_t bytes, Hash_of_numbers& hash)
-{
-  static_assert(std::is_trivially_copyable<Record>::value, "its bytes are all it has");
-  const unsigned char* const first = reinterpret_cast<const unsigned char*>(&record);
-  std::for_each(first, first + bytes, [&hash](unsigned char byte) { hash.add(byte); });
-}
-
-inline std::uint64_t Checkpoint_header_2::own_hash() const
-{
-  Hash_of_numbers hash;
-  add_bytes(*this, sizeof(*this) - sizeof(hash_of_header), hash);
-  return hash.value();
-}
-
 /// A record at its position among all. The sum over all records modulo 2^64 does not depend on who adds which.
 inline std::uint64_t hash_of(const Bubble_state_2& record, std::int64_t position)
 {
   Hash_of_numbers hash;
   hash.add(position);
-  add_bytes(record, sizeof(record), hash);
+  hash.add(record); // all its bytes
   return hash.value();
 }
 

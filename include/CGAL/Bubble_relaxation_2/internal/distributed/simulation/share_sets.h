@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SHARED_SETS_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SHARED_SETS_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SHARE_SETS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SHARE_SETS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
@@ -109,4 +109,4 @@ inline void share_sets(Communicator& comm, const Halo_2& halo, const Bubbles_2& 
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SHARED_SETS_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SHARE_SETS_H
