@@ -247,7 +247,7 @@ public:
   Checkpoints_2(Communicator& comm, std::uint64_t hash_of_domain, const Relaxation_options& options)
     : m_comm(comm), m_hash_of_domain(hash_of_domain), m_options(options)
   {
-    check_same(comm, hash_of(options), "the parameter checkpoint or restart_from is not the same");
+    check_same(comm, hash_of(options), "the parameter checkpoint or restart_from is not the same on all ranks");
     if (options.rounds_per_checkpoint != 0)
       check_checkpoint_path(comm, options.checkpoint_path);
   }

@@ -68,12 +68,12 @@ inline void check_same(const Communicator& comm, std::uint64_t hash, const std::
 {
   if (comm.smallest(hash) == comm.largest(hash))
     return;
-  comm.throw_on_all(std::invalid_argument("Bubble_relaxation_2: " + what + " on all ranks"));
+  comm.throw_on_all(std::invalid_argument("Bubble_relaxation_2: " + what));
 }
 
 inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
 {
-  check_same(comm, hash_of(domain), "the domain is not the same");
+  check_same(comm, hash_of(domain), "the domain is not the same on all ranks");
 }
 
 /// Collective. \throws std::invalid_argument on all ranks if vertices in the domain, or on its edges, are not the
@@ -90,7 +90,7 @@ inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& gi
   add(given.free);
   for (const std::vector<Point>& points : given.on_edge)
     add(points);
-  check_same(comm, hash.value(), "the domain has not the same vertices, or not the same are pinned,");
+  check_same(comm, hash.value(), "the domain has not the same vertices on all ranks, or not the same are pinned");
 }
 
 } // namespace internal
