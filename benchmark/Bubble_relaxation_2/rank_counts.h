@@ -51,9 +51,7 @@ template <class NamedParameters>
 Rank_counts count_of_ranks(MPI_Comm ranks, const paper::Domain& domain, const NamedParameters& parameters)
 {
   using namespace CGAL::Bubble_relaxation_2::internal;
-  const Communicator comm(ranks);
-  Agreement agreement(comm);
-  Sparse_exchange exchange(comm);
+  Communicator comm(ranks);
   const paper::CDT cdt = paper::triangulate(domain);
   const auto np = parameters.sizing_function(domain.d);
   const Input_2<paper::CDT> input(cdt, np);
@@ -61,7 +59,7 @@ Rank_counts count_of_ranks(MPI_Comm ranks, const paper::Domain& domain, const Na
   Report report;
   Traffic_2 traffic;
   const Placed_part_2 part =
-    simulate_distributed(comm, exchange, agreement, input.problem(), progress, report, {}, &traffic);
+    simulate_distributed(comm, input.problem(), progress, report, {}, &traffic);
   const auto in_a_step = [&](std::int64_t count) {
     return mean_and_most(double(count) / double(report.number_of_steps), ranks);
   };

@@ -146,9 +146,8 @@ public:
   void write_pvtu(const std::string& path) const
   {
     using namespace Bubble_relaxation_2::internal;
-    const Communicator comm(m_comm);
-    Agreement agreement(comm);
-    agreement.reach_after([&] {
+    Communicator ranks(m_comm);
+    ranks.agree_after([&] {
       const std::string stem = pvtu_stem(path);
       write_file(vtu_path(stem, m_rank),
                  [&](std::ostream& out) { Vtu_piece_2<Mesh_2>(*this).write(out); });

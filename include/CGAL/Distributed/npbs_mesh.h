@@ -82,7 +82,7 @@ auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
   Relaxed_mesh_2<Kernel> result{{}, Mesh_2<Kernel>(comm)};
   result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto& sizing,
                                                               const auto& report) {
-    relaxed.agreement.reach_after([&] {
+    relaxed.comm.agree_after([&] {
       ask_ghost_sizes(relaxed.mesh, relaxed.comm.rank(), sizing);
       result.mesh = Mesh_2<Kernel>(relaxed.mesh, Mesh_quality_2<double>(report.quality), comm);
     });

@@ -108,12 +108,10 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
                  const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  const Communicator ranks(comm);
-  Agreement agreement(ranks);
-  Sparse_exchange exchange(ranks);
+  Communicator ranks(comm);
 
   std::unique_ptr<Domain_reading_2<CDT>> reading;
-  agreement.reach_after([&] {
+  ranks.agree_after([&] {
     const Domain_marks_2<CDT> is_inside(domain, np);
     reading = std::make_unique<Domain_reading_2<CDT>>(domain, is_inside, is_pinned<CDT>(np));
   });
@@ -125,12 +123,12 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
     sizes = Sizes_2(checked_sizing_field<typename CDT::Geom_traits::Point_2>(
       parameters::get_parameter_reference(np, internal_np::sizing_function)));
   Bubbles_2 own;
-  agreement.reach_after([&] { own = read_bubbles(points, reading->domain, sizes); });
-  Point_distribution_2 distribute(reading->domain, ranks, agreement, exchange);
-  own = distribute(own, points.template has_property_map<std::int64_t>("global_id"));
+  ranks.agree_after([&] { own = read_bubbles(points, reading->domain, sizes); });
+  Point_distribution_2 distribute(reading->domain, ranks);
+  own = distribute(std::move(own), points.template has_property_map<std::int64_t>("global_id"));
   const Distributed_mesh_2 mesh =
-    distributed_triangulate(reading->domain, own, distribute.partition(), ranks, agreement, exchange);
-  const auto quality = distributed_quality(mesh, has_sizes ? &sizes : nullptr, ranks, agreement);
+    distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
+  const auto quality = distributed_quality(mesh, has_sizes ? &sizes : nullptr, ranks);
   return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm);
 }
 

@@ -11,7 +11,7 @@
 
 #include "paper_domains.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Distributed/npbs_relax.h>
 #include <CGAL/Point_set_3.h>
 
@@ -68,7 +68,7 @@ struct All_parts
 inline All_parts gather(const Part& part)
 {
   using namespace CGAL::Bubble_relaxation_2::internal;
-  const Communicator comm(MPI_COMM_WORLD);
+  Communicator comm(MPI_COMM_WORLD);
   const auto& offsets = part.relaxation.neighbor_offsets;
   std::vector<Node> own;
   for (const auto& i : part.points) {

@@ -9,7 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_SAME_EXCEPTION_H
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_SAME_EXCEPTION_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 
 #include <gtest/gtest.h>
 #include <mpi.h>

@@ -30,15 +30,6 @@ using namespace bubbles;
 namespace fs = std::filesystem;
 namespace P = CGAL::parameters;
 
-struct Ranks
-{
-  explicit Ranks(MPI_Comm c = MPI_COMM_WORLD) : comm(c) {}
-
-  Communicator comm;
-  Agreement agreement{comm};
-  Sparse_exchange exchange{comm};
-};
-
 /// some ranks only: the first `n` of all
 class First_ranks
 {
@@ -129,7 +120,7 @@ struct Result
 };
 
 template <class Size, class NamedParameters>
-Result simulate(Ranks& ranks, const paper::Domain& domain, const Size& size, const NamedParameters& parameters)
+Result simulate(Communicator& ranks, const paper::Domain& domain, const Size& size, const NamedParameters& parameters)
 {
   const auto np = parameters.sizing_function(size);
   Case c{paper::triangulate(domain), nullptr, {}};
@@ -140,12 +131,12 @@ Result simulate(Ranks& ranks, const paper::Domain& domain, const Size& size, con
   Report report;
   Progress progress(options.callback, options.number_of_rounds);
   Placed_part_2 part =
-    simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, c.input->problem(), progress, report);
+    simulate_distributed(ranks, c.input->problem(), progress, report);
   return Result{std::move(part), report};
 }
 
 /// all bubbles and all counts as one number, which is the same for any number of ranks
-std::uint64_t fingerprint(const Communicator& comm, const Result& result)
+std::uint64_t fingerprint(Communicator& comm, const Result& result)
 {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < result.part.bubbles.size(); ++i) {
@@ -160,7 +151,7 @@ std::uint64_t fingerprint(const Communicator& comm, const Result& result)
   }
   const Report& r = result.report;
   Hash_of_numbers hash;
-  hash.add(comm.sum_modulo(sum));
+  hash.add(comm.sum(sum));
   for (std::size_t n : {r.number_of_moves, r.number_of_returns, r.number_of_insertions, r.number_of_deletions})
     hash.add(comm.sum(static_cast<std::int64_t>(n)));
   for (std::size_t n : {r.number_of_initial_bubbles, r.number_of_rounds, r.number_of_steps,
@@ -199,7 +190,7 @@ void write_by_first_ranks(int n, const paper::Domain& d, const std::string& path
   const First_ranks first(n);
   if (!first.has_this())
     return;
-  Ranks some(first.handle());
+  Communicator some(first.handle());
   const Report stopped = simulate(some, d, d.d, P::checkpoint(path, rounds).callback(stop_after(rounds))).report;
   EXPECT_EQ(stopped.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
   EXPECT_EQ(stopped.number_of_rounds, rounds + 1);
@@ -207,58 +198,58 @@ void write_by_first_ranks(int n, const paper::Domain& d, const std::string& path
 
 TEST(Checkpoint, an_interrupted_simulation_goes_on_to_the_same_bits)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   const Directory directory;
   const paper::Domain d = domain(3);
   const std::string last = directory.file("last"), by_one = directory.file("by_one"), by_all = directory.file("by_all");
   const Result whole = simulate(ranks, d, d.d, P::checkpoint(last, 1));
-  const std::uint64_t expected = fingerprint(ranks.comm, whole);
+  const std::uint64_t expected = fingerprint(ranks, whole);
   const std::vector<char> last_bytes = bytes_of(last);
   const std::size_t end = whole.report.number_of_rounds;
   ASSERT_GT(end, 3u);
-  EXPECT_GT(ranks.comm.sum(static_cast<std::int64_t>(whole.report.number_of_deletions)), 0) << "numbers have gaps";
-  const std::size_t stride = ranks.comm.size() == 1 ? 1 : (end - 1) / 2; // one rank is fast
+  EXPECT_GT(ranks.sum(static_cast<std::int64_t>(whole.report.number_of_deletions)), 0) << "numbers have gaps";
+  const std::size_t stride = ranks.size() == 1 ? 1 : (end - 1) / 2; // one rank is fast
   for (std::size_t rounds = 1; rounds < end; rounds += stride) {
     SCOPED_TRACE(rounds);
     write_by_first_ranks(1, d, by_one, rounds);
     const Result by_others = simulate(ranks, d, d.d, P::restart_from(by_one).checkpoint(by_all, 1));
-    EXPECT_EQ(fingerprint(ranks.comm, by_others), expected);
+    EXPECT_EQ(fingerprint(ranks, by_others), expected);
     if (rounds + 1 < end) {
       EXPECT_TRUE(bytes_of(by_all) == last_bytes) << "the last checkpoint is another one";
     }
   }
-  write_by_first_ranks((ranks.comm.size() + 1) / 2, d, by_all, end / 2);
+  write_by_first_ranks((ranks.size() + 1) / 2, d, by_all, end / 2);
   write_by_first_ranks(1, d, by_one, end / 2);
   EXPECT_TRUE(bytes_of(by_one) == bytes_of(by_all)) << "another number of ranks writes another file";
   const First_ranks one(1);
   if (one.has_this()) {
-    Ranks alone(one.handle());
-    EXPECT_EQ(fingerprint(alone.comm, simulate(alone, d, d.d, P::restart_from(by_all))), expected);
+    Communicator alone(one.handle());
+    EXPECT_EQ(fingerprint(alone, simulate(alone, d, d.d, P::restart_from(by_all))), expected);
   }
 }
 
 TEST(Checkpoint, of_the_paper)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   const Directory directory;
   const paper::Domain d = paper::all_domains(1.5)[3];
   const std::string path = directory.file("a");
   const auto np = CGAL::npbs_paper_parameters().number_of_rounds(4).number_of_iterations(15);
-  const std::uint64_t expected = fingerprint(ranks.comm, simulate(ranks, d, d.d, np));
+  const std::uint64_t expected = fingerprint(ranks, simulate(ranks, d, d.d, np));
   {
     const First_ranks one(1);
     if (one.has_this()) {
-      Ranks alone(one.handle());
+      Communicator alone(one.handle());
       simulate(alone, d, d.d, np.checkpoint(path, 2).callback(stop_after(2, 4)));
     }
   }
-  EXPECT_EQ(fingerprint(ranks.comm, simulate(ranks, d, d.d, np.restart_from(path))), expected);
+  EXPECT_EQ(fingerprint(ranks, simulate(ranks, d, d.d, np.restart_from(path))), expected);
 }
 
 /// a file after the first round, and what becomes of an attempt to go on from it or from another one
 struct Checkpoint_of_trunk : testing::Test
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   const Directory directory;
   const paper::Domain trunk = domain(4);
   const std::string path = directory.file("good"), bad = directory.file("bad");
@@ -331,8 +322,8 @@ TEST_F(Checkpoint_of_trunk, is_refused_by_another_simulation)
     return trunk.d(p);
   };
   expect_all_throw<std::domain_error>([&] { simulate(ranks, trunk, throwing, P::restart_from(path)); }, "no d here");
-  if (ranks.comm.size() > 1)
-    expect_all_throw<std::invalid_argument>(attempt(P::restart_from(ranks.comm.rank() == 0 ? path : bad)),
+  if (ranks.size() > 1)
+    expect_all_throw<std::invalid_argument>(attempt(P::restart_from(ranks.rank() == 0 ? path : bad)),
                                             "not the same on all ranks");
 }
 
@@ -357,26 +348,26 @@ TEST_F(Checkpoint_of_trunk, that_cannot_be_written_leaves_the_last)
   // in the middle
   const std::string obstacle = path + ".part";
   const auto obstruct = [&](double progress) {
-    if (ranks.comm.rank() == 0 && progress > 0.11)
+    if (ranks.rank() == 0 && progress > 0.11)
       fs::create_directories(obstacle + "/full");
     return true;
   };
   expect_all_throw<std::runtime_error>(attempt(P::checkpoint(path, 3).callback(obstruct)), obstacle);
   EXPECT_TRUE(bytes_of(path) == good);
   MPI_Barrier(MPI_COMM_WORLD);
-  if (ranks.comm.rank() == 0)
+  if (ranks.rank() == 0)
     fs::remove_all(obstacle);
   MPI_Barrier(MPI_COMM_WORLD);
   // what was left by a crash is in nobody's way, and all ranks may replace a checkpoint of one
   write_bytes(obstacle, std::vector<char>(2 * good.size(), 'x'));
   write_bytes(path, {});
-  write_by_first_ranks(ranks.comm.size(), trunk, path, 1);
+  write_by_first_ranks(ranks.size(), trunk, path, 1);
   EXPECT_TRUE(bytes_of(path) == good);
   EXPECT_EQ(directory.number_of_files(), 1u);
   // and a file that is whole but cannot be renamed does not stay
   const std::string taken = directory.file("taken");
   MPI_Barrier(MPI_COMM_WORLD);
-  if (ranks.comm.rank() == 0)
+  if (ranks.rank() == 0)
     fs::create_directories(taken + "/full");
   MPI_Barrier(MPI_COMM_WORLD);
   expect_all_throw<std::runtime_error>(attempt(P::checkpoint(taken, 1)), "cannot be renamed");

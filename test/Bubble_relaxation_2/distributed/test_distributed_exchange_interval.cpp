@@ -122,15 +122,8 @@ TEST(Exchange_interval, conserves_bubbles)
 
 using namespace bubbles;
 
-struct Ranks
-{
-  Communicator comm{MPI_COMM_WORLD};
-  Agreement agreement{comm};
-  Sparse_exchange exchange{comm};
-};
-
 template <class NamedParameters>
-Traffic_2 traffic(Ranks& ranks, const paper::Domain& domain, const NamedParameters& parameters)
+Traffic_2 traffic(Communicator& ranks, const paper::Domain& domain, const NamedParameters& parameters)
 {
   const auto np = parameters.sizing_function(domain.d);
   Case c{paper::triangulate(domain), nullptr, {}};
@@ -139,31 +132,31 @@ Traffic_2 traffic(Ranks& ranks, const paper::Domain& domain, const NamedParamete
   Report report;
   Traffic_2 result;
   Progress progress(problem.options.callback, problem.options.number_of_rounds);
-  simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, problem, progress, report, {}, &result);
+  simulate_distributed(ranks, problem, progress, report, {}, &result);
   EXPECT_EQ(result.steps, static_cast<std::int64_t>(report.number_of_steps));
   return result;
 }
 
 TEST(Exchange_interval, lets_bubbles_wait)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   const auto np = P::population_control(CGAL::Bubble_population::NONE).number_of_rounds(2).number_of_iterations(20)
                     .damping(0.1);
   const paper::Domain d = paper::all_domains(1.5)[4];
-  EXPECT_EQ(ranks.comm.sum(traffic(ranks, d, np).waits), 0);
-  EXPECT_EQ(ranks.comm.sum(traffic(ranks, d, np.exchange_interval(7)).waits) > 0, ranks.comm.size() > 1);
+  EXPECT_EQ(ranks.sum(traffic(ranks, d, np).waits), 0);
+  EXPECT_EQ(ranks.sum(traffic(ranks, d, np.exchange_interval(7)).waits) > 0, ranks.size() > 1);
 }
 
 TEST(Exchange_interval, says_less_the_longer_it_is)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   const paper::Domain d = paper::all_domains(1)[8]; // the ring, where d varies most
   const auto np = P::number_of_rounds(1).number_of_iterations(8).displacement_tolerance(0).population_control(
     CGAL::Bubble_population::NONE);
   const Traffic_2 exact = traffic(ranks, d, np), often = traffic(ranks, d, np.exchange_interval(2)),
                   rarely = traffic(ranks, d, np.exchange_interval(8));
-  const auto all = [&ranks](std::int64_t n) { return ranks.comm.sum(n); };
-  if (ranks.comm.size() == 1) {
+  const auto all = [&ranks](std::int64_t n) { return ranks.sum(n); };
+  if (ranks.size() == 1) {
     EXPECT_EQ(exact.ghosts + often.ghosts + often.neighbors + often.bytes, 0);
     return;
   }

@@ -12,8 +12,8 @@
 #include "union_of_ranks.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/share_sets.h>
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ using namespace CGAL::Bubble_relaxation_2::internal;
 class Halo : public testing::Test
 {
 protected:
-  Halo() : m_engine(random_seeds::seed(1)), m_halo(m_comm, m_exchange, m_traffic, radius)
+  Halo() : m_engine(random_seeds::seed(1)), m_halo(m_comm, m_traffic, radius)
   {
     for (int i = 0; i < 300; ++i)
       m_all.add(Point(uniform(), uniform()), 0.02 * std::pow(4, uniform()), Bubbles_2::FACE, 0);
@@ -72,9 +72,9 @@ protected:
     Position_index_2 finder(m_here);
     m_halo.look_after(
       m_here, those, finder,
-      [&](Index i) { return Bubble_state_2{record(m_here, i), Bubble_memory_2()}; },
+      [&](Index i) { return bubble_state(m_here, static_cast<std::size_t>(i), Bubble_memory_2()); },
       [&](const Bubble_state_2& s, int owner) {
-        add_here(s.bubble, owner);
+        add_here(s.bubble(), owner);
         finder.add(m_here, static_cast<Index>(m_here.size()) - 1);
       });
   }
@@ -98,7 +98,6 @@ protected:
 
   std::mt19937 m_engine; // the same numbers on all ranks
   Communicator m_comm{MPI_COMM_WORLD};
-  Sparse_exchange m_exchange{m_comm};
   Traffic_2 m_traffic;
   Halo_2 m_halo;
   Hilbert_partition_2 m_partition{Hilbert_curve_2(CGAL::Bbox_2(0, 0, 1, 1)), {}};
@@ -181,7 +180,7 @@ TEST_F(Halo, sets_of_others_are_those_of_their_owners)
   expected.build(m_here);
   for (std::size_t i = m_number_of_own; i < m_here.size(); ++i)
     sets.assign(static_cast<Index>(i), {});
-  Shared_sets_2(m_halo, m_here)(m_exchange, sets);
+  share_sets(m_comm, m_halo, m_here, sets);
   for (std::size_t i = 0; i < m_here.size(); ++i)
     EXPECT_EQ(std::vector<Index>(sets.begin(i), sets.end(i)),
               std::vector<Index>(expected.begin(i), expected.end(i)));
@@ -190,7 +189,7 @@ TEST_F(Halo, sets_of_others_are_those_of_their_owners)
 TEST_F(Halo, neighbors_tell_where_they_are_at_a_stage)
 {
   Neighbor_sets_2 sets(radius);
-  Stage_exchange_2 share(m_comm);
+  Stage_messages_2 share(m_comm);
   for (int turn = 0; turn < 2; ++turn) { // the second with other neighbours
     sets.build(m_here);
     std::vector<double> x = m_here.x, y = m_here.y;

@@ -142,7 +142,7 @@ void expect_whole(const Mesh& mesh, const Case& c, const std::vector<std::int64_
     EXPECT_EQ(mesh.is_ghost(i), mesh.owner(i) != mesh.rank());
     EXPECT_EQ(mesh.dimension(i), int(c.bubbles.dimension[index.at(mesh.global_id(i))]));
   }
-  const Communicator comm(MPI_COMM_WORLD);
+  Communicator comm(MPI_COMM_WORLD);
   const std::int64_t n = static_cast<std::int64_t>(numbers.size());
   EXPECT_EQ(comm.sum(static_cast<std::int64_t>(mesh.number_of_owned_points())), n);
   EXPECT_LE(static_cast<std::int64_t>(mesh.number_of_owned_points()), n / size() + 1);

@@ -15,7 +15,7 @@
 #include <CGAL/Distributed/triangulate.h>
 #include <CGAL/npbs_relax.h>
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>

@@ -32,8 +32,7 @@ using distributed::size;
 template <class Owner>
 void expect_compact(std::int64_t end, const Owner& owner)
 {
-  const Communicator comm(MPI_COMM_WORLD);
-  Sparse_exchange exchange(comm);
+  Communicator comm(MPI_COMM_WORLD);
   std::vector<std::int64_t> numbers, expected;
   std::int64_t next = 0;
   for (std::int64_t n = 0; n < end; ++n) {
@@ -46,13 +45,13 @@ void expect_compact(std::int64_t end, const Owner& owner)
     }
     ++next;
   }
-  Number_compaction(comm, exchange, end)(numbers);
+  compact_numbers(comm, end, numbers);
   EXPECT_EQ(numbers, expected);
 }
 
 } // namespace
 
-TEST(Number_compaction, numbers_of_whatever_ranks)
+TEST(Compact_numbers, numbers_of_whatever_ranks)
 {
   for (const std::int64_t end : {0, 1, 2, 7, 1000}) {
     SCOPED_TRACE(end);

@@ -35,13 +35,6 @@ using CDT = paper::CDT;
 using Vertex_handle = CDT::Vertex_handle;
 using Size = std::function<double(const Point&)>;
 
-struct Ranks
-{
-  Communicator comm{MPI_COMM_WORLD};
-  Agreement agreement{comm};
-  Sparse_exchange exchange{comm};
-};
-
 /// the pinned vertices of a triangulation, by their points
 struct Pinned_map
 {
@@ -71,14 +64,14 @@ CDT with_bubbles(const Case& c)
 }
 
 /// some of the bubbles, at random; the last rank has most, and the first has none of those in faces
-Bubbles_2 scattered(const Ranks& ranks, const Bubbles_2& b)
+Bubbles_2 scattered(Communicator& ranks, const Bubbles_2& b)
 {
   Bubbles_2 result;
   std::mt19937 engine(random_seeds::seed(7));
   for (std::size_t i = 0; i < b.size(); ++i) {
-    const int rank = (std::min)(static_cast<int>(engine() % 16), ranks.comm.size() - 1);
+    const int rank = (std::min)(static_cast<int>(engine() % 16), ranks.size() - 1);
     const bool is_for_last = rank == 0 && b.is_in_face(i);
-    if ((is_for_last ? ranks.comm.size() - 1 : rank) == ranks.comm.rank())
+    if ((is_for_last ? ranks.size() - 1 : rank) == ranks.rank())
       add_own(result, record(b, i, no_index));
   }
   return result;
@@ -92,14 +85,14 @@ Relaxation_options options_with(bool is_given, Bubble_placement placement)
   return options;
 }
 
-void expect_parts_make_the_whole(const Ranks& ranks, const Placed_part_2& placed, const Bubbles_2& whole)
+void expect_parts_make_the_whole(Communicator& ranks, const Placed_part_2& placed, const Bubbles_2& whole)
 {
   const Bubbles_2& part = placed.bubbles;
-  EXPECT_EQ(ranks.comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.size()));
+  EXPECT_EQ(ranks.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.size()));
   for (std::size_t i = 0; i < part.size(); ++i) {
     const std::size_t number = static_cast<std::size_t>(part.id[i]);
     ASSERT_LT(number, whole.size());
-    EXPECT_EQ(placed.partition.owner(part.x[i], part.y[i]), ranks.comm.rank());
+    EXPECT_EQ(placed.partition.owner(part.x[i], part.y[i]), ranks.rank());
     expect_equal(record(part, i), record(whole, number, 0));
     if (testing::Test::HasFailure())
       return; // one is enough
@@ -107,13 +100,13 @@ void expect_parts_make_the_whole(const Ranks& ranks, const Placed_part_2& placed
 }
 
 /// simulates the same problem on one rank and on all, as far as these read another triangulation or `points`
-void expect_same(Ranks& ranks, const Problem_2& of_one, const Problem_2& of_all, const Bubbles_2& points = {})
+void expect_same(Communicator& ranks, const Problem_2& of_one, const Problem_2& of_all, const Bubbles_2& points = {})
 {
   Report first, second;
   Progress of_first(of_one.options.callback, 1), of_second(of_all.options.callback, 1);
   const Bubbles_2 all = relax_bubbles(of_one, of_first, first);
   const Placed_part_2 part =
-    simulate_distributed(ranks.comm, ranks.exchange, ranks.agreement, of_all, of_second, second, points);
+    simulate_distributed(ranks, of_all, of_second, second, points);
   EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
   EXPECT_EQ(second.number_of_steps, first.number_of_steps);
   EXPECT_GT(all.size(), 500u);
@@ -121,7 +114,7 @@ void expect_same(Ranks& ranks, const Problem_2& of_one, const Problem_2& of_all,
 }
 
 /// Simulates on one rank what is read in `whole`, and on all ranks what is read in `bare` and `points`; both by d.
-void expect_same(Ranks& ranks, const Case& whole, const Case& bare, const Bubbles_2& points, const Size& d,
+void expect_same(Communicator& ranks, const Case& whole, const Case& bare, const Bubbles_2& points, const Size& d,
                  const Relaxation_options& options)
 {
   const Sizes_2 sizes = sizes_in(bare, d);
@@ -129,12 +122,12 @@ void expect_same(Ranks& ranks, const Case& whole, const Case& bare, const Bubble
     of_all{bare.domain(), bare.given(), options, sizes, sizes};
   expect_same(ranks, of_one, of_all, points);
   expect_parts_make_the_whole(
-    ranks, given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, of_all, points),
+    ranks, given_bubbles_distributed(ranks, of_all, points),
     given_bubbles(of_one));
 }
 
 /// from the domain alone
-void expect_same(Ranks& ranks, const paper::Domain& domain, const Relaxation_options& options)
+void expect_same(Communicator& ranks, const paper::Domain& domain, const Relaxation_options& options)
 {
   Case bare{paper::triangulate(domain), nullptr, {}};
   const auto np = CGAL::parameters::sizing_function(domain.d).limit_by_outline(options.limit_by_outline);
@@ -170,7 +163,7 @@ class Ways_to_start : public testing::TestWithParam<std::pair<bool, Bubble_place
 
 TEST_P(Ways_to_start, from_points_on_any_rank)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   for (int k : {0, 4}) {
     SCOPED_TRACE(k);
     Given given(k);
@@ -194,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(All, Ways_to_start,
 
 TEST(Ways_to_go_on, as_in_the_paper)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   for (int k : {1, 5}) {
     SCOPED_TRACE(k);
     Relaxation_options options = read_options(CGAL::npbs_paper_parameters());
@@ -206,7 +199,7 @@ TEST(Ways_to_go_on, as_in_the_paper)
 
 TEST(Ways_to_go_on, each_for_itself)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   const paper::Domain domain = paper::all_domains(0.8)[3];
   {
     SCOPED_TRACE("Runge-Kutta, and all else as by default");
@@ -230,7 +223,7 @@ TEST(Ways_to_go_on, each_for_itself)
 
 TEST(Ways_to_go_on, bubbles_that_go_far_take_their_neighbours_along)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   Given given(0);
   const CGAL::Bbox_2& box = given.bare.domain().bbox();
   const double middle = (box.xmin() + box.xmax()) / 2;
@@ -244,7 +237,7 @@ TEST(Ways_to_go_on, bubbles_that_go_far_take_their_neighbours_along)
 
 TEST_P(Ways_to_start, with_pinned_points)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   Given given(0);
   Bubbles_2& b = given.bare.bubbles;
   std::vector<Point> pinned;
@@ -264,7 +257,7 @@ TEST_P(Ways_to_start, with_pinned_points)
 
 TEST(Given_points, in_one_place_are_refused_on_all_ranks)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   Given given(0);
   Bubbles_2 points = scattered(ranks, given.bare.bubbles);
   Sizes_2 sizes([](double, double) { return 0.05; }); // the same everywhere
@@ -272,10 +265,10 @@ TEST(Given_points, in_one_place_are_refused_on_all_ranks)
   const Relaxation_options options;
   const Problem_2 problem{given.bare.domain(), given.bare.given(), options, sizes, sizes};
   const auto place = [&] {
-    given_bubbles_distributed(ranks.comm, ranks.exchange, ranks.agreement, problem, points);
+    given_bubbles_distributed(ranks, problem, points);
   };
   EXPECT_NO_THROW(place());
-  if (ranks.comm.rank() == ranks.comm.size() - 1)
+  if (ranks.rank() == ranks.size() - 1)
     add_own(points, record(points, points.size() - 1));
   EXPECT_THROW(place(), std::invalid_argument);
 }
@@ -302,7 +295,7 @@ void make_holes(Given& given, double radius)
 /// Beside a wide hole bubbles are neighbours that are farther from each other than others ever look.
 TEST(Wide_holes, are_filled_as_by_one_rank)
 {
-  Ranks ranks;
+  Communicator ranks{MPI_COMM_WORLD};
   Relaxation_options options = options_with(true, Bubble_placement::KEEP);
   options.neighbor_radius = 2.9; // beside holes they look three times as far, and this matters to 7 ranks
   for (const double radius : {2.5, 4.}) {

@@ -56,8 +56,6 @@ void expect_equal(const Quality& a, const Quality& b)
 struct Ranks
 {
   Communicator comm{MPI_COMM_WORLD};
-  Agreement agreement{comm};
-  Sparse_exchange exchange{comm};
 
   Quality quality(const Case& c, const Sizes_2* sizes, bool with_gaps)
   {
@@ -66,9 +64,8 @@ struct Ranks
     const Hilbert_partition_2 partition =
       distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), with_gaps);
     const Distributed_mesh_2 mesh = distributed_triangulate(
-      c.domain(), distributed::own_part(c.bubbles, numbers, partition, comm.rank()), partition, comm, agreement,
-      exchange);
-    return distributed_quality(mesh, sizes, comm, agreement);
+      c.domain(), distributed::own_part(c.bubbles, numbers, partition, comm.rank()), partition, comm);
+    return distributed_quality(mesh, sizes, comm);
   }
 };
 
@@ -142,7 +139,7 @@ TEST(Distributed_quality, a_sizing_function_that_throws_on_one_rank)
 
 TEST(Values_of_all_ranks, sorted_positions_are_those_of_all_values)
 {
-  const Communicator comm(MPI_COMM_WORLD);
+  Communicator comm(MPI_COMM_WORLD);
   const Values_of_all_ranks all(comm);
   std::mt19937 engine(random_seeds::seed(7));
   std::vector<double> values{0., -0., std::numeric_limits<double>::denorm_min(),

@@ -179,9 +179,7 @@ TEST(Distributed_relaxation, d_may_jump)
 TEST(Distributed_relaxation, neighbors_of_all_sizes)
 {
   using namespace CGAL::Bubble_relaxation_2::internal;
-  const Communicator comm(MPI_COMM_WORLD);
-  Agreement agreement(comm);
-  Sparse_exchange exchange(comm);
+  Communicator comm(MPI_COMM_WORLD);
   std::mt19937 engine(random_seeds::seed(1));
   std::uniform_real_distribution<double> uniform(0, 1);
   Bubbles_2 all;
@@ -197,7 +195,7 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
       add_own(own, record(all, i, 3 * static_cast<std::int64_t>(i)));
   }
   CGAL::Distributed::Relaxation_2<paper::K> written;
-  write_neighbors(with_neighbors(own, partition, 0.4, comm, agreement, exchange), written);
+  write_neighbors(with_neighbors(own, partition, 0.4, comm), written);
   ASSERT_EQ(written.neighbor_offsets.size(), own.size() + 1);
   std::set<std::int64_t> ghosts;
   for (std::size_t k = 0; k < own.size(); ++k) {

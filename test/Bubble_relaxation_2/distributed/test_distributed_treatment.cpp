@@ -65,12 +65,10 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
   const Relaxation_options all;
   const Treatment_counts expected = treat_defects(c.domain(), all, whole);
 
-  const Communicator comm(MPI_COMM_WORLD);
-  Agreement agreement(comm);
-  Sparse_exchange exchange(comm);
+  Communicator comm(MPI_COMM_WORLD);
   const Hilbert_partition_2 partition =
     distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), options.with_gaps);
-  Distributed_treatment_2 treat(c.domain(), partition, comm, agreement, exchange, options.first_reach);
+  Distributed_treatment_2 treat(c.domain(), partition, comm, options.first_reach);
   Distributed_mesh_2 mesh =
     treat.triangulate(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
   const Treatment_counts counts = treat(mesh, true);
@@ -79,7 +77,7 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
   EXPECT_EQ(counts.deleted, expected.deleted);
   EXPECT_EQ(treat.smallest_quality(mesh), smallest_quality(whole));
 
-  const Bubbles_2 part = treat.bubbles(mesh);
+  const Bubbles_2 part = send_home(comm, partition, own_bubbles(mesh, comm.rank()));
   EXPECT_EQ(comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.bubbles.size()));
   expect_bubbles_are_those(whole.bubbles, part);
   for (std::size_t i = 0; i < part.size(); ++i)

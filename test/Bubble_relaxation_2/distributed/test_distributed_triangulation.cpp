@@ -33,8 +33,6 @@ struct Options
 struct Ranks
 {
   Communicator comm{MPI_COMM_WORLD};
-  Agreement agreement{comm};
-  Sparse_exchange exchange{comm};
 
   Distributed_mesh_2 triangulate(const Case& c, const std::vector<std::int64_t>& numbers,
                                  const Options& options)
@@ -43,7 +41,7 @@ struct Ranks
       distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), options.with_gaps);
     return distributed_triangulate(c.domain(),
                                    distributed::own_part(c.bubbles, numbers, partition, comm.rank()),
-                                   partition, comm, agreement, exchange, options.reach);
+                                   partition, comm, options.reach);
   }
 };
 
@@ -230,8 +228,7 @@ TEST(Distributed_triangulation, one_rank_has_all)
   const std::vector<Hilbert_partition_2::Key> none_but_the_first(ranks.comm.size() - 1, ~Hilbert_partition_2::Key(0));
   const Hilbert_partition_2 partition(hilbert_curve(c.domain()), none_but_the_first);
   const Distributed_mesh_2 part = distributed_triangulate(
-    c.domain(), distributed::own_part(c.bubbles, numbers, partition, ranks.comm.rank()), partition, ranks.comm,
-    ranks.agreement, ranks.exchange);
+    c.domain(), distributed::own_part(c.bubbles, numbers, partition, ranks.comm.rank()), partition, ranks.comm);
   const Marked_triangles_2 whole = mesh_of(c).triangles;
   const auto owned = gather_records(
     ranks.comm, distributed::triangles(part.triangles, part.bubbles.id, part.is_owned));

@@ -14,7 +14,6 @@
 
 #include <CGAL/Bubble_relaxation_enums.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -74,30 +73,6 @@ inline void check_not_negative(const char* name, double value)
 {
   if (!(value >= 0) || !std::isfinite(value))
     throw_invalid_parameter(name, value, "finite and not negative");
-}
-
-struct Named_value
-{
-  const char* name;
-  double value;
-};
-
-/// The parameters on which it depends where bubbles go, once they are placed in some way, as long as they go on.
-inline std::array<Named_value, 13> steering_parameters(const Relaxation_options& o)
-{
-  return {{{"integrator", static_cast<double>(o.integrator)},
-           {"force_coefficient", o.force_coefficient},
-           {"mass", o.mass},
-           {"damping", o.damping},
-           {"time_step", o.time_step},
-           {"number_of_iterations", static_cast<double>(o.number_of_iterations)},
-           {"neighbor_radius", o.neighbor_radius},
-           {"renewal_interval", static_cast<double>(o.renewal_interval)},
-           {"initial_placement", static_cast<double>(o.placement)},
-           {"population_control", static_cast<double>(o.population)},
-           {"limit_by_outline", static_cast<double>(o.limit_by_outline)},
-           {"displacement_tolerance", o.displacement_tolerance},
-           {"exchange_interval", static_cast<double>(o.exchange_interval)}}};
 }
 
 } // namespace internal

@@ -37,10 +37,19 @@ public:
     : m_mesh(mesh), m_triangles(mesh.triangles), m_is_gone(mesh.triangles.inside.size(), 0)
   {}
 
+  /// Made triangles of the next `replace()` may become neighbours of `t` where it has none.
+  void open(Index t)
+  {
+    for (int i = 0; i < 3; ++i)
+      if (m_triangles.neighbors[t][i] == no_index) {
+        const Side s = side(t, i);
+        m_rim.push_back(Side{s.target, s.source, t, i});
+      }
+  }
+
   /// replaces the triangles `old` by `made`, as long as `finish()` was not called
   void replace(const std::vector<Index>& old, const std::vector<New_triangle_2>& made)
   {
-    m_rim.clear();
     for (Index t : old)
       m_is_gone[t] = 1;
     for (Index t : old)
@@ -56,6 +65,7 @@ public:
     std::sort(sides.begin(), sides.end());
     for (const Side& s : sides)
       link(s, sides);
+    m_rim.clear();
   }
 
   /// the triangles of `made` in all calls of `replace()`; numbers change in `finish()`
@@ -71,6 +81,34 @@ public:
     for (Index t : m_made)
       mesh.restore_delaunay_around(t);
     return mesh;
+  }
+
+  /// Forgets the triangles that were replaced: part of `finish()`, or instead of it.
+  void forget_triangles()
+  {
+    std::vector<Index> number(m_is_gone.size(), no_index);
+    Index left = 0;
+    for (std::size_t t = 0; t < m_is_gone.size(); ++t)
+      if (!m_is_gone[t])
+        number[t] = left++;
+    for (std::size_t t = 0; t < m_is_gone.size(); ++t) {
+      if (m_is_gone[t])
+        continue;
+      m_triangles.vertices[number[t]] = m_triangles.vertices[t];
+      m_triangles.edges[number[t]] = m_triangles.edges[t];
+      m_triangles.inside[number[t]] = m_triangles.inside[t];
+      for (int i = 0; i < 3; ++i) {
+        const Index n = m_triangles.neighbors[t][i];
+        m_triangles.neighbors[number[t]][i] = n == no_index ? no_index : number[n];
+      }
+    }
+    m_triangles.vertices.resize(static_cast<std::size_t>(left));
+    m_triangles.neighbors.resize(static_cast<std::size_t>(left));
+    m_triangles.edges.resize(static_cast<std::size_t>(left));
+    m_triangles.inside.resize(static_cast<std::size_t>(left));
+    m_is_gone.assign(static_cast<std::size_t>(left), 0);
+    for (Index& t : m_made)
+      t = number[t];
   }
 
 private:
@@ -153,32 +191,6 @@ private:
           m_is_gone[t] = 1;
       }
     }
-  }
-
-  void forget_triangles()
-  {
-    std::vector<Index> number(m_is_gone.size(), no_index);
-    Index left = 0;
-    for (std::size_t t = 0; t < m_is_gone.size(); ++t)
-      if (!m_is_gone[t])
-        number[t] = left++;
-    for (std::size_t t = 0; t < m_is_gone.size(); ++t) {
-      if (m_is_gone[t])
-        continue;
-      m_triangles.vertices[number[t]] = m_triangles.vertices[t];
-      m_triangles.edges[number[t]] = m_triangles.edges[t];
-      m_triangles.inside[number[t]] = m_triangles.inside[t];
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m_triangles.neighbors[t][i];
-        m_triangles.neighbors[number[t]][i] = n == no_index ? no_index : number[n];
-      }
-    }
-    m_triangles.vertices.resize(static_cast<std::size_t>(left));
-    m_triangles.neighbors.resize(static_cast<std::size_t>(left));
-    m_triangles.edges.resize(static_cast<std::size_t>(left));
-    m_triangles.inside.resize(static_cast<std::size_t>(left));
-    for (Index& t : m_made)
-      t = number[t];
   }
 
   Bubble_mesh_2& m_mesh;

@@ -11,61 +11,21 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/same_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
-#include <type_traits>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A bubble in a checkpoint: `Bubble_state_2` without gaps, which would hold any bytes.
-struct Checkpoint_record_2
-{
-  double x, y, d, vx, vy, s;
-  double reference_x, reference_y, reference_d, asked_x, asked_y;
-  std::int64_t id;
-  std::int32_t host, pin, dimension;
-  std::int16_t is_active, is_touched;
-};
-
-static_assert(sizeof(Checkpoint_record_2) == 112, "a record must not have gaps");
-
-inline Checkpoint_record_2 checkpoint_record(const Bubble_state_2& state)
-{
-  const Bubble_record_2& b = state.bubble;
-  const Bubble_memory_2& m = state.memory;
-  return Checkpoint_record_2{b.x, b.y, b.d, b.vx, b.vy, b.s, m.reference_x, m.reference_y, m.reference_d,
-                             m.asked_x, m.asked_y, b.id, b.host, b.pin, b.dimension,
-                             m.is_active, m.is_touched};
-}
-
-inline Bubble_state_2 bubble_state(const Checkpoint_record_2& r)
-{
-  return Bubble_state_2{{r.x, r.y, r.d, r.vx, r.vy, r.s, r.id, r.host, r.pin, r.dimension},
-                        {r.reference_x, r.reference_y, r.reference_d, r.asked_x, r.asked_y,
-                         static_cast<char>(r.is_active), static_cast<char>(r.is_touched)}};
-}
-
-/// a record with its place on the curve, along which they are written
-struct Keyed_checkpoint_record_2
-{
-  Hilbert_curve_2::Key key;
-  Checkpoint_record_2 record;
-
-  bool operator<(const Keyed_checkpoint_record_2& r) const
-  {
-    return std::tie(key, record.x, record.y, record.id) < std::tie(r.key, r.record.x, r.record.y, r.record.id);
-  }
-};
-
-/// What stands at the beginning of a checkpoint. After it come the records, along the curve.
+/// What stands at the beginning of a checkpoint. After it come the states of bubbles, along the curve.
 struct Checkpoint_header_2
 {
   static constexpr std::uint32_t own_byte_order = 0x01020304, own_version = 1;
@@ -89,35 +49,26 @@ struct Checkpoint_header_2
     return static_cast<std::int64_t>(sizeof(Checkpoint_header_2)) + number_of_records * record_size;
   }
 
-  std::uint64_t own_hash() const;
+  std::uint64_t own_hash() const
+  {
+    Hash_of_numbers hash;
+    const unsigned char* const first = reinterpret_cast<const unsigned char*>(this);
+    std::for_each(first, reinterpret_cast<const unsigned char*>(&hash_of_header),
+                  [&hash](unsigned char byte) { hash.add(byte); });
+    return hash.value();
+  }
 };
 
 static_assert(sizeof(Checkpoint_header_2) ==
                 8 + 2 * 4 + 4 * 8 + sizeof(Checkpoint_header_2::parameters) + 8 + 2 * 4 + 9 * 8 + 8,
               "a header must not have gaps");
 
-/// the hash of the first bytes of a record
-template <class Record>
-void add_bytes(const Record& record, std::size_t bytes, Hash_of_numbers& hash)
-{
-  static_assert(std::is_trivially_copyable<Record>::value, "its bytes are all it has");
-  const unsigned char* const first = reinterpret_cast<const unsigned char*>(&record);
-  std::for_each(first, first + bytes, [&hash](unsigned char byte) { hash.add(byte); });
-}
-
-inline std::uint64_t Checkpoint_header_2::own_hash() const
-{
-  Hash_of_numbers hash;
-  add_bytes(*this, sizeof(*this) - sizeof(hash_of_header), hash);
-  return hash.value();
-}
-
 /// A record at its position among all. The sum over all records modulo 2^64 does not depend on who adds which.
-inline std::uint64_t hash_of(const Checkpoint_record_2& record, std::int64_t position)
+inline std::uint64_t hash_of(const Bubble_state_2& record, std::int64_t position)
 {
   Hash_of_numbers hash;
   hash.add(position);
-  add_bytes(record, sizeof(record), hash);
+  hash.add(record); // all its bytes
   return hash.value();
 }
 
@@ -129,10 +80,8 @@ inline std::uint64_t hash_of_places(const Domain_2& domain, const Given_mesh_2& 
   for (const auto& vertices : domain.triangulation().vertices)
     for (Index v : vertices)
       hash.add(v);
-  for (const Point& p : given.pinned) {
-    hash.add(p.x());
-    hash.add(p.y());
-  }
+  for (const Point& p : given.pinned)
+    hash.add(p);
   return hash.value();
 }
 

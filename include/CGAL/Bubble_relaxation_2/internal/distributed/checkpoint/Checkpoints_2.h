@@ -35,6 +35,13 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// what each rank counts for itself
+inline std::array<std::size_t*, 4> counts_of_rank(Report& report)
+{
+  return {{&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
+           &report.number_of_deletions}};
+}
+
 /// what a simulation goes on with on one rank
 struct Restart_2
 {
@@ -47,26 +54,25 @@ struct Restart_2
 class Checkpoint_reader_2
 {
 public:
-  Checkpoint_reader_2(const Communicator& comm, Agreement& agreement, const Relaxation_options& options,
-                      std::uint64_t hash_of_domain, const Sizes_2& sizing)
-    : m_comm(comm), m_agreement(agreement), m_options(options), m_hash_of_domain(hash_of_domain), m_sizing(sizing)
+  Checkpoint_reader_2(Communicator& comm, const Relaxation_options& options, std::uint64_t hash_of_domain,
+                      const Sizes_2& sizing)
+    : m_comm(comm), m_options(options), m_hash_of_domain(hash_of_domain), m_sizing(sizing)
   {}
 
   /// Collective. Each bubble comes to the rank that owns its place.
-  Restart_2 operator()(Sparse_exchange& exchange, const Hilbert_curve_2& curve)
+  Restart_2 operator()(const Hilbert_curve_2& curve)
   {
-    Shared_file file(m_comm, m_agreement, m_options.restart_path, Shared_file::READ);
+    Shared_file file(m_comm, m_options.restart_path, Shared_file::READ);
     const Checkpoint_header_2 header = read_header(file);
-    std::vector<Keyed_checkpoint_record_2> keyed;
-    for (const Checkpoint_record_2& r : read_records(file, header))
-      keyed.push_back(Keyed_checkpoint_record_2{curve.key(r.x, r.y), r});
-    const auto places = places_on_curve(keyed);
-    Restart_2 result{header, even_partition(m_comm, curve, places), {}};
-    const auto home = send_home(result.partition, exchange, m_comm.rank(), places);
-    for (const auto& place : home.places)
-      result.states.push_back(bubble_state(place.record->record));
-    std::sort(result.states.begin(), result.states.end());
-    return result;
+    std::vector<Bubble_state_2> states = read_records(file, header);
+    std::vector<Hilbert_curve_2::Key> keys;
+    for (const Bubble_state_2& state : states)
+      keys.push_back(curve.key(state.x, state.y));
+    std::sort(keys.begin(), keys.end());
+    const Hilbert_partition_2 partition = even_partition(m_comm, curve, keys);
+    states = send_home(m_comm, partition, std::move(states));
+    std::sort(states.begin(), states.end());
+    return Restart_2{header, partition, std::move(states)};
   }
 
 private:
@@ -78,7 +84,7 @@ private:
     file.read(0, bytes);
     Checkpoint_header_2 header{};
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(&header));
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       check_format(header, size);
       check_origin(header);
     });
@@ -98,9 +104,9 @@ private:
              std::to_string(Checkpoint_header_2::own_version));
     if (header.hash_of_header != header.own_hash())
       tell_damage("was altered: its header has another checksum");
-    if (header.record_size != static_cast<std::int64_t>(sizeof(Checkpoint_record_2)))
+    if (header.record_size != static_cast<std::int64_t>(sizeof(Bubble_state_2)))
       refuse("has records of " + std::to_string(header.record_size) + " bytes, not " +
-             std::to_string(sizeof(Checkpoint_record_2)));
+             std::to_string(sizeof(Bubble_state_2)));
     if (size != header.file_size())
       tell_damage((size < header.file_size() ? "is truncated: it has " : "was altered: it has ") +
                   std::to_string(size) + " bytes, not " + std::to_string(header.file_size()));
@@ -114,25 +120,25 @@ private:
     const auto now = steering_parameters(m_options);
     for (std::size_t k = 0; k < now.size(); ++k)
       if (header.parameters[k] != now[k].value)
-        refuse(std::string("was written with another ") + now[k].name + ": " + in_words(header.parameters[k]) +
-               ", and now it is " + in_words(now[k].value));
+        refuse(std::string("was written with another ") + now[k].name + ": " + now[k].text(header.parameters[k]) +
+               ", and now it is " + now[k].text(now[k].value));
     if (static_cast<std::uint64_t>(header.rounds) >= m_options.number_of_rounds)
       refuse("was written after " + std::to_string(header.rounds) + " rounds, and number_of_rounds is " +
              std::to_string(m_options.number_of_rounds));
   }
 
-  std::vector<Checkpoint_record_2> read_records(Shared_file& file, const Checkpoint_header_2& header)
+  std::vector<Bubble_state_2> read_records(Shared_file& file, const Checkpoint_header_2& header)
   {
     const auto first_of = [&](std::int64_t rank) { return header.number_of_records * rank / m_comm.size(); };
     const std::int64_t first = first_of(m_comm.rank()), last = first_of(m_comm.rank() + 1);
-    std::vector<Checkpoint_record_2> records;
-    m_agreement.reach_after([&] { records.resize(static_cast<std::size_t>(last - first)); });
+    std::vector<Bubble_state_2> records;
+    m_comm.agree_after([&] { records.resize(static_cast<std::size_t>(last - first)); });
     file.read(static_cast<std::int64_t>(sizeof(header)) + first * header.record_size, records);
     std::uint64_t hash = 0;
     for (std::size_t k = 0; k < records.size(); ++k)
       hash += hash_of(records[k], first + static_cast<std::int64_t>(k));
-    const std::uint64_t hash_of_all = m_comm.sum_modulo(hash);
-    m_agreement.reach_after([&] {
+    const std::uint64_t hash_of_all = m_comm.sum(hash);
+    m_comm.agree_after([&] {
       if (hash_of_all != header.hash_of_records)
         tell_damage("was altered: its records have another checksum");
     });
@@ -141,13 +147,13 @@ private:
   }
 
   /// A function cannot be written to a file. But each bubble tells what d was at one place.
-  void check_sizes(const std::vector<Checkpoint_record_2>& records)
+  void check_sizes(const std::vector<Bubble_state_2>& records)
   {
     constexpr double rounding = 1e-9; // another compiler's mathematical functions may have another last bit
-    m_agreement.reach_after([&] {
-      for (const Checkpoint_record_2& r : records) {
+    m_comm.agree_after([&] {
+      for (const Bubble_state_2& r : records) {
         const double d = m_sizing(r.asked_x, r.asked_y);
-        if (m_agreement.has_failed())
+        if (m_comm.has_failed())
           return; // the function has thrown
         if (!(std::abs(d - r.d) <= rounding * r.d))
           refuse("was written with another sizing function: at " + in_words(r.asked_x, r.asked_y) + " it was " +
@@ -167,8 +173,7 @@ private:
     throw std::runtime_error("Bubble_relaxation_2: the checkpoint " + m_options.restart_path + " " + what);
   }
 
-  const Communicator& m_comm;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   const Relaxation_options& m_options;
   std::uint64_t m_hash_of_domain;
   const Sizes_2& m_sizing;
@@ -178,9 +183,9 @@ private:
 inline std::string path_of_unfinished(const std::string& path) { return path + ".part"; }
 
 /// Collective. \throws std::invalid_argument on all ranks if no checkpoint can be written there
-inline void check_checkpoint_path(const Communicator& comm, Agreement& agreement, const std::string& path)
+inline void check_checkpoint_path(Communicator& comm, const std::string& path)
 {
-  agreement.reach_after([&] {
+  comm.agree_after([&] {
     if (comm.rank() != 0)
       return;
     const std::string unfinished = path_of_unfinished(path);
@@ -192,10 +197,9 @@ inline void check_checkpoint_path(const Communicator& comm, Agreement& agreement
 }
 
 /// Puts a file that is whole into the place of another: at each moment there is the one or the other.
-inline void replace_file(const Communicator& comm, Agreement& agreement, const std::string& from,
-                         const std::string& to)
+inline void replace_file(Communicator& comm, const std::string& from, const std::string& to)
 {
-  agreement.reach_after([&] {
+  comm.agree_after([&] {
     if (comm.rank() == 0 && std::rename(from.c_str(), to.c_str()) != 0)
       throw std::runtime_error("Bubble_relaxation_2: the file " + from + " cannot be renamed to " + to + ": " +
                                std::error_code(errno, std::generic_category()).message());
@@ -205,8 +209,8 @@ inline void replace_file(const Communicator& comm, Agreement& agreement, const s
 /// Collective. Writes the records of all ranks. The last checkpoint stays until the new one is on the disk.
 /// \param header with all that is not of the records
 /// \pre the records of each rank are sorted along the curve, and come before those of the next
-inline void write_checkpoint(const Communicator& comm, Agreement& agreement, const std::string& path,
-                             Checkpoint_header_2 header, const std::vector<Checkpoint_record_2>& records)
+inline void write_checkpoint(Communicator& comm, const std::string& path, Checkpoint_header_2 header,
+                             const std::vector<Bubble_state_2>& records)
 {
   const std::int64_t n = static_cast<std::int64_t>(records.size()), first = comm.sum_before(n);
   std::uint64_t hash = 0;
@@ -215,19 +219,19 @@ inline void write_checkpoint(const Communicator& comm, Agreement& agreement, con
   header.magic = Checkpoint_header_2::own_magic;
   header.byte_order = Checkpoint_header_2::own_byte_order;
   header.version = Checkpoint_header_2::own_version;
-  header.record_size = static_cast<std::int64_t>(sizeof(Checkpoint_record_2));
+  header.record_size = static_cast<std::int64_t>(sizeof(Bubble_state_2));
   header.number_of_records = comm.sum(n);
-  header.hash_of_records = comm.sum_modulo(hash);
+  header.hash_of_records = comm.sum(hash);
   header.hash_of_header = header.own_hash();
 
   const std::string unfinished = path_of_unfinished(path);
-  Shared_file file(comm, agreement, unfinished, Shared_file::WRITE);
+  Shared_file file(comm, unfinished, Shared_file::WRITE);
   try {
     file.resize(header.file_size()); // there may be one that was left by a crash
     file.write(0, std::vector<Checkpoint_header_2>(comm.rank() == 0 ? 1 : 0, header));
     file.write(static_cast<std::int64_t>(sizeof(header)) + first * header.record_size, records);
     file.finish();
-    replace_file(comm, agreement, unfinished, path);
+    replace_file(comm, unfinished, path);
   } catch (...) { // on all ranks
     if (comm.rank() == 0)
       std::remove(unfinished.c_str());
@@ -240,14 +244,12 @@ class Checkpoints_2
 {
 public:
   /// Collective. \throws std::invalid_argument on all ranks if no checkpoint can be written where it is to be
-  Checkpoints_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                std::uint64_t hash_of_domain, const Relaxation_options& options)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_hash_of_domain(hash_of_domain),
-      m_options(options)
+  Checkpoints_2(Communicator& comm, std::uint64_t hash_of_domain, const Relaxation_options& options)
+    : m_comm(comm), m_hash_of_domain(hash_of_domain), m_options(options)
   {
-    check_same(comm, hash_of(options), "the parameter checkpoint or restart_from");
+    check_same(comm, hash_of(options), "the parameter checkpoint or restart_from is not the same on all ranks");
     if (options.rounds_per_checkpoint != 0)
-      check_checkpoint_path(comm, agreement, options.checkpoint_path);
+      check_checkpoint_path(comm, options.checkpoint_path);
   }
 
   bool is_restart() const { return !m_options.restart_path.empty(); }
@@ -255,8 +257,8 @@ public:
   /// Reads the bubbles of this rank. What the simulation remembers of them is kept for `resume()`.
   const Restart_2& read(const Hilbert_curve_2& curve, const Sizes_2& sizing)
   {
-    Checkpoint_reader_2 reader(m_comm, m_agreement, m_options, m_hash_of_domain, sizing);
-    m_restart = std::make_unique<Restart_2>(reader(m_exchange, curve));
+    Checkpoint_reader_2 reader(m_comm, m_options, m_hash_of_domain, sizing);
+    m_restart = std::make_unique<Restart_2>(reader(curve));
     return *m_restart;
   }
 
@@ -268,7 +270,7 @@ public:
       simulation.rest_finely();
     std::vector<Bubble_memory_2> memories;
     for (const Bubble_state_2& s : m_restart->states)
-      memories.push_back(s.memory);
+      memories.push_back(s.memory());
     simulation.restart(memories, h.is_roused != 0);
     report.number_of_rounds = static_cast<std::size_t>(h.rounds);
     report.number_of_steps = static_cast<std::size_t>(h.steps);
@@ -288,38 +290,37 @@ public:
   {
     if (m_options.rounds_per_checkpoint == 0 || report.number_of_rounds % m_options.rounds_per_checkpoint != 0)
       return;
-    std::vector<Keyed_checkpoint_record_2> keyed;
+    std::vector<Bubble_state_2> states;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-        keyed.push_back(Keyed_checkpoint_record_2{
-          partition.curve().key(bubbles.x[i], bubbles.y[i]),
-          checkpoint_record(Bubble_state_2{record(bubbles, i),
-                                           simulation.memory(static_cast<Index>(i))})});
-    std::vector<Checkpoint_record_2> records;
-    const auto home = send_home(partition, m_exchange, m_comm.rank(), places_on_curve(keyed));
-    for (const auto& place : home.places)
-      records.push_back(place.record->record);
-    write_checkpoint(m_comm, m_agreement, m_options.checkpoint_path, header(simulation, number_of_all, report),
-                     records);
+        states.push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
+    states = along_curve(partition.curve(), send_home(m_comm, partition, std::move(states)));
+    write_checkpoint(m_comm, m_options.checkpoint_path, header(simulation, number_of_all, report), states);
   }
 
 private:
+  /// so that the file is the same for any number of ranks
+  static std::vector<Bubble_state_2> along_curve(const Hilbert_curve_2& curve,
+                                                 const std::vector<Bubble_state_2>& states)
+  {
+    std::vector<std::tuple<Hilbert_curve_2::Key, double, double, std::int64_t, std::size_t>> order;
+    for (std::size_t k = 0; k < states.size(); ++k)
+      order.emplace_back(curve.key(states[k].x, states[k].y), states[k].x, states[k].y, states[k].id, k);
+    std::sort(order.begin(), order.end());
+    std::vector<Bubble_state_2> result;
+    for (const auto& place : order)
+      result.push_back(states[std::get<4>(place)]);
+    return result;
+  }
+
   static std::uint64_t hash_of(const Relaxation_options& options)
   {
     Hash_of_numbers hash;
     hash.add(options.rounds_per_checkpoint);
-    for (const std::string* path : {&options.checkpoint_path, &options.restart_path}) {
-      hash.add(path->size());
-      for (char c : *path)
-        hash.add(c);
-    }
+    for (const std::string& path : {options.checkpoint_path, options.restart_path})
+      for (std::size_t k = 0; k <= path.size(); ++k) // and the zero at its end
+        hash.add(path.c_str()[k]);
     return hash.value();
-  }
-
-  static std::array<std::size_t*, 4> counts_of_rank(Report& report)
-  {
-    return {{&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
-             &report.number_of_deletions}};
   }
 
   Checkpoint_header_2 header(const Simulation_2& simulation, std::int64_t number_of_all, Report& report) const
@@ -342,9 +343,7 @@ private:
     return h;
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   std::uint64_t m_hash_of_domain;
   const Relaxation_options& m_options;
   std::unique_ptr<Restart_2> m_restart;

@@ -30,8 +30,8 @@ class Shared_file
 public:
   enum Use { READ, WRITE };
 
-  Shared_file(const Communicator& comm, Agreement& agreement, const std::string& path, Use use)
-    : m_comm(comm), m_agreement(agreement), m_path(path), m_use(use)
+  Shared_file(Communicator& comm, const std::string& path, Use use)
+    : m_comm(comm), m_path(path), m_use(use)
   {
     const int mode = use == READ ? MPI_MODE_RDONLY : MPI_MODE_WRONLY | MPI_MODE_CREATE;
     const int result = MPI_File_open(comm.handle(), path.c_str(), mode, MPI_INFO_NULL, &m_file);
@@ -114,7 +114,7 @@ private:
 
   void check(int result, bool is_complete = true)
   {
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       if (result == MPI_SUCCESS && is_complete)
         return;
       throw std::runtime_error("Bubble_relaxation_2: the file " + m_path + " cannot be " +
@@ -123,8 +123,7 @@ private:
     });
   }
 
-  const Communicator& m_comm;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   std::string m_path;
   Use m_use;
   MPI_File m_file = MPI_FILE_NULL;

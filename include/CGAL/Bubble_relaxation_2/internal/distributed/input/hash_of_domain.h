@@ -37,6 +37,12 @@ public:
       m_hash = (m_hash ^ byte) * 1099511628211u;
   }
 
+  void add(const Point& p)
+  {
+    add(p.x());
+    add(p.y());
+  }
+
   std::uint64_t value() const { return m_hash; }
 
 private:
@@ -46,10 +52,8 @@ private:
 inline std::uint64_t hash_of(const Domain_2& domain)
 {
   Hash_of_numbers hash;
-  for (const Point& p : domain.corners()) {
-    hash.add(p.x());
-    hash.add(p.y());
-  }
+  for (const Point& p : domain.corners())
+    hash.add(p);
   for (const Domain_edge_2& e : domain.edges()) {
     hash.add(e.source);
     hash.add(e.target);
@@ -59,18 +63,17 @@ inline std::uint64_t hash_of(const Domain_2& domain)
   return hash.value();
 }
 
-/// Collective. \throws std::invalid_argument on all ranks if not all have the same hash of something
+/// Collective. \throws std::invalid_argument on all ranks, with the words `what`, if not all have the same hash
 inline void check_same(const Communicator& comm, std::uint64_t hash, const std::string& what)
 {
   if (comm.smallest(hash) == comm.largest(hash))
     return;
-  comm.all_throw();
-  throw std::invalid_argument("Bubble_relaxation_2: " + what + " is not the same on all ranks");
+  comm.throw_on_all(std::invalid_argument("Bubble_relaxation_2: " + what));
 }
 
 inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
 {
-  check_same(comm, hash_of(domain), "the domain");
+  check_same(comm, hash_of(domain), "the domain is not the same on all ranks");
 }
 
 /// Collective. \throws std::invalid_argument on all ranks if vertices in the domain, or on its edges, are not the
@@ -80,20 +83,14 @@ inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& gi
   Hash_of_numbers hash;
   const auto add = [&hash](const std::vector<Point>& points) {
     hash.add(points.size());
-    for (const Point& p : points) {
-      hash.add(p.x());
-      hash.add(p.y());
-    }
+    for (const Point& p : points)
+      hash.add(p);
   };
   add(given.pinned);
   add(given.free);
   for (const std::vector<Point>& points : given.on_edge)
     add(points);
-  if (comm.smallest(hash.value()) == comm.largest(hash.value()))
-    return;
-  comm.all_throw();
-  throw std::invalid_argument("Bubble_relaxation_2: the domain has not the same vertices on all ranks, or not the "
-                              "same are pinned");
+  check_same(comm, hash.value(), "the domain has not the same vertices on all ranks, or not the same are pinned");
 }
 
 } // namespace internal

@@ -168,8 +168,6 @@ public:
       m_edge(points, "edge")
   {}
 
-  bool has_numbers() const { return m_number.is_there(); }
-
   template <class Sizing>
   Bubbles_2 operator()(const Sizing& sizing)
   {
@@ -270,15 +268,12 @@ inline void check_given_points(const Communicator& comm, std::size_t here, bool 
     return;
   const std::string points = "Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
                              "together";
-  if (!has_sizing_function) {
-    comm.all_throw();
-    throw std::invalid_argument(points + ", but there is no sizing_function; no rank has their mesh to take sizes from");
-  }
-  if (!options.restart_path.empty() && !keeps_given_bubbles(options)) {
-    comm.all_throw();
-    throw std::invalid_argument(points + ", but the simulation starts from the file restart_from = " +
-                                options.restart_path);
-  }
+  if (!has_sizing_function)
+    comm.throw_on_all(
+      std::invalid_argument(points + ", but there is no sizing_function; no rank has their mesh to take sizes from"));
+  if (!options.restart_path.empty() && !keeps_given_bubbles(options))
+    comm.throw_on_all(std::invalid_argument(points + ", but the simulation starts from the file restart_from = " +
+                                            options.restart_path));
 }
 
 } // namespace internal

@@ -10,6 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_MESH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
@@ -21,6 +23,24 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// whether all ranks know a bubble: those on the edges of the domain and its corners
+inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
+{
+  return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
+}
+
+/// Collective. The bubbles of all ranks on the outline, those of one rank after those of another.
+inline std::vector<Bubble_record_2> gather_outline(Communicator& comm, const Bubbles_2& bubbles)
+{
+  std::vector<Bubble_record_2> own;
+  comm.agree_after([&] {
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_ours(i) && is_on_outline(bubbles, i))
+        own.push_back(record(bubbles, i));
+  });
+  return gather_records(comm, own);
+}
 
 /// What a rank has of the one constrained Delaunay triangulation of the bubbles of all ranks. Triangles of the
 /// domain with a vertex that this rank owns are the same as on one rank; all others are only what its

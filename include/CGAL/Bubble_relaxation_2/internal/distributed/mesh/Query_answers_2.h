@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
@@ -119,12 +120,6 @@ inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, con
   question.vertex = vertex;
   question.number = number;
   return question;
-}
-
-/// whether all ranks know a bubble: those on the edges of the domain and its corners
-inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
-{
-  return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
 }
 
 /// a bubble that the asker of a question did not know

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Query_answers_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
@@ -42,21 +42,6 @@ inline bool follow_space(const Bubbles_2& b)
   return steps <= far * sizes;
 }
 
-/// the indices of bubbles, so that those that follow each other are near to each other
-inline std::vector<Index> order_in_space(const Hilbert_curve_2& curve, const Bubbles_2& b)
-{
-  if (follow_space(b)) {
-    std::vector<Index> order(b.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    return order;
-  }
-  std::vector<Point> points;
-  points.reserve(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i)
-    points.push_back(b.point(i));
-  return hilbert_order(curve, points);
-}
-
 /// Makes each rank's part of the constrained Delaunay triangulation of the bubbles of all ranks.
 ///
 /// All ranks get all bubbles of the outline, which are few, so each knows all constraints and which sides of
@@ -70,10 +55,8 @@ class Distributed_triangulation_2
 public:
   /// \pre bubbles `own` lie in this rank's piece, and their numbers ascend
   Distributed_triangulation_2(const Domain_2& domain, const Bubbles_2& own,
-                              const Hilbert_partition_2& partition, const Communicator& comm,
-                              Agreement& agreement, Sparse_exchange& exchange, double reach)
-    : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_agreement(agreement),
-      m_exchange(exchange), m_answers(own)
+                              const Hilbert_partition_2& partition, Communicator& comm, double reach)
+    : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_answers(own)
   {
     get_outline();
     get_nearby(reach);
@@ -84,7 +67,7 @@ public:
   {
     for (;;) {
       Messages<Triangle_question_2> questions;
-      m_agreement.reach_after([&] {
+      m_comm.agree_after([&] {
         if (m_is_new)
           triangulate();
         questions = questions_about_triangles();
@@ -94,7 +77,7 @@ public:
       ++m_mesh.number_of_rounds;
       ask(questions);
     }
-    m_agreement.reach_after([&] { m_mesh.mark_triangles(m_comm.rank()); });
+    m_comm.agree_after([&] { m_mesh.mark_triangles(m_comm.rank()); });
     return std::move(m_mesh);
   }
 
@@ -103,14 +86,8 @@ private:
 
   void get_outline()
   {
-    std::vector<Bubble_record_2> records;
-    m_agreement.reach_after([&] {
-      for (std::size_t i = 0; i < m_own.size(); ++i)
-        if (is_on_outline(m_own, i))
-          records.push_back(record(m_own, i));
-    });
-    records = gather_records(m_comm, records);
-    m_agreement.reach_after([&] {
+    const std::vector<Bubble_record_2> records = gather_outline(m_comm, m_own);
+    m_comm.agree_after([&] {
       m_mesh.bubbles = with_owner(m_own, m_comm.rank());
       for (const Bubble_record_2& r : records) {
         const int owner = m_partition.owner(r.x, r.y);
@@ -123,7 +100,7 @@ private:
   void get_nearby(double reach)
   {
     Messages<Bubble_record_2> out;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       const Bubbles_2& b = m_own;
       m_free_radius.assign(m_own.size(), 0);
       Clearance_2 clearance(m_partition, m_comm.rank());
@@ -140,8 +117,8 @@ private:
             send(static_cast<Index>(i), rank, out);
       }
     });
-    const Messages<Bubble_record_2> in = m_exchange(out);
-    m_agreement.reach_after([&] {
+    const Messages<Bubble_record_2> in = deliver(m_comm, out);
+    m_comm.agree_after([&] {
       for (const auto& message : in)
         for (const Bubble_record_2& r : message.second)
           add(m_mesh.bubbles, r, message.first);
@@ -178,7 +155,10 @@ private:
   void triangulate_along_curve()
   {
     Bubble_mesh_2 sorted{m_mesh.bubbles, {}};
-    const std::vector<Index> order = order_in_space(m_partition.curve(), sorted.bubbles);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < sorted.bubbles.size(); ++i)
+      points.push_back(sorted.bubbles.point(i));
+    const std::vector<Index> order = hilbert_order(m_partition.curve(), points);
     sorted.bubbles.select(order);
     internal::triangulate(m_domain, sorted);
     m_mesh.triangles = std::move(sorted.triangles);
@@ -269,15 +249,15 @@ private:
 
   void ask(const Messages<Triangle_question_2>& questions)
   {
-    const Messages<Triangle_question_2> asked = m_exchange(questions);
+    const Messages<Triangle_question_2> asked = deliver(m_comm, questions);
     Messages<Bubble_answer_2> answers;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       for (const auto& message : asked)
         for (const Triangle_question_2& question : message.second)
           m_answers(message.first, question, answers[message.first]);
     });
-    const Messages<Bubble_answer_2> got = m_exchange(answers);
-    m_agreement.reach_after([&] { learn(got); });
+    const Messages<Bubble_answer_2> got = deliver(m_comm, answers);
+    m_comm.agree_after([&] { learn(got); });
   }
 
   void learn(const Messages<Bubble_answer_2>& answers)
@@ -305,9 +285,7 @@ private:
   const Domain_2& m_domain;
   const Bubbles_2& m_own;
   const Hilbert_partition_2& m_partition;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Query_answers_2 m_answers;
   Distributed_mesh_2 m_mesh;
   bool m_is_new = true;              // there are bubbles that are not in the triangulation
@@ -326,10 +304,9 @@ private:
 /// \throws std::runtime_error on all ranks if `triangulate()` would throw
 inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const Bubbles_2& own,
                                                   const Hilbert_partition_2& partition,
-                                                  const Communicator& comm, Agreement& agreement,
-                                                  Sparse_exchange& exchange, double reach = 3)
+                                                  Communicator& comm, double reach = 3)
 {
-  return Distributed_triangulation_2(domain, own, partition, comm, agreement, exchange, reach)();
+  return Distributed_triangulation_2(domain, own, partition, comm, reach)();
 }
 
 } // namespace internal

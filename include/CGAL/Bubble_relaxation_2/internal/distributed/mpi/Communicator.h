@@ -19,7 +19,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <type_traits>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -48,6 +48,9 @@ inline void check_mpi(int result)
 
 /// A communicator of our own, so that messages never mix with the user's. Its reductions are those whose
 /// results do not depend on the number of ranks: smallest, largest, and sums of integers.
+///
+/// It is also where ranks agree on failures: a rank that throws alone leaves the others waiting, so what is thrown is
+/// kept until a place where all ranks are, and all throw the same.
 class Communicator
 {
 public:
@@ -78,6 +81,10 @@ public:
   int rank() const { return m_rank; }
   int size() const { return m_size; }
 
+  /// \name Reductions
+  /// Collective.
+  /// @{
+
   template <class T>
   T smallest(T value) const
   {
@@ -90,10 +97,13 @@ public:
     return reduce(value, MPI_MAX);
   }
 
-  std::int64_t sum(std::int64_t value) const { return reduce(value, MPI_SUM); }
-
-  /// modulo 2^64
-  std::uint64_t sum_modulo(std::uint64_t value) const { return reduce(value, MPI_SUM); }
+  /// of unsigned numbers modulo 2^64
+  template <class T>
+  T sum(T value) const
+  {
+    static_assert(std::is_integral<T>::value, "sums of others depend on their order");
+    return reduce(value, MPI_SUM);
+  }
 
   /// the sum of the values of all ranks before this one
   std::int64_t sum_before(std::int64_t value) const
@@ -106,8 +116,62 @@ public:
   /// whether it holds on any rank
   bool any(bool value) const { return largest(std::int32_t(value)) != 0; }
 
-  /// all ranks are about to throw the same
-  void all_throw() const { m_has_agreed = true; }
+  /// the same for each of several values
+  template <class Values>
+  void reduce_each(Values& values, MPI_Op operation) const
+  {
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()),
+                            mpi_type(typename Values::value_type()), operation, m_comm));
+  }
+
+  /// @}
+  /// \name Agreement
+  /// @{
+
+  /// calls `f`, which has nothing to do with other ranks, and keeps what it throws, the first of all; threads may
+  template <class Function>
+  void keep(const Function& f)
+  {
+    try {
+      f();
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if (!m_failure)
+        m_failure = std::current_exception();
+    }
+  }
+
+  bool has_failed() const { return m_failure != nullptr; }
+
+  /// Collective. If any rank keeps a failure, all ranks throw that of the first of them.
+  void agree()
+  {
+    const std::int32_t none = (std::numeric_limits<std::int32_t>::max)();
+    const std::int32_t failed = smallest(m_failure ? std::int32_t(m_rank) : none);
+    if (failed != none)
+      throw_that_of(failed);
+  }
+
+  /// the same, of something that each rank does for itself
+  template <class Function>
+  void agree_after(const Function& f)
+  {
+    keep(f);
+    agree();
+  }
+
+  /// Collective. All ranks throw the same.
+  template <class Exception>
+  [[noreturn]] void throw_on_all(const Exception& exception) const
+  {
+    m_has_agreed = true;
+    throw exception;
+  }
+
+  /// @}
+
+  /// the tag of the next delivery from unknown senders: a fast rank may be one ahead of a slow one, never two
+  int next_tag() { return m_tag = 1 - m_tag; }
 
 private:
   template <class T>
@@ -118,72 +182,20 @@ private:
     return result;
   }
 
-  MPI_Comm m_comm = MPI_COMM_NULL;
-  int m_rank = 0, m_size = 1;
-  int m_exceptions = std::uncaught_exceptions();
-  mutable bool m_has_agreed = false;
-};
-
-/// What all ranks throw when one of them has failed. A rank that throws alone leaves the others waiting, so
-/// failures are kept until a place where all ranks are.
-class Agreement
-{
-public:
-  explicit Agreement(const Communicator& comm) : m_comm(comm) {}
-
-  /// calls `f`, which has nothing to do with other ranks, and keeps what it throws; several threads may
-  template <class Function>
-  void keep(const Function& f)
-  {
-    try {
-      f();
-    } catch (...) {
-      keep_current();
-    }
-  }
-
-  /// keeps the exception that is being handled, the first of all
-  void keep_current()
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    if (!m_failure)
-      m_failure = std::current_exception();
-  }
-
-  bool has_failed() const { return m_failure != nullptr; }
-
-  /// Collective. If any rank keeps a failure, all ranks throw that of the first of them.
-  void reach()
-  {
-    const std::int32_t none = (std::numeric_limits<std::int32_t>::max)();
-    const std::int32_t failed = m_comm.smallest(m_failure ? std::int32_t(m_comm.rank()) : none);
-    if (failed != none)
-      throw_that_of(failed);
-  }
-
-  /// the same, of something that each rank does for itself
-  template <class Function>
-  void reach_after(const Function& f)
-  {
-    keep(f);
-    reach();
-  }
-
-private:
   enum Kind : std::int32_t { INVALID_ARGUMENT, LENGTH_ERROR, DOMAIN_ERROR, NO_MEMORY, OTHER };
 
   [[noreturn]] void throw_that_of(int rank)
   {
     std::string text;
     std::int32_t kind = OTHER;
-    if (m_comm.rank() == rank)
+    if (m_rank == rank)
       kind = describe(text);
     m_failure = nullptr;
     std::int32_t header[2] = {kind, static_cast<std::int32_t>(text.size())};
-    check_mpi(MPI_Bcast(header, 2, MPI_INT32_T, rank, m_comm.handle()));
+    check_mpi(MPI_Bcast(header, 2, MPI_INT32_T, rank, m_comm));
     text.resize(static_cast<std::size_t>(header[1]));
-    check_mpi(MPI_Bcast(&text[0], header[1], MPI_CHAR, rank, m_comm.handle()));
-    m_comm.all_throw();
+    check_mpi(MPI_Bcast(&text[0], header[1], MPI_CHAR, rank, m_comm));
+    m_has_agreed = true;
     switch (header[0]) {
     case INVALID_ARGUMENT:
       throw std::invalid_argument(text);
@@ -217,52 +229,19 @@ private:
       text = e.what();
     } catch (...) {
       text = "Bubble_relaxation_2: an exception that is no std::exception on rank " +
-             std::to_string(m_comm.rank());
+             std::to_string(m_rank);
     }
     return OTHER;
   }
 
-  const Communicator& m_comm;
+  MPI_Comm m_comm = MPI_COMM_NULL;
+  int m_rank = 0, m_size = 1;
+  int m_exceptions = std::uncaught_exceptions();
+  int m_tag = 0;
+  mutable bool m_has_agreed = false;
   std::exception_ptr m_failure;
   std::mutex m_mutex;
 };
-
-/// the value of a parameter on this rank, in a form that any rank can compare and put into words
-struct Parameter_value
-{
-  const char* name;
-  std::uint64_t bits;
-  std::string (*text)(std::uint64_t bits);
-};
-
-/// Collective. All ranks have values of the same parameters, in the same order.
-/// \throws std::invalid_argument on all ranks if a value is not the same on all, naming the first such parameter
-/// and two of its values
-inline void check_same_values(const Communicator& comm, const std::vector<Parameter_value>& values)
-{
-  const std::size_t n = values.size();
-  std::vector<std::uint64_t> first(n);
-  for (std::size_t k = 0; k < n; ++k)
-    first[k] = values[k].bits;
-  check_mpi(MPI_Bcast(first.data(), static_cast<int>(n), MPI_UINT64_T, 0, comm.handle()));
-  std::size_t k = 0;
-  while (k < n && values[k].bits == first[k])
-    ++k;
-  const std::int64_t ranks = comm.size();
-  const std::int64_t different = comm.smallest(static_cast<std::int64_t>(k) * ranks + comm.rank());
-  const std::size_t parameter = static_cast<std::size_t>(different / ranks);
-  if (parameter == n)
-    return;
-  const int rank = static_cast<int>(different % ranks);
-  std::uint64_t other = values[parameter].bits;
-  check_mpi(MPI_Bcast(&other, 1, MPI_UINT64_T, rank, comm.handle()));
-  const Parameter_value& p = values[parameter];
-  const std::string text = std::string("Bubble_relaxation_2: parameter ") + p.name + " = " +
-                           p.text(first[parameter]) + " on rank 0, but " + p.text(other) + " on rank " +
-                           std::to_string(rank);
-  comm.all_throw();
-  throw std::invalid_argument(text);
-}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

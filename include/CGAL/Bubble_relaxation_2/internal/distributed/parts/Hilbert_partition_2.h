@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/find_sorted.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
 #include <boost/container/small_vector.hpp>
@@ -149,40 +150,25 @@ private:
   std::vector<Key> m_first_keys;
 };
 
-/// Collective. Cuts the curve so that all ranks own equally many of some keys, which are on any ranks. All cuts
-/// are searched at once by halving: 64 times each rank counts its keys before each cut.
-/// \param keys this rank's, sorted
+/// Collective. Cuts the curve so that all ranks own equally many of some elements, which are on any ranks.
+/// \param sorted this rank's
+/// \param key where on the curve an element is
+template <class T, class Key_of>
+Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve, const std::vector<T>& sorted,
+                                   const Key_of& key)
+{
+  const std::int64_t all = comm.sum(static_cast<std::int64_t>(sorted.size()));
+  std::vector<std::int64_t> cuts;
+  for (int rank = 1; rank < comm.size(); ++rank)
+    cuts.push_back(all * rank / comm.size());
+  return Hilbert_partition_2(curve, find_sorted(comm, sorted, key, cuts));
+}
+
+/// the same of keys
 inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
                                           const std::vector<Hilbert_curve_2::Key>& keys)
 {
-  using Key = Hilbert_curve_2::Key;
-  const std::int64_t all = comm.sum(static_cast<std::int64_t>(keys.size()));
-  const std::size_t cuts = static_cast<std::size_t>(comm.size() - 1);
-  std::vector<Key> first(cuts, 0); // the largest keys that are known to be enough
-  std::vector<std::int64_t> counts(cuts);
-  for (int bit = 63; bit >= 0 && cuts > 0; --bit) {
-    const Key half = Key(1) << bit;
-    for (std::size_t k = 0; k < cuts; ++k)
-      counts[k] = std::lower_bound(keys.begin(), keys.end(), first[k] | half) - keys.begin();
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(cuts), MPI_INT64_T, MPI_SUM,
-                            comm.handle()));
-    for (std::size_t k = 0; k < cuts; ++k)
-      if (counts[k] <= all * static_cast<std::int64_t>(k + 1) / comm.size())
-        first[k] |= half;
-  }
-  return Hilbert_partition_2(curve, first);
-}
-
-/// the same of the keys of sorted elements
-template <class Keyed>
-Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
-                                   const std::vector<Keyed>& sorted)
-{
-  std::vector<Hilbert_curve_2::Key> keys;
-  keys.reserve(sorted.size());
-  for (const Keyed& element : sorted)
-    keys.push_back(element.key);
-  return even_partition(comm, curve, keys);
+  return even_partition(comm, curve, keys, [](Hilbert_curve_2::Key key) { return key; });
 }
 
 /// cuts the curve so that all ranks own equally many of some bubbles, which all of them have

@@ -69,14 +69,34 @@ inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
   return result;
 }
 
-/// all that a simulation knows of a bubble, on its way from one rank to another
+/// All that a simulation knows of a bubble, on its way from one rank to another or into a file: without gaps, which
+/// would hold any bytes.
 struct Bubble_state_2
 {
-  Bubble_record_2 bubble;
-  Bubble_memory_2 memory;
+  double x, y, d, vx, vy, s;
+  double reference_x, reference_y, reference_d, asked_x, asked_y;
+  std::int64_t id;
+  std::int32_t host, pin, dimension;
+  std::int16_t is_active, is_touched;
 
-  bool operator<(const Bubble_state_2& s) const { return bubble.id < s.bubble.id; }
+  Bubble_record_2 bubble() const { return Bubble_record_2{x, y, d, vx, vy, s, id, host, pin, dimension}; }
+
+  Bubble_memory_2 memory() const
+  {
+    return Bubble_memory_2{reference_x, reference_y, reference_d, asked_x, asked_y, static_cast<char>(is_active),
+                           static_cast<char>(is_touched)};
+  }
+
+  bool operator<(const Bubble_state_2& other) const { return id < other.id; }
 };
+
+static_assert(sizeof(Bubble_state_2) == 112, "a state must not have gaps");
+
+inline Bubble_state_2 bubble_state(const Bubbles_2& b, std::size_t i, const Bubble_memory_2& m)
+{
+  return Bubble_state_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i], m.reference_x, m.reference_y, m.reference_d,
+                        m.asked_x, m.asked_y, b.id[i], b.host[i], b.pin[i], b.dimension[i], m.is_active, m.is_touched};
+}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

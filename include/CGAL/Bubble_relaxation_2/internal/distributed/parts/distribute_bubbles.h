@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -31,119 +32,145 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// a bubble with its place on the curve
-struct Keyed_record_2
+/// brings each of some records with places to the rank that owns its place
+template <class Record>
+std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& partition, std::vector<Record> records)
 {
-  Hilbert_curve_2::Key key;
-  Bubble_record_2 bubble;
-
-  bool operator<(const Keyed_record_2& r) const
-  {
-    return std::tie(key, bubble.x, bubble.y, bubble.dimension, bubble.id) <
-           std::tie(r.key, r.bubble.x, r.bubble.y, r.bubble.dimension, r.bubble.id);
+  Messages<Record> out;
+  std::vector<Record> home;
+  for (const Record& r : records) {
+    const int owner = partition.owner(r.x, r.y);
+    (owner == comm.rank() ? home : out[owner]).push_back(r);
   }
-};
-
-/// where on the curve a record is; to be sorted in place of it, since records are large
-template <class Keyed_record>
-struct Place_on_curve
-{
-  Hilbert_curve_2::Key key;
-  const Keyed_record* record;
-
-  bool operator<(const Place_on_curve& p) const { return key != p.key ? key < p.key : *record < *p.record; }
-};
-
-/// the places of records, in their order on the curve
-template <class Keyed_record>
-std::vector<Place_on_curve<Keyed_record>> places_on_curve(const std::vector<Keyed_record>& records)
-{
-  std::vector<Place_on_curve<Keyed_record>> places;
-  places.reserve(records.size());
-  for (const Keyed_record& r : records)
-    places.push_back({r.key, &r});
-  if (!std::is_sorted(places.begin(), places.end()))
-    std::sort(places.begin(), places.end());
-  return places;
-}
-
-/// The records that belong to a rank, in their order on the curve.
-template <class Keyed_record>
-struct Records_at_home
-{
-  std::vector<Place_on_curve<Keyed_record>> places;
-  Messages<Keyed_record> others; ///< what came from other ranks; some of the places lead here
-
-  std::vector<Keyed_record> records() const
-  {
-    std::vector<Keyed_record> result;
-    result.reserve(places.size());
-    for (const Place_on_curve<Keyed_record>& p : places)
-      result.push_back(*p.record);
-    return result;
-  }
-};
-
-/// brings each bubble, with its key, to the rank that owns its place; those that are there already stay in memory
-template <class Keyed_record>
-Records_at_home<Keyed_record> send_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
-                                         const std::vector<Place_on_curve<Keyed_record>>& sorted)
-{
-  using Place = Place_on_curve<Keyed_record>;
-  Records_at_home<Keyed_record> home;
-  Messages<Keyed_record> out;
-  partition.for_each_owner(sorted.begin(), sorted.end(), [&](int owner, auto first, auto last) {
-    if (owner == rank)
-      home.places.assign(first, last);
-    else
-      std::transform(first, last, std::back_inserter(out[owner]), [](const Place& p) { return *p.record; });
-  });
-  home.others = exchange(out);
-  const std::size_t own = home.places.size();
-  for (const auto& message : home.others)
-    for (const Keyed_record& r : message.second)
-      home.places.push_back({r.key, &r});
-  merge_tail(home.places, own);
+  records.clear();
+  for (const auto& message : deliver(comm, out))
+    home.insert(home.end(), message.second.begin(), message.second.end());
   return home;
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
-inline Bubbles_2 send_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank,
-                            Bubbles_2 bubbles)
+inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, Bubbles_2 bubbles)
 {
   const Bubbles_2& b = bubbles;
   std::vector<Index> home;
   home.reserve(b.size());
   Messages<Bubble_record_2> out;
-  Clearance_2 clearance(partition, rank);
+  Clearance_2 clearance(partition, comm.rank());
   for (std::size_t i = 0; i < b.size(); ++i) {
-    const int owner = clearance(b.x[i], b.y[i], b.d[i]) > 0 ? rank : partition.owner(b.x[i], b.y[i]);
-    if (owner == rank)
+    const int owner = clearance(b.x[i], b.y[i], b.d[i]) > 0 ? comm.rank() : partition.owner(b.x[i], b.y[i]);
+    if (owner == comm.rank())
       home.push_back(static_cast<Index>(i));
     else
       out[owner].push_back(record(b, i));
   }
   if (home.size() < b.size())
     bubbles.select(home);
-  for (const auto& message : exchange(out))
+  for (const auto& message : deliver(comm, out))
     for (const Bubble_record_2& r : message.second)
       add_own(bubbles, r);
   bubbles.sort_by_id();
   return bubbles;
 }
 
-/// Numbers bubbles along the curve, the first of all ranks by 0.
-/// \pre the records of each rank are sorted, and come before those of the next
-inline Bubbles_2 number_along_curve(const Communicator& comm, const std::vector<Keyed_record_2>& records)
+/// The order of a rank's bubbles along the curve. Bubbles stay where they are in memory until the end: what is sorted
+/// are their keys.
+class Curve_sort_2
 {
-  std::int64_t number = comm.sum_before(static_cast<std::int64_t>(records.size()));
-  Bubbles_2 result;
-  result.make_room_for(records.size());
-  for (Keyed_record_2 r : records) {
-    r.bubble.id = number++;
-    add_own(result, r.bubble);
+public:
+  Curve_sort_2(const Hilbert_curve_2& curve, Bubbles_2& bubbles) : m_curve(curve), m_bubbles(bubbles)
+  {
+    m_places.reserve(bubbles.size());
   }
-  return result;
+
+  /// adds all
+  void add_all()
+  {
+    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
+      add(static_cast<Index>(i));
+  }
+
+  void add(Index i) { m_places.push_back(Place{m_curve.key(m_bubbles.x[i], m_bubbles.y[i]), i}); }
+
+  /// Collective. Cuts the curve so that all ranks own equally many bubbles; those that other ranks own then go there,
+  /// and others' come here.
+  Hilbert_partition_2 send_home_evenly(Communicator& comm)
+  {
+    sort_from(0);
+    Hilbert_partition_2 partition = even_partition(comm, m_curve, m_places, [](const Place& p) { return p.key; });
+    std::vector<Place> home;
+    Messages<Bubble_record_2> out;
+    partition.for_each_owner(m_places.begin(), m_places.end(), [&](int owner, auto first, auto last) {
+      if (owner == comm.rank())
+        home.assign(first, last);
+      else
+        std::transform(first, last, std::back_inserter(out[owner]), [this](const Place& p) {
+          return record(m_bubbles, static_cast<std::size_t>(p.index));
+        });
+    });
+    m_places.swap(home);
+    const std::size_t own = m_places.size();
+    for (const auto& message : deliver(comm, out))
+      for (const Bubble_record_2& r : message.second) {
+        add_own(m_bubbles, r);
+        add(static_cast<Index>(m_bubbles.size() - 1));
+      }
+    sort_from(own);
+    return partition;
+  }
+
+  /// Of bubbles in one place the one of the lowest dimension stays. \pre they are sorted
+  void forget_coincident()
+  {
+    m_places.erase(std::unique(m_places.begin(), m_places.end(),
+                               [this](const Place& p, const Place& q) {
+                                 return p.key == q.key && m_bubbles.x[p.index] == m_bubbles.x[q.index] &&
+                                        m_bubbles.y[p.index] == m_bubbles.y[q.index];
+                               }),
+                   m_places.end());
+  }
+
+  /// Keeps these bubbles in this order and forgets the others, once; makes room for those of other ranks that will be
+  /// added.
+  void select()
+  {
+    std::vector<Index> order;
+    order.reserve(m_places.size());
+    for (const Place& p : m_places)
+      order.push_back(p.index);
+    m_bubbles.select(order);
+  }
+
+private:
+  struct Place
+  {
+    Hilbert_curve_2::Key key;
+    Index index;
+  };
+
+  /// \pre those before `first` are sorted
+  void sort_from(std::size_t first)
+  {
+    merge_tail(m_places, first, [this](const Place& p, const Place& q) {
+      return p.key != q.key ? p.key < q.key : values(p) < values(q);
+    });
+  }
+
+  std::tuple<double, double, int, Index> values(const Place& p) const
+  {
+    const Index i = p.index;
+    return std::make_tuple(m_bubbles.x[i], m_bubbles.y[i], int(m_bubbles.dimension[i]), i);
+  }
+
+  const Hilbert_curve_2 m_curve;
+  Bubbles_2& m_bubbles;
+  std::vector<Place> m_places;
+};
+
+/// Collective. Numbers bubbles from 0 on, as they come: those of each rank before those of the next.
+inline void number_along_curve(Communicator& comm, Bubbles_2& bubbles)
+{
+  bubbles.id.resize(bubbles.size());
+  std::iota(bubbles.id.begin(), bubbles.id.end(), comm.sum_before(static_cast<std::int64_t>(bubbles.size())));
 }
 
 /// Brings points from whatever ranks to those that own their places, as many to each, and numbers them. All
@@ -151,10 +178,8 @@ inline Bubbles_2 number_along_curve(const Communicator& comm, const std::vector<
 class Point_distribution_2
 {
 public:
-  Point_distribution_2(const Domain_2& domain, const Communicator& comm, Agreement& agreement,
-                       Sparse_exchange& exchange)
-    : m_domain(domain), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
-      m_partition(hilbert_curve(domain), {})
+  Point_distribution_2(const Domain_2& domain, Communicator& comm)
+    : m_domain(domain), m_comm(comm), m_partition(hilbert_curve(domain), {})
   {}
 
   /// where they are afterwards
@@ -164,24 +189,23 @@ public:
   /// numbers; sizes that are not numbers become distances to points nearby.
   /// \throws std::invalid_argument on all ranks if two points have the same place or the same number, or if
   /// only some ranks' points have numbers
-  Bubbles_2 operator()(const Bubbles_2& points, bool has_numbers)
+  Bubbles_2 operator()(Bubbles_2 points, bool has_numbers)
   {
     const bool are_numbered = check_numbers(points, has_numbers);
-    std::vector<Keyed_record_2> records;
-    m_agreement.reach_after([&] { records = keyed(points); });
-    add_missing_corners(records, are_numbered);
-    const auto places = places_on_curve(records);
-    m_partition = even_partition(m_comm, m_partition.curve(), places);
-    records = send_home(m_partition, m_exchange, m_comm.rank(), places).records();
-    m_agreement.reach_after([&] {
-      check_places(records);
-      estimate_sizes(records);
+    add_missing_corners(points, are_numbered);
+    Curve_sort_2 on_curve(m_partition.curve(), points);
+    on_curve.add_all();
+    m_partition = on_curve.send_home_evenly(m_comm);
+    on_curve.select();
+    m_comm.agree_after([&] {
+      check_places(points);
+      estimate_sizes(points);
     });
-    if (!are_numbered)
-      return number_along_curve(m_comm, records);
-    Bubbles_2 result;
-    m_agreement.reach_after([&] { result = in_order_of_numbers(records); });
-    return result;
+    if (are_numbered)
+      points.sort_by_id();
+    else
+      number_along_curve(m_comm, points);
+    return points;
   }
 
 private:
@@ -190,18 +214,18 @@ private:
     const bool any_has = m_comm.any(points.size() > 0 && has_numbers);
     if (!any_has)
       return false;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       if (points.size() > 0 && !has_numbers)
         throw std::invalid_argument("Bubble_relaxation_2: points of some ranks have the property global_id, "
                                     "points of others have not");
     });
     Messages<std::int64_t> out;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       for (std::int64_t number : points.id)
         out[static_cast<int>(number % m_comm.size())].push_back(number);
     });
-    const Messages<std::int64_t> in = m_exchange(out);
-    m_agreement.reach_after([&] {
+    const Messages<std::int64_t> in = deliver(m_comm, out);
+    m_comm.agree_after([&] {
       std::vector<std::int64_t> numbers;
       for (const auto& message : in)
         numbers.insert(numbers.end(), message.second.begin(), message.second.end());
@@ -214,97 +238,56 @@ private:
     return true;
   }
 
-  Keyed_record_2 keyed(const Bubble_record_2& r) const
-  {
-    return Keyed_record_2{m_partition.curve().key(r.x, r.y), r};
-  }
-
-  std::vector<Keyed_record_2> keyed(const Bubbles_2& points) const
-  {
-    std::vector<Keyed_record_2> records;
-    records.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      records.push_back(keyed(record(points, i)));
-    return records;
-  }
-
   /// the first rank does, with numbers after all others
-  void add_missing_corners(std::vector<Keyed_record_2>& records, bool are_numbered)
+  void add_missing_corners(Bubbles_2& points, bool are_numbered)
   {
     std::vector<std::int32_t> is_there(m_domain.corners().size(), 0);
     std::int64_t last = -1;
-    for (const Keyed_record_2& r : records) {
-      if (r.bubble.dimension == Bubbles_2::CORNER && r.bubble.host != no_index)
-        is_there[r.bubble.host] = 1;
-      last = (std::max)(last, r.bubble.id);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points.is_corner(i) && points.host[i] != no_index)
+        is_there[points.host[i]] = 1;
+      last = (std::max)(last, points.id[i]);
     }
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, is_there.data(), static_cast<int>(is_there.size()), MPI_INT32_T,
-                            MPI_MAX, m_comm.handle()));
+    m_comm.reduce_each(is_there, MPI_MAX);
     last = m_comm.largest(last);
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       const auto missing = std::count(is_there.begin(), is_there.end(), 0);
       if (are_numbered && last > (std::numeric_limits<std::int64_t>::max)() - missing)
         throw std::length_error("Bubble_relaxation_2: after the largest global_id there is no room for those of "
                                 "corners of the domain that are not among the points");
       for (std::size_t c = 0; c < is_there.size() && m_comm.rank() == 0; ++c)
-        if (!is_there[c])
-          records.push_back(corner(static_cast<Index>(c), ++last));
+        if (!is_there[c]) {
+          points.add(m_domain.corners()[c], std::numeric_limits<double>::quiet_NaN(), Bubbles_2::CORNER,
+                     static_cast<Index>(c));
+          points.id.push_back(++last);
+        }
     });
-  }
-
-  Keyed_record_2 corner(Index c, std::int64_t number) const
-  {
-    Bubble_record_2 r{};
-    r.x = m_domain.corners()[c].x();
-    r.y = m_domain.corners()[c].y();
-    r.d = std::numeric_limits<double>::quiet_NaN();
-    r.id = number;
-    r.host = c;
-    r.pin = no_index;
-    r.dimension = Bubbles_2::CORNER;
-    return keyed(r);
   }
 
   /// points in one place have one key, so they are on one rank
-  static void check_places(const std::vector<Keyed_record_2>& sorted)
+  static void check_places(const Bubbles_2& sorted)
   {
-    for (std::size_t k = 1; k < sorted.size(); ++k) {
-      const Bubble_record_2 &r = sorted[k - 1].bubble, &s = sorted[k].bubble;
-      if (r.x == s.x && r.y == s.y)
-        throw std::invalid_argument("Bubble_relaxation_2: two points have the coordinates " + in_words(r.x, r.y));
-    }
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (sorted.point(i - 1) == sorted.point(i))
+        throw std::invalid_argument("Bubble_relaxation_2: two points have the coordinates " +
+                                    in_words(sorted.x[i], sorted.y[i]));
   }
 
   /// the distance to the nearer one of the points before and after it on the curve
-  void estimate_sizes(std::vector<Keyed_record_2>& sorted) const
+  void estimate_sizes(Bubbles_2& sorted) const
   {
-    for (std::size_t k = 0; k < sorted.size(); ++k) {
-      Bubble_record_2& r = sorted[k].bubble;
-      if (!std::isnan(r.d))
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      if (!std::isnan(sorted.d[i]))
         continue;
-      r.d = m_partition.curve().side();
-      for (std::size_t n : {k - 1, k + 1}) // what is before the first is not there either
+      sorted.d[i] = m_partition.curve().side();
+      for (std::size_t n : {i - 1, i + 1}) // what is before the first is not there either
         if (n < sorted.size())
-          r.d = (std::min)(r.d, std::hypot(sorted[n].bubble.x - r.x, sorted[n].bubble.y - r.y));
+          sorted.d[i] = (std::min)(sorted.d[i], std::hypot(sorted.x[n] - sorted.x[i], sorted.y[n] - sorted.y[i]));
     }
   }
 
-  static Bubbles_2 in_order_of_numbers(std::vector<Keyed_record_2>& records)
-  {
-    std::sort(records.begin(), records.end(), [](const Keyed_record_2& r, const Keyed_record_2& s) {
-      return r.bubble.id < s.bubble.id;
-    });
-    Bubbles_2 result;
-    result.make_room_for(records.size());
-    for (const Keyed_record_2& r : records)
-      add_own(result, r.bubble);
-    return result;
-  }
-
   const Domain_2& m_domain;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Hilbert_partition_2 m_partition;
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_holders_2.h>
@@ -53,9 +53,7 @@ struct Growth_seed_2
 class Growth_team_2 : public Team
 {
 public:
-  Growth_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement)
-  {}
+  explicit Growth_team_2(Communicator& comm) : m_comm(comm) {}
 
   /// whether bubbles have grown in parts
   bool is_divided() const { return m_partition != nullptr; }
@@ -79,7 +77,7 @@ public:
       for (int rank : m_partition->owners_in_disc(s.x, s.y, reach * s.d))
         out[rank].push_back(s);
     std::vector<Growth_seed_2> here;
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       here.insert(here.end(), message.second.begin(), message.second.end());
     std::sort(here.begin(), here.end(),
               [](const Growth_seed_2& s, const Growth_seed_2& t) { return s.number < t.number; });
@@ -120,9 +118,9 @@ public:
 
   double start_generation(double key) override
   {
-    const double result = m_comm.smallest(m_agreement.has_failed() ? -1. : key);
+    const double result = m_comm.smallest(m_comm.has_failed() ? -1. : key);
     if (result < 0)
-      m_agreement.reach();
+      m_comm.agree();
     ++m_generation;
     return result;
   }
@@ -145,7 +143,7 @@ public:
         out[rank].push_back(proposals[k]);
         m_proposals_sent[rank].push_back(static_cast<Index>(k));
       }
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (Growth_proposal_2 p : message.second) {
         p.from = foreign;
         m_proposals_received[message.first].push_back(static_cast<Index>(proposals.size()));
@@ -176,7 +174,7 @@ public:
           out[rank].push_back(p);
     }
     const std::size_t own = ours.size(); // which are the best first
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (Growth_proposal_2 p : message.second) {
         p.from = foreign;
         ours.push_back(p);
@@ -206,7 +204,7 @@ public:
         out[list.first].push_back(Place{settled[i - m_first].x(), settled[i - m_first].y()});
     for (const auto& list : m_new_received)
       in[list.first].resize(list.second.size());
-    exchange_known(m_comm, out, in);
+    deliver_expected(m_comm, out, in);
     for (const auto& list : m_new_received)
       for (std::size_t n = 0; n < list.second.size(); ++n)
         settled[list.second[n] - m_first] = Point(in[list.first][n].x, in[list.first][n].y);
@@ -328,7 +326,7 @@ private:
   /// adds the bubbles that this rank gets to know to the crystal and to `bubbles`
   void exchange_late(Crystal_2& crystal, std::vector<Growth_proposal_2>& bubbles)
   {
-    for (const auto& message : m_exchange(m_late))
+    for (const auto& message : deliver(m_comm, m_late))
       for (const Late& late : message.second) {
         const Growth_proposal_2& p = late.bubble;
         crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
@@ -359,9 +357,7 @@ private:
                   [&crystal](Index i, Index j) { return crystal.came_before(i, j); });
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   std::unique_ptr<Hilbert_partition_2> m_partition;
   std::unique_ptr<Growth_holders_2> m_holders;
   std::unique_ptr<Bubble_buckets_2> m_others; // the bubbles that this rank has but does not own

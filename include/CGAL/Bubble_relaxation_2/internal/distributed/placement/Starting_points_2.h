@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -47,11 +46,11 @@ public:
 
   /// Collective. `points`: what this rank has of them.
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
-  Starting_points_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement, const Domain_2& domain,
+  Starting_points_2(Communicator& comm, const Domain_2& domain,
                   const Given_mesh_2& given, const Bubbles_2& points)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_domain(domain), m_given(given),
+    : m_comm(comm), m_domain(domain), m_given(given),
       m_outline{given.pinned, given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
-      m_distribution(domain, comm, agreement, exchange)
+      m_distribution(domain, comm)
   {
     if (m_are_points)
       distribute(points);
@@ -109,7 +108,7 @@ private:
         others.add(p, std::numeric_limits<double>::quiet_NaN(), Bubbles_2::CORNER, no_index);
         others.id.push_back(no_index);
       }
-    m_points = m_distribution(others, false);
+    m_points = m_distribution(std::move(others), false);
     for (std::size_t i = 0; i < m_points.size(); ++i)
       if (m_points.is_in_face(i))
         m_free.push_back(Free{m_points.point(i), m_points.id[i]});
@@ -151,8 +150,7 @@ private:
 
   std::vector<Mesh_star_2> stars_of_points() const
   {
-    const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm,
-                                                            m_agreement, m_exchange);
+    const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm);
     const Marked_triangles_2& tr = mesh.triangles;
     std::vector<Index> beside(mesh.bubbles.size(), no_index); // a triangle at each vertex
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
@@ -183,9 +181,7 @@ private:
     return result;
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
   Given_mesh_2 m_outline; // of it, or of the points
@@ -194,97 +190,6 @@ private:
   Point_distribution_2 m_distribution;
   Bubbles_2 m_points; // if there are points: as many on each rank, with corners and pinned ones
   std::vector<Free> m_free;
-};
-
-/// The order of a rank's bubbles along the curve. Bubbles stay where they are in memory until the end: what is sorted
-/// are their keys.
-class Curve_sort_2
-{
-public:
-  Curve_sort_2(const Hilbert_curve_2& curve, Bubbles_2& bubbles) : m_curve(curve), m_bubbles(bubbles)
-  {
-    m_places.reserve(bubbles.size());
-  }
-
-  void add(Index i) { m_places.push_back(Place{m_curve.key(m_bubbles.x[i], m_bubbles.y[i]), i}); }
-
-  void sort() { sort_from(0); }
-
-  /// Collective. Cuts the curve so that all ranks own equally many bubbles. \pre they are sorted
-  Hilbert_partition_2 even_partition(const Communicator& comm) const
-  {
-    return internal::even_partition(comm, m_curve, m_places);
-  }
-
-  /// Collective. Those that other ranks own go there, and others' come here. \pre they are sorted
-  void send_home(const Hilbert_partition_2& partition, Sparse_exchange& exchange, int rank)
-  {
-    std::vector<Place> home;
-    Messages<Bubble_record_2> out;
-    partition.for_each_owner(m_places.begin(), m_places.end(), [&](int owner, auto first, auto last) {
-      if (owner == rank)
-        home.assign(first, last);
-      else
-        std::transform(first, last, std::back_inserter(out[owner]), [this](const Place& p) {
-          return record(m_bubbles, static_cast<std::size_t>(p.index), 0);
-        });
-    });
-    m_places.swap(home);
-    const std::size_t own = m_places.size();
-    for (const auto& message : exchange(out))
-      for (const Bubble_record_2& r : message.second) {
-        internal::add(m_bubbles, r);
-        add(static_cast<Index>(m_bubbles.size() - 1));
-      }
-    sort_from(own);
-  }
-
-  /// Of bubbles in one place the one of the lowest dimension stays. \pre they are sorted
-  void forget_coincident()
-  {
-    m_places.erase(std::unique(m_places.begin(), m_places.end(),
-                               [this](const Place& p, const Place& q) {
-                                 return p.key == q.key && m_bubbles.x[p.index] == m_bubbles.x[q.index] &&
-                                        m_bubbles.y[p.index] == m_bubbles.y[q.index];
-                               }),
-                   m_places.end());
-  }
-
-  /// Keeps these bubbles in this order and forgets the others, once; makes room for those of other ranks that will be
-  /// added.
-  void select()
-  {
-    std::vector<Index> order;
-    order.reserve(m_places.size());
-    for (const Place& p : m_places)
-      order.push_back(p.index);
-    m_bubbles.select(order);
-  }
-
-private:
-  struct Place
-  {
-    Hilbert_curve_2::Key key;
-    Index index;
-  };
-
-  /// \pre those before `first` are sorted
-  void sort_from(std::size_t first)
-  {
-    merge_tail(m_places, first, [this](const Place& p, const Place& q) {
-      return p.key != q.key ? p.key < q.key : values(p) < values(q);
-    });
-  }
-
-  std::tuple<double, double, int, Index> values(const Place& p) const
-  {
-    const Index i = p.index;
-    return std::make_tuple(m_bubbles.x[i], m_bubbles.y[i], int(m_bubbles.dimension[i]), i);
-  }
-
-  const Hilbert_curve_2 m_curve;
-  Bubbles_2& m_bubbles;
-  std::vector<Place> m_places;
 };
 
 } // namespace internal

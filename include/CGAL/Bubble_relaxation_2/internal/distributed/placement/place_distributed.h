@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Starting_points_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -21,50 +21,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_rhombic.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-/// The ranks that place bubbles in cells together, each those whose centres are in its part.
-class Rhombic_team_2 : public Team
-{
-public:
-  Rhombic_team_2(const Communicator& comm, Sparse_exchange& exchange, const Hilbert_partition_2& partition)
-    : m_comm(comm), m_partition(partition), m_holes(comm, exchange)
-  {}
-
-  bool is_alone() const override { return false; }
-  bool any(bool here) const override { return m_comm.any(here); }
-
-  Share_of_disc share_of(const Point& p, double radius) const override
-  {
-    const Hilbert_partition_2::Ranks owners = m_partition.owners_in_disc(p.x(), p.y(), radius);
-    if (std::find(owners.begin(), owners.end(), m_comm.rank()) == owners.end())
-      return Share_of_disc::NONE;
-    return owners.size() == 1 ? Share_of_disc::ALL : Share_of_disc::SOME;
-  }
-
-  bool owns_place(const Point& p) const override { return m_partition.owner(p.x(), p.y()) == m_comm.rank(); }
-
-  std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
-  {
-    return m_holes.share(m_partition, holes, reach);
-  }
-
-  void share_choice(std::vector<char>& states) override { m_holes.share_choice(states); }
-
-private:
-  const Communicator& m_comm;
-  const Hilbert_partition_2& m_partition;
-  Hole_exchange_2 m_holes;
-};
 
 /// bubbles of one rank, and who owns what
 struct Placed_part_2
@@ -81,7 +44,7 @@ struct Placement_2
   std::vector<char> is_ours; ///< each is on one rank only
 
   /// of those that all ranks have it is the first
-  Placement_2(Bubbles_2 common, const Communicator& comm)
+  Placement_2(Bubbles_2 common, Communicator& comm)
     : bubbles(std::move(common)), is_ours(bubbles.size(), comm.rank() == 0)
   {}
 };
@@ -132,19 +95,18 @@ inline void adapt_given(const Domain_2& domain, const Starting_points_2& given, 
 }
 
 /// Bubbles in the cells of a rhombus: each rank makes those in its part.
-inline void place_rhombic_by_all(const Communicator& comm, Sparse_exchange& exchange, const Domain_2& domain,
+inline void place_rhombic_by_all(Communicator& comm, const Domain_2& domain,
                           const Sizes_2& sizing, Placement_2& placed)
 {
   const Hilbert_partition_2 partition = partition_of_common(
     hilbert_curve(domain), large_bubbles(domain, sizing, placed.bubbles), comm.size());
-  Rhombic_team_2 team(comm, exchange, partition);
+  Part_team_2 team(comm, &partition); // each makes those whose centres are in its part
   Rhombic_placement(domain, sizing, placed.bubbles, team)();
   placed.is_ours.resize(placed.bubbles.size(), 1);
 }
 
 /// what `place_bubbles()` does, by all ranks together
-inline Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                const Problem_2& problem, const Starting_points_2& given)
+inline Placement_2 place_by_all(Communicator& comm, const Problem_2& problem, const Starting_points_2& given)
 {
   const Domain_2& domain = problem.domain;
   const Sizes_2& sizing = problem.sizes;
@@ -157,10 +119,10 @@ inline Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& excha
     return placed;
   }
   if (!adapts && options.placement == Bubble_placement::RHOMBIC) {
-    place_rhombic_by_all(comm, exchange, domain, sizing, placed);
+    place_rhombic_by_all(comm, domain, sizing, placed);
     return placed;
   }
-  Growth_team_2 team(comm, exchange, agreement);
+  Growth_team_2 team(comm);
   if (adapts)
     adapt_given(domain, given, sizing, team, placed.bubbles);
   else
@@ -173,46 +135,42 @@ inline Placement_2 place_by_all(const Communicator& comm, Sparse_exchange& excha
 
 /// Brings placed bubbles to the ranks that own their places, as many to each, and numbers them. Of those that
 /// cannot be told apart one stays, as `remove_coincident()` has it.
-inline Placed_part_2 bring_home_and_number(const Communicator& comm, Sparse_exchange& exchange,
-                                           const Domain_2& domain, Placement_2& placed)
+inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& domain, Placement_2& placed)
 {
   Bubbles_2& bubbles = placed.bubbles;
   remove_crowded_on_edges(domain, bubbles);
+  bubbles.id.assign(bubbles.size(), no_index); // as yet
   Curve_sort_2 on_curve(hilbert_curve(domain), bubbles);
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (!bubbles.is_gone(i) && placed.is_ours[i])
       on_curve.add(static_cast<Index>(i));
-  on_curve.sort();
-  const Hilbert_partition_2 partition = on_curve.even_partition(comm);
-  on_curve.send_home(partition, exchange, comm.rank());
+  const Hilbert_partition_2 partition = on_curve.send_home_evenly(comm);
   on_curve.forget_coincident();
   on_curve.select();
-  bubbles.id.resize(bubbles.size());
-  std::iota(bubbles.id.begin(), bubbles.id.end(), comm.sum_before(static_cast<std::int64_t>(bubbles.size())));
+  number_along_curve(comm, bubbles);
   return Placed_part_2{std::move(bubbles), partition};
 }
 
 /// The initial bubbles, each on the rank that owns its place. All ranks put bubbles on the outline, which all of
 /// them have; the faces are filled by all together. `points`: this rank's part of those to start from, if any rank
 /// has some; they take the place of the free vertices of the domain's triangulation.
-inline Placed_part_2 place_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                                       const Problem_2& problem, const Bubbles_2& points = {})
+inline Placed_part_2 place_distributed(Communicator& comm, const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Starting_points_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
-  Placement_2 placed = place_by_all(comm, exchange, agreement, problem, given);
-  agreement.reach();
-  return bring_home_and_number(comm, exchange, problem.domain, placed);
+  const Starting_points_2 given(comm, problem.domain, problem.given, points);
+  Placement_2 placed = place_by_all(comm, problem, given);
+  comm.agree();
+  return bring_home_and_number(comm, problem.domain, placed);
 }
 
 /// The bubbles that were given, all of them, whatever d asks for, as `given_bubbles()` has them.
-inline Placed_part_2 given_bubbles_distributed(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
+inline Placed_part_2 given_bubbles_distributed(Communicator& comm,
                                                const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Starting_points_2 given(comm, exchange, agreement, problem.domain, problem.given, points);
+  const Starting_points_2 given(comm, problem.domain, problem.given, points);
   Placement_2 placed(place_on_outline(problem.domain, given.outline(), On_edges::KEEP, problem.sizes), comm);
   keep_given(problem.domain, given, problem.sizes, placed);
-  agreement.reach();
-  return bring_home_and_number(comm, exchange, problem.domain, placed);
+  comm.agree();
+  return bring_home_and_number(comm, problem.domain, placed);
 }
 
 } // namespace internal

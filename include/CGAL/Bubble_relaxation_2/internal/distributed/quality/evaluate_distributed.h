@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/find_sorted.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
 #include <CGAL/Mesh_quality_2.h>
@@ -22,7 +23,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -43,32 +43,17 @@ public:
   void add_up(std::size_t* counts, std::size_t n) const override
   {
     std::vector<std::uint64_t> sums(counts, counts + n);
-    check_mpi(
-      MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(n), MPI_UINT64_T, MPI_SUM, m_comm.handle()));
+    m_comm.reduce_each(sums, MPI_SUM);
     std::copy(sums.begin(), sums.end(), counts);
   }
 
-  /// Finds them byte after byte: how many values that begin as far as is known go on with which byte tells the
-  /// next one. No rank gets values of others, nor all positions a walk over all values.
   std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions) const override
   {
-    const std::size_t n = positions.size();
-    std::vector<std::uint64_t> candidates(values.size());
-    std::transform(values.begin(), values.end(), candidates.begin(), bits);
-    std::vector<std::uint64_t> found(n, 0), rest(positions.begin(), positions.end());
-    for (int shift = 56; shift >= 0; shift -= 8) {
-      const std::vector<std::uint64_t> known = distinct(found);
-      std::vector<std::size_t> counts(known.size() * 256, 0);
-      const auto leave = [&](std::uint64_t candidate) { return !count(candidate, shift, known, counts); };
-      candidates.erase(std::remove_if(candidates.begin(), candidates.end(), leave), candidates.end());
-      add_up(counts.data(), counts.size());
-      for (std::size_t k = 0; k < n; ++k) {
-        const auto place = std::lower_bound(known.begin(), known.end(), found[k]) - known.begin();
-        add_byte(&counts[static_cast<std::size_t>(place) * 256], found[k], rest[k]);
-      }
-    }
+    std::sort(values.begin(), values.end());
     std::vector<double> result;
-    std::transform(found.begin(), found.end(), std::back_inserter(result), number);
+    for (std::uint64_t found :
+         find_sorted(m_comm, values, bits, std::vector<std::int64_t>(positions.begin(), positions.end())))
+      result.push_back(number(found));
     return result;
   }
 
@@ -89,35 +74,6 @@ private:
     return result;
   }
 
-  /// what is known of the values at several positions, sorted: at first there is little that differs
-  static std::vector<std::uint64_t> distinct(std::vector<std::uint64_t> result)
-  {
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-  /// counts the next byte of a candidate that begins as one of those that are known; whether it does
-  static bool count(std::uint64_t candidate, int shift, const std::vector<std::uint64_t>& known,
-                    std::vector<std::size_t>& counts)
-  {
-    const std::uint64_t first_bytes = shift == 56 ? 0 : candidate >> (shift + 8);
-    for (std::size_t k = 0; k < known.size(); ++k)
-      if (known[k] == first_bytes) {
-        ++counts[k * 256 + (candidate >> shift & 255)];
-        return true;
-      }
-    return false;
-  }
-
-  static void add_byte(const std::size_t* counts, std::uint64_t& found, std::uint64_t& rest)
-  {
-    std::uint64_t byte = 0;
-    for (; byte < 255 && rest >= counts[byte]; ++byte)
-      rest -= counts[byte];
-    found = found << 8 | byte;
-  }
-
   const Communicator& m_comm;
 };
 
@@ -125,10 +81,10 @@ private:
 /// to the last bit. `sizing`: a pointer to the sizing field, or null if there are to be no lengths. What it
 /// throws on one rank all throw.
 inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh, const Sizes_2* sizing,
-                                                  const Communicator& comm, Agreement& agreement)
+                                                  Communicator& comm)
 {
   Mesh_quality_accumulator_2 accumulator;
-  agreement.reach_after([&] {
+  comm.agree_after([&] {
     const std::size_t n = mesh.triangles.number_of_triangles();
     add_triangles(mesh, 0, n, accumulator);
     add_vertices(mesh, accumulator);
@@ -140,15 +96,15 @@ inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh
 
 /// Collective. Puts the statistics of the mesh of all ranks into the report, as `evaluate()` does of that of one.
 /// What d throws on one rank all throw.
-inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& sizing, const Communicator& comm,
-                                 Agreement& agreement, Report& report)
+inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& sizing, Communicator& comm,
+                                 Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
-  report.quality = distributed_quality(mesh, &sizing, comm, agreement);
+  report.quality = distributed_quality(mesh, &sizing, comm);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
   Size_gradient_2 gradient(Report::steep_size_gradient);
-  agreement.reach_after([&] { gradient = size_gradient(mesh, sizing, Threads()); });
+  comm.agree_after([&] { gradient = size_gradient(mesh, sizing, Threads()); });
   gradient.tell(report, Values_of_all_ranks(comm));
 }
 

@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
@@ -21,7 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -45,7 +45,7 @@ struct Traffic_2
     bytes += static_cast<std::int64_t>(size);
   }
 
-  /// `Messages`: see `Sparse_exchange`
+  /// `Messages`: see `deliver()`
   template <class Messages>
   void add_messages(const Messages& out)
   {
@@ -77,8 +77,8 @@ public:
   static constexpr double away_from_part = farthest_from_home + most_moved + Boundary_2::longest_step;
 
   /// `neighbor_radius`: of the neighbour sets
-  Halo_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic, double neighbor_radius)
-    : m_comm(comm), m_exchange(exchange), m_traffic(traffic),
+  Halo_2(Communicator& comm, Traffic_2& traffic, double neighbor_radius)
+    : m_comm(comm), m_traffic(traffic),
       m_needed_reach((std::max)(least_needed_reach, 2 * neighbor_radius)),
       m_reach(m_needed_reach + away_from_part + most_moved + Boundary_2::longest_step)
   {}
@@ -97,7 +97,6 @@ public:
     m_near_border.clear();
     m_is_near_border.clear();
     m_has_gone_far = false;
-    m_number_of_ours = 0;
     m_sent.clear();
     m_received.clear();
     m_places.reserve(expected);
@@ -112,10 +111,9 @@ public:
     m_holders.add_empty();
     m_is_near_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
-    if (owner == m_comm.rank()) {
-      ++m_number_of_ours;
+    if (owner == m_comm.rank())
       find_clearance(b, i);
-    } else {
+    else {
       m_received[owner].push_back(i);
       ++m_number_of_changes;
       note_near_border(i);
@@ -127,7 +125,21 @@ public:
   const Messages<Index>& sent() const { return m_sent; }
   const Messages<Index>& received() const { return m_received; }
 
+  /// of bubbles that we have of others, and others of ours, by their numbers
+  std::unordered_map<std::int64_t, Index> indices_at_border(const Bubbles_2& b) const
+  {
+    std::unordered_map<std::int64_t, Index> result;
+    for (const auto* lists : {&m_sent, &m_received})
+      for (const auto& list : *lists)
+        for (Index i : list.second)
+          result[b.id[i]] = i;
+    return result;
+  }
+
   int owner(Index i) const { return m_bubbles->owner[i]; }
+
+  /// whether a rank has a bubble, for all we know
+  bool may_know(int rank, Index i) const { return !is_ours(i) || has(rank, i); }
 
   /// whether another rank has a bubble of ours
   bool is_at_border(Index i) const { return !m_holders.is_empty(i); }
@@ -202,7 +214,7 @@ public:
         tell_owners(b, those, finder, state, out);
       m_traffic.add_messages(out);
       those.clear();
-      for (const auto& message : m_exchange(out))
+      for (const auto& message : deliver(m_comm, out))
         for (const Bubble_state_2& s : message.second) {
           those.push_back(static_cast<Index>(b.size()));
           add(s, message.first);
@@ -223,13 +235,13 @@ public:
   void fetch(const Messages<Asked>& asked, const Find& find, const State& state, const Add& add)
   {
     Messages<Bubble_state_2> out;
-    for (const auto& message : m_exchange(asked))
+    for (const auto& message : deliver(m_comm, asked))
       for (const Asked& place : message.second)
         find(place, [&](Index j) {
           if (is_ours(j))
             give(j, message.first, state, out);
         });
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (const Bubble_state_2& s : message.second)
         add(s, message.first);
   }
@@ -323,57 +335,17 @@ private:
   /// whether another rank has a bubble of ours
   bool has(int rank, Index i) const { return m_holders.has(i, rank); }
 
-  /// Tells the owners of others' bubbles of ours that these reach. Bubbles that follow each other mostly lie together,
-  /// and what a few of them reach is looked for at once.
+  /// tells the owners of others' bubbles of ours that these reach
   template <class Finder, class State>
   void tell_owners(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
                    Messages<Bubble_state_2>& out)
   {
-    std::vector<Index> group;
-    for (Index i : those) {
-      if (is_ours(i) || knows_all_of_ours(owner(i)))
-        continue;
-      if (!group.empty() && !lies_with(b, i, group))
-        tell_owner_of(b, std::exchange(group, {}), finder, state, out);
-      group.push_back(i);
-    }
-    if (!group.empty())
-      tell_owner_of(b, group, finder, state, out);
-  }
-
-  bool knows_all_of_ours(int rank) const
-  {
-    const auto sent = m_sent.find(rank);
-    return sent != m_sent.end() && sent->second.size() == m_number_of_ours;
-  }
-
-  bool lies_with(const Bubbles_2& b, Index i, const std::vector<Index>& group) const
-  {
-    constexpr std::size_t most = 8;
-    constexpr double farthest = 3, largest = 1.2; // in units of the first one's size
-    const Index first = group.front();
-    const double far = farthest * b.d[first];
-    return group.size() < most && owner(i) == owner(first) && b.d[i] <= largest * b.d[first] &&
-           CGAL::squared_distance(b.point(i), b.point(first)) <= far * far;
-  }
-
-  /// \pre the bubbles of the group have one owner
-  template <class Finder, class State>
-  void tell_owner_of(const Bubbles_2& b, const std::vector<Index>& group, const Finder& finder, const State& state,
-                     Messages<Bubble_state_2>& out)
-  {
-    const Index first = group.front();
-    const int owner = this->owner(first);
-    double d = 0, square_radius = 0;
-    for (Index i : group) {
-      d = (std::max)(d, b.d[i]);
-      square_radius = (std::max)(square_radius, CGAL::squared_distance(b.point(i), b.point(first)));
-    }
-    finder.find_within(b.x[first], b.y[first], d, m_reach + std::sqrt(square_radius) / d, [&](Index j) {
-      if (is_ours(j) && !has(owner, j) &&
-          std::any_of(group.begin(), group.end(), [&](Index i) { return is_reached_by(b, i, j); }))
-        give(j, owner, state, out);
-    });
+    for (Index i : those)
+      if (!is_ours(i))
+        finder.find_within(b.x[i], b.y[i], b.d[i], m_reach, [&](Index j) {
+          if (is_ours(j) && is_reached_by(b, i, j))
+            give(j, owner(i), state, out);
+        });
   }
 
   bool is_reached_by(const Bubbles_2& b, Index i, Index j) const
@@ -394,8 +366,7 @@ private:
     out[rank].push_back(state(i));
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Traffic_2& m_traffic;
   const Bubbles_2* m_bubbles = nullptr;
   const Hilbert_partition_2* m_partition = nullptr;
@@ -408,7 +379,6 @@ private:
   std::vector<char> m_is_near_border;    // the same, of each bubble
   bool m_has_gone_far = false;
   Messages<Index> m_sent, m_received;
-  std::size_t m_number_of_ours = 0; // that ever were
   std::size_t m_number_of_changes = 0;
 };
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
@@ -30,50 +30,13 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// How many bubbles all ranks have, and the sum of their numbers, which no migration may change.
-class Bubble_census
-{
-public:
-  /// Collective. Bubbles that stay, and those that are sent away.
-  Bubble_census(const Communicator& comm, const std::vector<Bubble_state_2>& here,
-                const Messages<Bubble_state_2>& leaving)
-    : m_comm(comm)
-  {
-    add(here);
-    for (const auto& message : leaving)
-      add(message.second);
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, m_values.data(), 2, MPI_UINT64_T, MPI_SUM, comm.handle()));
-  }
-
-  /// \throws std::logic_error on all ranks if another census has another result
-  void check(const Bubble_census& after) const
-  {
-    if (m_values == after.m_values)
-      return;
-    m_comm.all_throw();
-    throw std::logic_error("Bubble_relaxation_2: of " + std::to_string(m_values[0]) + " bubbles " +
-                           std::to_string(after.m_values[0]) + " have arrived on other ranks, or not the same");
-  }
-
-private:
-  void add(const std::vector<Bubble_state_2>& states)
-  {
-    m_values[0] += states.size();
-    for (const Bubble_state_2& s : states)
-      m_values[1] += static_cast<std::uint64_t>(s.bubble.id);
-  }
-
-  const Communicator& m_comm;
-  std::array<std::uint64_t, 2> m_values{0, 0}; // sums modulo 2^64 will do
-};
-
 /// The way of simulated bubbles to the ranks that own their places, and the parts of the ranks, which are cut anew when
 /// one has too many.
 class Migration_2
 {
 public:
-  Migration_2(const Communicator& comm, Sparse_exchange& exchange, Traffic_2& traffic)
-    : m_comm(comm), m_exchange(exchange), m_traffic(traffic)
+  Migration_2(Communicator& comm, Traffic_2& traffic)
+    : m_comm(comm), m_traffic(traffic)
   {}
 
   void start(const Hilbert_partition_2& partition)
@@ -111,21 +74,21 @@ public:
         continue;
       const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
       (owner == m_comm.rank() ? ours : out[owner])
-        .push_back(Bubble_state_2{record(bubbles, i), simulation.memory(static_cast<Index>(i))});
+        .push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
     }
     m_traffic.add_messages(out);
-    const Bubble_census before(m_comm, ours, out);
-    for (const auto& message : m_exchange(out))
+    const Census before = census(ours, out);
+    for (const auto& message : deliver(m_comm, out))
       ours.insert(ours.end(), message.second.begin(), message.second.end());
-    before.check(Bubble_census(m_comm, ours, {}));
+    check(before, census(ours, {}));
     std::sort(ours.begin(), ours.end());
     bubbles = Bubbles_2();
     bubbles.rank = m_comm.rank();
     bubbles.make_room_for(ours.size());
     std::vector<Bubble_memory_2> memories;
     for (const Bubble_state_2& s : ours) {
-      add(bubbles, s.bubble, m_comm.rank());
-      memories.push_back(s.memory);
+      add(bubbles, s.bubble(), m_comm.rank());
+      memories.push_back(s.memory());
     }
     simulation.restart(memories, simulation.is_roused());
   }
@@ -133,6 +96,33 @@ public:
 private:
   /// more bubbles than the mean: so many that all migrate, and so many that they migrate to other parts if they do
   static constexpr double too_many = 1.1, many = 1.01;
+
+  /// how many bubbles all ranks have, and the sum of their numbers, which no migration may change; modulo 2^64
+  using Census = std::array<std::uint64_t, 2>;
+
+  /// Collective. Of bubbles that stay, and those that are sent away.
+  Census census(const std::vector<Bubble_state_2>& here, const Messages<Bubble_state_2>& leaving) const
+  {
+    Census result{0, 0};
+    const auto add = [&result](const std::vector<Bubble_state_2>& states) {
+      result[0] += states.size();
+      for (const Bubble_state_2& s : states)
+        result[1] += static_cast<std::uint64_t>(s.id);
+    };
+    add(here);
+    for (const auto& message : leaving)
+      add(message.second);
+    m_comm.reduce_each(result, MPI_SUM);
+    return result;
+  }
+
+  /// \throws std::logic_error on all ranks if bubbles were lost
+  void check(const Census& before, const Census& after) const
+  {
+    if (before != after)
+      m_comm.throw_on_all(std::logic_error("Bubble_relaxation_2: of " + std::to_string(before[0]) + " bubbles " +
+                                           std::to_string(after[0]) + " have arrived on other ranks, or not the same"));
+  }
 
   static bool is_here(const Bubbles_2& bubbles, std::size_t i) { return bubbles.is_ours(i) && !bubbles.is_gone(i); }
 
@@ -146,8 +136,7 @@ private:
     return double(m_comm.largest(n)) > most * double(m_comm.sum(n)) / m_comm.size() + few;
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Traffic_2& m_traffic;
   std::unique_ptr<Hilbert_partition_2> m_partition;
 };

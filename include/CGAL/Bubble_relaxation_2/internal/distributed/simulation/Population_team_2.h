@@ -12,9 +12,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hole_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
@@ -63,14 +63,12 @@ inline Messages<Wide_hole_side_2> wide_hole_sides(const Bubbles_2& bubbles, cons
 }
 
 /// The ranks that control the population together: each deletes its own bubbles and inserts in its own part.
-class Population_team_2 : public Team
+class Population_team_2 : public Part_team_2
 {
 public:
   using Triangle = std::array<Index, 3>;
 
-  Population_team_2(const Communicator& comm, Sparse_exchange& exchange, const Halo_2& halo)
-    : m_comm(comm), m_exchange(exchange), m_halo(halo), m_holes(comm, exchange)
-  {}
+  Population_team_2(Communicator& comm, const Halo_2& halo) : Part_team_2(comm), m_halo(halo) {}
 
   /// `number`: of all bubbles that ever were
   void start(const Hilbert_partition_2& partition, std::int64_t number)
@@ -80,9 +78,6 @@ public:
   }
 
   std::int64_t next_number() const { return m_next_number; }
-
-  bool is_alone() const override { return false; }
-  bool any(bool here) const override { return m_comm.any(here); }
 
   /// `touched`, as far as it is known of others' bubbles as well
   std::vector<Index> share_touched(const Bubbles_2& b, std::vector<Index> touched) override
@@ -109,27 +104,18 @@ public:
         if (owners[k] != m_comm.rank() && std::find(owners.begin(), owners.begin() + k, owners[k]) == owners.begin() + k)
           out[owners[k]].push_back(numbers);
     }
-    const std::unordered_map<std::int64_t, Index> indices = indices_at_border(b);
+    const std::unordered_map<std::int64_t, Index> indices = m_halo.indices_at_border(b);
     const auto index = [&indices](std::int64_t number) {
       const auto found = indices.find(number);
       return found == indices.end() ? no_index : found->second;
     };
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (const Numbers& n : message.second)
         triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
   }
 
   void share(std::vector<char>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
   void share(std::vector<double>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
-
-  std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
-  {
-    return m_holes.share(*m_partition, holes, reach);
-  }
-
-  void share_choice(std::vector<char>& states) override { m_holes.share_choice(states); }
-
-  bool owns_place(const Point& p) const override { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
 
   /// All ranks have the outline of the domain, and now all its bubbles.
   void share_outline(const Domain_2& domain, const Bubbles_2& b, Outline_bubbles_2& result) const override
@@ -181,22 +167,7 @@ private:
     }
   };
 
-  /// of bubbles that we have of others, and others of ours
-  std::unordered_map<std::int64_t, Index> indices_at_border(const Bubbles_2& b) const
-  {
-    std::unordered_map<std::int64_t, Index> result;
-    for (const auto* lists : {&m_halo.sent(), &m_halo.received()})
-      for (const auto& list : *lists)
-        for (Index i : list.second)
-          result[b.id[i]] = i;
-    return result;
-  }
-
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
   const Halo_2& m_halo;
-  Hole_exchange_2 m_holes;
-  const Hilbert_partition_2* m_partition = nullptr;
   std::int64_t m_next_number = 0;
 };
 

@@ -13,11 +13,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Moves_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Population_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Shared_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/share_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
@@ -38,30 +38,21 @@ class Simulation_team_2 : public Team
 public:
   bool is_alone() const override { return false; }
 
-  Simulation_team_2(const Communicator& comm, Sparse_exchange& exchange, Agreement& agreement,
-                    Checkpoints_2& checkpoints, const Relaxation_options& options)
-    : m_comm(comm), m_exchange(exchange), m_agreement(agreement), m_checkpoints(checkpoints),
-      m_interval(options.exchange_interval), m_migration(comm, exchange, m_traffic),
-      m_halo(comm, exchange, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
-      m_population(comm, exchange, m_halo),
+  Simulation_team_2(Communicator& comm, Checkpoints_2& checkpoints, const Relaxation_options& options)
+    : m_comm(comm), m_checkpoints(checkpoints),
+      m_interval(options.exchange_interval), m_migration(comm, m_traffic),
+      m_halo(comm, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
+      m_population(comm, m_halo),
       m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
       m_has_population(options.population != Bubble_population::NONE)
   {}
 
-  /// Begins with bubbles that are numbered from 0 on, each on the rank that owns its place, sorted.
-  void start(const Placed_part_2& part)
+  /// Begins with bubbles each of which is on the rank that owns its place, sorted. `number`: of all that ever were
+  void start(const Hilbert_partition_2& partition, std::int64_t number)
   {
-    m_migration.start(part.partition);
-    m_number_of_all = m_comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
-    m_population.start(partition(), m_number_of_all);
-  }
-
-  /// Begins with bubbles that were simulated before.
-  void start(const Restart_2& restart)
-  {
-    m_migration.start(restart.partition);
-    m_number_of_all = restart.header.number_of_all;
-    m_population.start(partition(), m_number_of_all);
+    m_migration.start(partition);
+    m_number_of_all = number;
+    m_population.start(m_migration.partition(), number);
   }
 
   std::size_t resume(Simulation_2& simulation, Bubbles_2& bubbles, Report& report) override
@@ -173,14 +164,14 @@ public:
 
   void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets) override
   {
-    Shared_sets_2(m_halo, b)(m_exchange, sets);
+    internal::share_sets(m_comm, m_halo, b, sets);
   }
 
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving) override
   {
     count_step();
     if (!m_interval.is_used())
-      m_moves.send(b, active, is_moving);
+      m_moves.send(m_halo, b, active, is_moving);
   }
 
   const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
@@ -191,7 +182,7 @@ public:
       mark_those_that_left(b, active);
       return m_others;
     }
-    m_moves.receive(b, m_others, is_moving);
+    m_moves.receive(m_halo, b, m_others, is_moving);
     note_outgrown(b, active);
     note_outgrown(b, m_others);
     return m_others;
@@ -202,11 +193,11 @@ public:
     const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
     const bool is_far_here = m_is_far_here || (!m_interval.is_used() && m_halo.has_gone_far());
     std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
-                                       static_cast<std::int64_t>(sums.outrun), m_agreement.has_failed(),
+                                       static_cast<std::int64_t>(sums.outrun), m_comm.has_failed(),
                                        !m_outgrown.empty() || is_far_here, is_far_here, is_stale};
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, values.data(), 6, MPI_INT64_T, MPI_SUM, m_comm.handle()));
+    m_comm.reduce_each(values, MPI_SUM);
     if (values[2] != 0)
-      m_agreement.reach();
+      m_comm.agree();
     m_is_outgrown = m_is_outgrown || values[3] != 0; // until the next step
     m_is_far_from_home = m_is_far_from_home || values[4] != 0;
     m_is_far_here = false;
@@ -288,14 +279,14 @@ private:
 
   static Bubble_state_2 state(const Simulation_2& simulation, const Bubbles_2& bubbles, Index i)
   {
-    return Bubble_state_2{record(bubbles, i), simulation.memory(i)};
+    return bubble_state(bubbles, static_cast<std::size_t>(i), simulation.memory(i));
   }
 
   Index add_of_other(Simulation_2& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
   {
     const Index i = static_cast<Index>(bubbles.size());
-    add(bubbles, s.bubble, owner);
-    simulation.add_known(s.memory);
+    add(bubbles, s.bubble(), owner);
+    simulation.add_known(s.memory());
     m_halo.add(bubbles, i);
     return i;
   }
@@ -341,7 +332,7 @@ private:
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
         messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
                      static_cast<Index>(i));
-    messages.exchange(m_exchange);
+    messages.send(m_comm);
     m_migration.send_home(simulation, bubbles);
     look_for_ghosts(simulation, bubbles);
     std::vector<std::vector<Index>> sets(bubbles.size());
@@ -355,16 +346,14 @@ private:
     m_migration.send_home(simulation, bubbles);
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  Agreement& m_agreement;
+  Communicator& m_comm;
   Checkpoints_2& m_checkpoints;
   Exchange_interval_2 m_interval;
   Traffic_2 m_traffic;
   Migration_2 m_migration;
   Halo_2 m_halo;
-  Moves_exchange_2 m_moves;
-  Stage_exchange_2 m_stages;
+  Move_messages_2 m_moves;
+  Stage_messages_2 m_stages;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
   bool m_may_be_stopped, m_has_population, m_is_outgrown = false, m_is_far_here = false,

@@ -10,10 +10,10 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_DISTRIBUTED_SURGERY_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_changes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 
@@ -31,11 +31,22 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The triangles that an operation wants to change.
-struct Patch_claim_2
+/// an operation on the triangles around a bad one, which tells who comes first
+struct Ranked_operation_2
 {
-  Bad_triangle_2 bad;                          ///< the one it is for, which tells who comes first
-  std::vector<std::array<Index, 3>> triangles; ///< their vertices
+  Bad_triangle_2 bad;
+  Mesh_patch_2 patch;
+  Patch_outcome_2 outcome;
+  bool is_chosen;
+  std::int32_t place = 0;        ///< among all that are chosen
+  std::int64_t first_number = 0; ///< of what is inserted
+
+  std::int64_t number_of_insertions() const
+  {
+    return std::count_if(outcome.original.begin(), outcome.original.end(), [this](Index i) {
+      return static_cast<std::size_t>(i) >= patch.indices().size();
+    });
+  }
 };
 
 /// Chooses among the claims of all ranks those that are worth it, the first ones first, and none that shares a
@@ -43,20 +54,20 @@ struct Patch_claim_2
 class Patch_choice_2
 {
 public:
-  Patch_choice_2(const Communicator& comm, Sparse_exchange& exchange, const std::vector<Patch_claim_2>& claims,
-                 const Bubbles_2& known)
-    : m_comm(comm), m_exchange(exchange)
+  Patch_choice_2(Communicator& comm, const std::vector<Ranked_operation_2>& claims,
+                 const Distributed_mesh_2& mesh)
+    : m_comm(comm)
   {
-    add_candidates(claims.size(), find_rivals(claims, known));
+    add_candidates(claims.size(), find_rivals(claims, mesh));
   }
 
   /// Collective. `is_worth_it(k)` is asked only of claims that no other one is in the way of, in whatever order.
   template <class Predicate>
-  void operator()(const Predicate& is_worth_it, Agreement& agreement)
+  void operator()(const Predicate& is_worth_it)
   {
     const auto decide = [&] {
       bool is_open = false;
-      agreement.reach_after([&] { is_open = m_choice.decide(is_worth_it); });
+      m_comm.agree_after([&] { is_open = m_choice.decide(is_worth_it); });
       return is_open;
     };
     decide_together(m_comm, decide, [this] { share_values(m_comm, m_sent, m_received, m_choice.states()); });
@@ -81,18 +92,20 @@ private:
   };
 
   /// tells the ranks that claim triangles who comes before
-  Messages<Rivalry> find_rivals(const std::vector<Patch_claim_2>& claims, const Bubbles_2& known)
+  Messages<Rivalry> find_rivals(const std::vector<Ranked_operation_2>& claims, const Distributed_mesh_2& mesh)
   {
+    const Bubbles_2& known = mesh.bubbles;
     Messages<Claimed> out;
     for (std::size_t k = 0; k < claims.size(); ++k)
-      for (const std::array<Index, 3>& t : claims[k].triangles) {
+      for (Index triangle : claims[k].patch.triangles()) {
+        const std::array<Index, 3>& t = mesh.triangles.vertices[triangle];
         Claimed claimed{{known.id[t[0]], known.id[t[1]], known.id[t[2]]},
                         claims[k].bad, m_comm.rank(), static_cast<std::int32_t>(k)};
         std::sort(claimed.triangle.begin(), claimed.triangle.end());
         out[known.owner[*std::min_element(t.begin(), t.end())]].push_back(claimed);
       }
     std::vector<Claimed> claimed;
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       claimed.insert(claimed.end(), message.second.begin(), message.second.end());
     std::sort(claimed.begin(), claimed.end());
     Messages<Rivalry> rivalries;
@@ -102,7 +115,7 @@ private:
       for (std::size_t r = first; r < k; ++r)
         rivalries[claimed[k].rank].push_back(Rivalry{claimed[k].claim, claimed[r].rank, claimed[r].claim});
     }
-    return m_exchange(rivalries);
+    return deliver(m_comm, rivalries);
   }
 
   /// the claims of this rank, and after them those of others that come before one of them
@@ -120,7 +133,7 @@ private:
       questions[other.first.first].push_back(other.first.second);
       m_received[other.first.first].push_back(other.second);
     }
-    m_sent = m_exchange(questions);
+    m_sent = deliver(m_comm, questions);
     m_choice.start(static_cast<std::size_t>(next));
     for (std::size_t k = 0; k < n; ++k)
       m_choice.add(static_cast<Index>(k));
@@ -130,8 +143,7 @@ private:
           .push_back(r.rival_rank == m_comm.rank() ? r.rival : others.at({r.rival_rank, r.rival}));
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Greedy_choice m_choice;
   Messages<Index> m_sent, m_received; // claims that others ask for, and theirs that this rank asks for
 };
@@ -142,10 +154,9 @@ private:
 class Distributed_surgery_2
 {
 public:
-  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, const Communicator& comm,
-                        Agreement& agreement, Sparse_exchange& exchange)
+  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, Communicator& comm)
     : m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
-      m_comm(comm), m_agreement(agreement), m_exchange(exchange)
+      m_comm(comm)
   {}
 
   /// what was done on all ranks
@@ -157,7 +168,7 @@ public:
   {
     bool is_cut_off = false;
     std::vector<Bad_triangle_2> worst;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       worst = bad_triangles(m_piece.mesh, bad_quality);
       worst.erase(std::remove_if(worst.begin(), worst.end(),
                                  [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
@@ -165,10 +176,10 @@ public:
       worst.resize((std::min)(most, worst.size()));
     });
     keep_worst_of_all(most, worst);
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       for (const Bad_triangle_2& bad : worst) {
         m_operations.push_back(
-          Operation{bad, Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
+          Ranked_operation_2{bad, Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
         is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
       }
     });
@@ -179,41 +190,21 @@ public:
   /// inserted gets numbers from `end` on.
   Patch_changes_2 operate(std::int64_t end)
   {
-    std::vector<Patch_claim_2> claims;
-    for (const Operation& operation : m_operations)
-      claims.push_back(claim(operation));
-    Patch_choice_2 choose(m_comm, m_exchange, claims, m_known);
-    choose([this](std::size_t k) { return operate_on(m_operations[k]); }, m_agreement);
+    Patch_choice_2 choose(m_comm, m_operations, m_piece.mesh);
+    choose([this](std::size_t k) { return operate_on(m_operations[k]); });
     number_operations(end);
     Patch_changes_2 own;
-    m_agreement.reach_after([&] {
-      for (const Operation& operation : m_operations)
+    m_comm.agree_after([&] {
+      for (const Ranked_operation_2& operation : m_operations)
         if (operation.is_chosen)
           own[operation.place] = describe(operation);
     });
     number_of_insertions = m_comm.sum(number_of_insertions);
     number_of_deletions = m_comm.sum(number_of_deletions);
-    return Patch_exchange_2(m_piece, m_comm, m_exchange)(own);
+    return Patch_announcement_2(m_piece, m_comm)(own);
   }
 
 private:
-  struct Operation
-  {
-    Bad_triangle_2 bad;
-    Mesh_patch_2 patch;
-    Patch_outcome_2 outcome;
-    bool is_chosen;
-    std::int32_t place = 0;        ///< among all that are chosen
-    std::int64_t first_number = 0; ///< of what is inserted
-
-    std::int64_t number_of_insertions() const
-    {
-      return std::count_if(outcome.original.begin(), outcome.original.end(), [this](Index i) {
-        return static_cast<std::size_t>(i) >= patch.indices().size();
-      });
-    }
-  };
-
   void keep_worst_of_all(std::size_t most, std::vector<Bad_triangle_2>& worst) const
   {
     std::vector<Bad_triangle_2> all = gather_records(m_comm, worst);
@@ -225,20 +216,12 @@ private:
   }
 
   /// returns whether it helped
-  bool operate_on(Operation& operation) const
+  bool operate_on(Ranked_operation_2& operation) const
   {
     Patch_operation_2 operate(m_domain, m_piece.mesh, operation.patch);
     operation.is_chosen = operate(operation.bad.triangle);
     operation.outcome = operate.best();
     return operation.is_chosen;
-  }
-
-  Patch_claim_2 claim(const Operation& operation) const
-  {
-    Patch_claim_2 result{operation.bad, {}};
-    for (Index t : operation.patch.triangles())
-      result.triangles.push_back(m_triangles.vertices[t]);
-    return result;
   }
 
   /// numbers operations, and what they insert, as if all were made by one rank
@@ -252,14 +235,14 @@ private:
       bool operator<(const Insertion& i) const { return bad < i.bad; }
     };
     std::vector<Insertion> own;
-    for (const Operation& operation : m_operations)
+    for (const Ranked_operation_2& operation : m_operations)
       if (operation.is_chosen)
         own.push_back(Insertion{operation.bad, operation.number_of_insertions()});
     std::vector<Insertion> all = gather_records(m_comm, own);
     std::sort(all.begin(), all.end());
     for (Insertion& i : all)
       end += std::exchange(i.number, end);
-    for (Operation& operation : m_operations)
+    for (Ranked_operation_2& operation : m_operations)
       if (operation.is_chosen) {
         const auto found = std::lower_bound(all.begin(), all.end(), Insertion{operation.bad, 0});
         operation.place = static_cast<std::int32_t>(found - all.begin());
@@ -267,7 +250,7 @@ private:
       }
   }
 
-  Patch_change_2 describe(const Operation& operation)
+  Patch_change_2 describe(const Ranked_operation_2& operation)
   {
     Patch_change_2 result;
     const std::vector<Index>& indices = operation.patch.indices();
@@ -300,7 +283,7 @@ private:
     return result;
   }
 
-  void describe_triangles(const Operation& operation, const std::vector<std::int64_t>& numbers,
+  void describe_triangles(const Ranked_operation_2& operation, const std::vector<std::int64_t>& numbers,
                           Patch_change_2& change) const
   {
     for (Index t : operation.patch.triangles()) {
@@ -320,10 +303,8 @@ private:
   const Mesh_piece_2& m_piece;
   const Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
-  std::vector<Operation> m_operations;
+  Communicator& m_comm;
+  std::vector<Ranked_operation_2> m_operations;
 };
 
 } // namespace internal

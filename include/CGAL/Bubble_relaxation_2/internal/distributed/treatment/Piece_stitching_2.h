@@ -10,9 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PIECE_STITCHING_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_changes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
 #include <algorithm>
@@ -31,9 +31,8 @@ namespace internal {
 class Piece_stitching_2
 {
 public:
-  Piece_stitching_2(Mesh_piece_2& piece, const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
-    : m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles), m_comm(comm),
-      m_agreement(agreement), m_exchange(exchange)
+  Piece_stitching_2(Mesh_piece_2& piece, Communicator& comm)
+    : m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles), m_comm(comm)
   {}
 
   bool has_changed_outline = false; ///< of the whole domain
@@ -44,7 +43,7 @@ public:
     m_end = end;
     std::vector<std::int64_t> gone;
     bool is_wide_enough = false;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       Mesh_stitching_2 stitching(m_piece.mesh);
       replace(changes, stitching);
       gone = gone_of_ours();
@@ -173,7 +172,7 @@ private:
         wanted[m_known.owner[i]].push_back(m_known.id[i]);
         m_piece.received[m_known.owner[i]].push_back(static_cast<Index>(i));
       }
-    for (const auto& message : m_exchange(wanted))
+    for (const auto& message : deliver(m_comm, wanted))
       for (std::int64_t number : message.second)
         m_piece.sent[message.first].push_back(m_known.index_of(number));
   }
@@ -181,9 +180,7 @@ private:
   Mesh_piece_2& m_piece;
   Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   std::int64_t m_end = 0;
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
@@ -28,20 +28,6 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Ranks that treat the defects of a mesh, each on its own or together.
-class Treating_team : public Team
-{
-public:
-  /// whether ranks speak to each other within the treatment
-  virtual bool is_collective() const = 0;
-
-  /// Collective. Whether what was done is worth nothing.
-  virtual bool has_failed() const = 0;
-
-  /// the triangles that may not be marked as what they are now
-  virtual const std::vector<Index>& changed_triangles() const = 0;
-};
-
 /// A rank that treats the defects of its own part of the mesh as if it were alone, see `Team`. It may as long as
 /// two things hold; else it has come too near to others.
 ///
@@ -49,10 +35,10 @@ public:
 /// those that one rank alone would give them, and they are moved in the same order, among vertices that stay. And all
 /// triangles that flips make are between its own bubbles: then no other rank has one of them, and every edge is locally
 /// Delaunay again on the rank that changed something beside it, so the whole is Delaunay.
-class Treatment_inside_2 : public Treating_team
+class Treatment_inside_2 : public Team
 {
 public:
-  Treatment_inside_2(const Communicator& comm, const Distributed_mesh_2& mesh)
+  Treatment_inside_2(Communicator& comm, const Distributed_mesh_2& mesh)
     : m_comm(comm), m_mesh(mesh)
   {
     for (Index t : triangles_beside_others(mesh))
@@ -60,12 +46,10 @@ public:
         m_beside_others.push_back(v);
   }
 
-  bool is_collective() const override { return false; }
-
   bool goes_on_treating(bool here) override { return here && !m_is_too_near; }
 
   /// Collective. Whether any rank came too near to others: then what was done is worth nothing.
-  bool has_failed() const override { return m_comm.any(m_is_too_near); }
+  bool has_failed() const { return m_comm.any(m_is_too_near); }
 
   /// `values`: not 0 for candidates only
   void share(std::vector<char>& values) override
@@ -83,11 +67,11 @@ public:
     m_changed.insert(m_changed.end(), flipped.begin(), flipped.end());
   }
 
-  /// all that were flipped
-  const std::vector<Index>& changed_triangles() const override { return m_changed; }
+  /// the triangles that may not be marked as what they are now: all that were flipped
+  const std::vector<Index>& changed_triangles() const { return m_changed; }
 
 private:
-  const Communicator& m_comm;
+  Communicator& m_comm;
   const Distributed_mesh_2& m_mesh;
   std::vector<Index> m_beside_others; // bubbles with neighbours of other ranks, and these
   std::vector<Index> m_changed;
@@ -97,10 +81,10 @@ private:
 /// The ranks that treat the defects of a mesh together, see `Team`. Each treats its own vertices, and
 /// moves those of others as it is told. Its piece of the mesh gets narrower with each sweep, by what bubbles that it
 /// does not know may have changed; when triangles around its own vertices are concerned, it knows too little.
-class Treatment_team_2 : public Treating_team
+class Treatment_team_2 : public Team
 {
 public:
-  Treatment_team_2(const Communicator& comm, const Mesh_piece_2& piece)
+  Treatment_team_2(Communicator& comm, const Mesh_piece_2& piece)
     : m_comm(comm), m_piece(piece), m_targets(piece.mesh.bubbles.size()),
       m_beside_others(triangles_beside_others(piece.mesh)),
       m_certificate(piece.mesh), m_was_moved(piece.mesh.bubbles.size(), 0)
@@ -110,7 +94,6 @@ public:
         m_targets.add(list.second[k], {list.first, static_cast<std::int32_t>(k)});
   }
 
-  bool is_collective() const override { return true; }
   bool is_alone() const override { return m_comm.size() == 1; }
 
   bool goes_on_treating(bool here) override
@@ -121,7 +104,7 @@ public:
   }
 
   /// Collective. Whether any rank knew too little: then what was done is worth nothing.
-  bool has_failed() const override { return m_has_failed || m_comm.any(m_knows_too_little); }
+  bool has_failed() const { return m_has_failed || m_comm.any(m_knows_too_little); }
 
   std::size_t largest_number(std::size_t here) const override
   {
@@ -145,7 +128,7 @@ public:
     for (Index v : moved)
       for (const auto& target : m_targets[v])
         out[target.first].push_back(Move{target.second, b.host[v], b.x[v], b.y[v], b.s[v]});
-    exchange_known(m_comm, out, in);
+    deliver_expected(m_comm, out, in);
     for (const auto& message : in)
       for (const Move& m : message.second) {
         const Index v = m_piece.received.at(message.first)[m.position];
@@ -188,7 +171,7 @@ public:
   }
 
   /// the triangles that are not marked as what they are now, and perhaps some more
-  const std::vector<Index>& changed_triangles() const override { return m_beside_others; }
+  const std::vector<Index>& changed_triangles() const { return m_beside_others; }
 
 private:
   struct Move
@@ -210,7 +193,7 @@ private:
     return m_was_moved[v[0]] || m_was_moved[v[1]] || m_was_moved[v[2]];
   }
 
-  const Communicator& m_comm;
+  Communicator& m_comm;
   const Mesh_piece_2& m_piece;
   /// of each own bubble: the ranks that know it, and its position in the lists of both
   Lists_of_few<std::pair<int, std::int32_t>> m_targets;

@@ -40,18 +40,17 @@ class Distributed_treatment_2
 {
 public:
   /// `first_reach`: how much wider the pieces are at first, in units of d \pre it is positive
-  Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, const Communicator& comm,
-                          Agreement& agreement, Sparse_exchange& exchange, double first_reach = usual_reach)
-    : m_domain(domain), m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
-      m_first_reach(first_reach)
+  Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, Communicator& comm,
+                          double first_reach = usual_reach)
+    : m_domain(domain), m_partition(partition), m_comm(comm), m_first_reach(first_reach)
   {}
 
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.
   Distributed_mesh_2 triangulate(const Bubbles_2& own) const
   {
     Distributed_mesh_2 mesh =
-      distributed_triangulate(m_domain, own, m_partition, m_comm, m_agreement, m_exchange);
-    m_agreement.reach_after([&] {
+      distributed_triangulate(m_domain, own, m_partition, m_comm);
+    m_comm.agree_after([&] {
       label_edges(mesh.triangles);
     });
     return mesh;
@@ -61,7 +60,7 @@ public:
   double smallest_quality(const Distributed_mesh_2& mesh) const
   {
     double smallest = 1;
-    m_agreement.reach_after([&] { for_each_quality(mesh, [&](Index, double q) { smallest = (std::min)(smallest, q); }); });
+    m_comm.agree_after([&] { for_each_quality(mesh, [&](Index, double q) { smallest = (std::min)(smallest, q); }); });
     return m_comm.smallest(smallest);
   }
 
@@ -85,17 +84,6 @@ public:
   std::int64_t number_of_bubbles(const Distributed_mesh_2& mesh) const
   {
     return m_comm.sum(std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_comm.rank()));
-  }
-
-  /// Collective. The bubbles of a mesh, brought home.
-  Bubbles_2 bubbles(const Distributed_mesh_2& mesh) const
-  {
-    Bubbles_2 own;
-    own.make_room_for(mesh.bubbles.size());
-    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
-      if (mesh.bubbles.owner[i] == m_comm.rank())
-        add_own(own, record(mesh.bubbles, i));
-    return send_home(m_partition, m_exchange, m_comm.rank(), std::move(own));
   }
 
 private:
@@ -124,7 +112,7 @@ private:
   Defects find_defects(const Distributed_mesh_2& mesh) const
   {
     Defects found{1, false};
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       const Bubbles_2& b = mesh.bubbles;
       Clearance_2 clearance(m_partition, m_comm.rank());
       for_each_quality(mesh, [&](Index t, double q) {
@@ -151,7 +139,7 @@ private:
   {
     if (p.is_as_wide)
       p.reach = p.reach == 0 ? m_first_reach : 2 * p.reach;
-    p.piece = Mesh_widening_2(std::move(p.piece.mesh), m_partition, m_comm, m_agreement, m_exchange)(p.reach);
+    p.piece = Mesh_widening_2(std::move(p.piece.mesh), m_partition, m_comm)(p.reach);
     p.is_as_wide = true;
     ++p.piece.mesh.number_of_widenings;
   }
@@ -175,23 +163,22 @@ private:
   {
     if (p.reach > 0) {
       Treatment_team_2 team(m_comm, p.piece);
-      return smooth_with(team, p.piece.mesh, smallest, number);
+      return smooth_with(team, [](const auto& sweep) { sweep(); }, p.piece.mesh, smallest, number);
     }
     std::optional<Treatment_inside_2> team;
-    m_agreement.reach_after([&] { team.emplace(m_comm, p.piece.mesh); });
-    return smooth_with(*team, p.piece.mesh, smallest, number);
+    m_comm.agree_after([&] { team.emplace(m_comm, p.piece.mesh); });
+    return smooth_with(*team, [this](const auto& sweep) { m_comm.agree_after(sweep); }, p.piece.mesh, smallest, number);
   }
 
-  /// moves vertices, unless the mesh gets worse by that or a rank knows too little
-  Smoothing smooth_with(Treating_team& team, Distributed_mesh_2& mesh, double& smallest, std::size_t& number) const
+  /// Moves vertices, unless the mesh gets worse by that or a rank knows too little. `call`: calls what is done
+  template <class Treating_team, class Call>
+  Smoothing smooth_with(Treating_team& team, const Call& call, Distributed_mesh_2& mesh, double& smallest,
+                        std::size_t& number) const
   {
     Bubbles_2& bubbles = mesh.bubbles;
     Smoothing_sweeps_2 treat(m_domain, mesh, team);
     std::vector<Index> moved;
-    if (team.is_collective())
-      moved = treat();
-    else
-      m_agreement.reach_after([&] { moved = treat(); });
+    call([&] { moved = treat(); });
     if (team.has_failed()) {
       treat.undo();
       ++mesh.number_of_failed_treatments;
@@ -214,13 +201,9 @@ private:
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
   {
-    std::vector<Bubble_record_2> own;
-    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
-      if (mesh.bubbles.owner[i] == m_comm.rank() && is_on_outline(mesh.bubbles, i))
-        own.push_back(record(mesh.bubbles, i));
-    std::vector<Bubble_record_2> all = gather_records(m_comm, own);
+    std::vector<Bubble_record_2> all = gather_outline(m_comm, mesh.bubbles);
     bool is_valid = false;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       std::sort(all.begin(), all.end(), [](const Bubble_record_2& r, const Bubble_record_2& s) {
         return r.id < s.id;
       });
@@ -259,14 +242,14 @@ private:
     if (p.reach == 0)
       widen(p);
     for (;; widen(p)) {
-      Distributed_surgery_2 surgery(m_domain, p.piece, m_comm, m_agreement, m_exchange);
+      Distributed_surgery_2 surgery(m_domain, p.piece, m_comm);
       if (!surgery.find_patches(bad_quality, most_operations(static_cast<std::size_t>(end))))
         continue;
       const Patch_changes_2 changes = surgery.operate(end);
       if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
         return std::nullopt;
       Treated_piece changed{p.piece, p.reach, false};
-      Piece_stitching_2 stitch(changed.piece, m_comm, m_agreement, m_exchange);
+      Piece_stitching_2 stitch(changed.piece, m_comm);
       if (!stitch(changes, end))
         continue;
       // rounding can make a mess of a change; then what was there is good
@@ -280,19 +263,16 @@ private:
 
   const Domain_2& m_domain;
   const Hilbert_partition_2& m_partition;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   const double m_first_reach;
 };
 
 /// `keep_the_better()` by ranks: given bubbles whose mesh is better than what was made of them are treated instead.
 inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& points, bool may_operate,
-                                   const Communicator& comm, Agreement& agreement,
-                            Sparse_exchange& exchange, Distributed_mesh_2& mesh, Treatment_counts& counts)
+                                   Communicator& comm, Distributed_mesh_2& mesh, Treatment_counts& counts)
 {
-  const Placed_part_2 given = given_bubbles_distributed(comm, exchange, agreement, problem, points);
-  const Distributed_treatment_2 treat(problem.domain, given.partition, comm, agreement, exchange);
+  const Placed_part_2 given = given_bubbles_distributed(comm, problem, points);
+  const Distributed_treatment_2 treat(problem.domain, given.partition, comm);
   const std::int64_t before = comm.sum(static_cast<std::int64_t>(given.bubbles.size()));
   if (!is_about_as_many(static_cast<std::size_t>(before), static_cast<std::size_t>(treat.number_of_bubbles(mesh))))
     return;
@@ -306,19 +286,18 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
 /// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
 inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
-                                            const Placed_part_2& part, const Communicator& comm, Agreement& agreement,
-                                            Sparse_exchange& exchange, Report& report)
+                                            const Placed_part_2& part, Communicator& comm, Report& report)
 {
   const Relaxation_options& options = problem.options;
   const Phase_timer timer(report.seconds.treatment);
-  const Distributed_treatment_2 treat(problem.domain, part.partition, comm, agreement, exchange);
+  const Distributed_treatment_2 treat(problem.domain, part.partition, comm);
   Distributed_mesh_2 mesh = treat.triangulate(part.bubbles);
   if (!is_treatment_due(options, report))
     return mesh;
   const bool may_operate = options.population != Bubble_population::NONE;
   Treatment_counts counts = treat(mesh, may_operate);
   if (keeps_given_bubbles(options))
-    keep_the_better_of_all(problem, points, may_operate, comm, agreement, exchange, mesh, counts);
+    keep_the_better_of_all(problem, points, may_operate, comm, mesh, counts);
   counts.add_to(report);
   return mesh;
 }

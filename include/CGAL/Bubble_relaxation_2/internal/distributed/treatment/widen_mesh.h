@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
 #include <algorithm>
 #include <array>
@@ -35,10 +36,8 @@ class Mesh_widening_2
 {
 public:
   /// \pre the edges of `mesh` are labelled, and its final triangles are right
-  Mesh_widening_2(Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition, const Communicator& comm,
-                  Agreement& agreement, Sparse_exchange& exchange)
-    : m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
-      m_piece{std::move(mesh), {}, {}}, m_mesh(m_piece.mesh)
+  Mesh_widening_2(Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition, Communicator& comm)
+    : m_partition(partition), m_comm(comm), m_piece{std::move(mesh), {}, {}}, m_mesh(m_piece.mesh)
   {}
 
   Mesh_widening_2(const Mesh_widening_2&) = delete;
@@ -49,17 +48,16 @@ public:
   {
     Messages<Bubble_record_2> bubbles;
     Messages<Triangle> triangles;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       find_takers(reach);
       tell(bubbles, triangles);
     });
-    const Messages<Bubble_record_2> others = m_exchange(bubbles);
-    const Messages<Triangle> others_triangles = m_exchange(triangles);
-    m_agreement.reach_after([&] {
+    const Messages<Bubble_record_2> others = deliver(m_comm, bubbles);
+    const Messages<Triangle> others_triangles = deliver(m_comm, triangles);
+    m_comm.agree_after([&] {
       take_in(others);
-      keep_final_triangles();
-      add_triangles(others_triangles);
-      link_open_sides();
+      replace_triangles(others_triangles);
+      m_mesh.mark_triangles(m_comm.rank());
     });
     return std::move(m_piece);
   }
@@ -69,18 +67,6 @@ private:
   {
     std::array<std::int64_t, 3> vertices; // numbers
     std::array<Index, 3> edges;
-  };
-
-  /// a side without a neighbour, between vertices in order
-  struct Open_side
-  {
-    Index first, second, triangle;
-    int index;
-
-    bool operator<(const Open_side& s) const
-    {
-      return std::make_pair(first, second) < std::make_pair(s.first, s.second);
-    }
   };
 
   bool is_own(Index v) const { return m_mesh.bubbles.owner[v] == m_comm.rank(); }
@@ -155,141 +141,60 @@ private:
         internal::add(known, r, message.first);
       }
     merge_tail(order, own, [&known](Index i, Index j) { return known.id[i] < known.id[j]; });
-    find_places(order, before);
+    std::vector<std::pair<Index, std::int64_t>> ghosts; // that were known before
+    for (Index i = 0; i < before; ++i)
+      if (!is_own(i))
+        ghosts.emplace_back(i, known.id[i]);
+    m_place.assign(known.size(), no_index);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      m_place[order[k]] = static_cast<Index>(k);
     known.select(order);
+    for (const auto& ghost : ghosts)
+      m_place[ghost.first] = known.index_of(ghost.second);
     for (auto* lists : {&m_piece.sent, &m_piece.received})
       for (auto& list : *lists)
         for (Index& i : list.second)
           i = m_place[i];
   }
 
-  /// where bubbles will be that are now at `order[0], order[1], …`; those before `first_new` were there
-  void find_places(const std::vector<Index>& order, Index first_new)
-  {
-    const Bubbles_2& known = m_mesh.bubbles;
-    m_place.assign(known.size(), no_index);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      m_place[order[k]] = static_cast<Index>(k);
-      if (order[k] >= first_new)
-        m_ghosts.emplace_back(known.id[order[k]], static_cast<Index>(k));
-    }
-    for (Index i = 0; i < first_new; ++i)
-      if (!is_own(i))
-        m_place[i] = ghost(known.id[i]);
-  }
-
-  /// the place of a bubble of others with a number, `no_index` if there is none
-  Index ghost(std::int64_t number) const
-  {
-    const auto found = std::lower_bound(m_ghosts.begin(), m_ghosts.end(), std::make_pair(number, Index(0)));
-    return found != m_ghosts.end() && found->first == number ? found->second : no_index;
-  }
-
-  void keep_final_triangles()
+  /// in the place of those without own bubbles come such that their owners tell
+  void replace_triangles(const Messages<Triangle>& received)
   {
     Marked_triangles_2& m = m_mesh.triangles;
-    std::vector<Index> number(m.inside.size(), no_index);
-    std::size_t next = 0;
-    for (std::size_t t = 0; t < number.size(); ++t)
-      if (m_mesh.is_final[t])
-        number[t] = static_cast<Index>(next++);
-    for (std::size_t t = 0; t < number.size(); ++t) {
-      if (number[t] == no_index)
-        continue;
-      const std::size_t k = static_cast<std::size_t>(number[t]);
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m.neighbors[t][i];
-        m.vertices[k][i] = m_place[m.vertices[t][i]];
-        m.neighbors[k][i] = n == no_index ? no_index : number[n];
-        if (m.neighbors[k][i] == no_index)
-          m_open.emplace_back(number[t], i);
-      }
-      m.edges[k] = m.edges[t];
-      m_mesh.is_owned[k] = m_mesh.is_owned[t];
-    }
-    m_number_of_own_triangles = next;
-    m.vertices.resize(next);
-    m.neighbors.resize(next);
-    m.edges.resize(next);
-    m.inside.assign(next, 1);
-    m_mesh.is_owned.resize(next);
-    m_mesh.is_final.assign(next, 1);
-  }
-
-  /// of others'
-  void add_triangles(const Messages<Triangle>& received)
-  {
-    std::size_t most = 0;
-    for (const auto& message : received)
-      most += message.second.size();
-    make_room_for(most);
+    for (std::array<Index, 3>& vertices : m.vertices)
+      for (Index& v : vertices)
+        v = m_place[v];
+    std::vector<New_triangle_2> made;
     for (const auto& message : received)
       for (const Triangle& t : message.second) {
-        std::array<Index, 3> v;
-        for (int i = 0; i < 3; ++i)
-          v[i] = ghost(t.vertices[i]);
-        if (std::find(v.begin(), v.end(), no_index) == v.end()) // else it has an own vertex, or one that is too far away
-          add(v, t.edges);
+        const Bubbles_2& b = m_mesh.bubbles;
+        const std::array<Index, 3> v{b.index_of(t.vertices[0]), b.index_of(t.vertices[1]), b.index_of(t.vertices[2])};
+        // else it has an own vertex, or one that is too far away
+        if (std::all_of(v.begin(), v.end(), [this](Index i) { return i != no_index && !is_own(i); }))
+          made.push_back(New_triangle_2{v, t.edges});
       }
-  }
-
-  void make_room_for(std::size_t n)
-  {
-    Marked_triangles_2& m = m_mesh.triangles;
-    internal::make_room_for(n, m.vertices);
-    internal::make_room_for(n, m.neighbors);
-    internal::make_room_for(n, m.edges);
-    internal::make_room_for(n, m.inside);
-    internal::make_room_for(n, m_mesh.is_owned);
-    internal::make_room_for(n, m_mesh.is_final);
-  }
-
-  void add(const std::array<Index, 3>& vertices, const std::array<Index, 3>& edges)
-  {
-    Marked_triangles_2& m = m_mesh.triangles;
-    m.vertices.push_back(vertices);
-    m.neighbors.push_back({no_index, no_index, no_index});
-    m.edges.push_back(edges);
-    m.inside.push_back(1);
-    m_mesh.is_owned.push_back(0);
-    m_mesh.is_final.push_back(0);
-  }
-
-  /// links others' triangles with each other and with own ones
-  void link_open_sides()
-  {
-    Marked_triangles_2& tr = m_mesh.triangles;
-    std::vector<Open_side> sides;
-    const auto add_side = [&](Index t, int i) {
-      const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
-      sides.push_back(Open_side{(std::min)(a, b), (std::max)(a, b), t, i});
-    };
-    for (const auto& side : m_open)
-      add_side(side.first, side.second);
-    for (std::size_t t = m_number_of_own_triangles; t < tr.vertices.size(); ++t)
-      for (int i = 0; i < 3; ++i)
-        add_side(static_cast<Index>(t), i);
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t k = 1; k < sides.size(); ++k) {
-      const Open_side &s = sides[k - 1], &t = sides[k];
-      if (s.first != t.first || s.second != t.second)
-        continue;
-      tr.neighbors[s.triangle][s.index] = t.triangle;
-      tr.neighbors[t.triangle][t.index] = s.triangle;
-    }
+    std::vector<Index> old;
+    for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
+      if (!m_mesh.is_final[t])
+        old.push_back(static_cast<Index>(t));
+    Mesh_stitching_2 stitching(m_mesh);
+    stitching.replace(old, {});
+    stitching.forget_triangles(); // first: the order in which own ones are given to users stays
+    for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
+      stitching.open(static_cast<Index>(t));
+    internal::make_room_for(made.size(), m.vertices);
+    internal::make_room_for(made.size(), m.neighbors);
+    internal::make_room_for(made.size(), m.edges);
+    internal::make_room_for(made.size(), m.inside);
+    stitching.replace({}, made);
   }
 
   const Hilbert_partition_2& m_partition;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Lists_of_few<int> m_takers; // the other ranks that have to know a bubble
   Mesh_piece_2 m_piece;
-  Distributed_mesh_2& m_mesh;                            // of the piece
-  std::vector<Index> m_place;                            // of each bubble that was there or came
-  std::vector<std::pair<std::int64_t, Index>> m_ghosts;  // others' bubbles, by their numbers, and where they are
-  std::size_t m_number_of_own_triangles = 0;             // the first ones, when others' are added
-  std::vector<std::pair<Index, int>> m_open;             // sides of own triangles without neighbours
+  Distributed_mesh_2& m_mesh; // of the piece
+  std::vector<Index> m_place; // of each bubble that was there or came
 };
 
 } // namespace internal

@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -49,9 +49,8 @@ struct Bubbles_with_ghosts_2
 class Neighbors_of_ranks_2
 {
 public:
-  Neighbors_of_ranks_2(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
-                       const Communicator& comm, Agreement& agreement, Sparse_exchange& exchange)
-    : m_partition(partition), m_comm(comm), m_agreement(agreement), m_exchange(exchange),
+  Neighbors_of_ranks_2(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius, Communicator& comm)
+    : m_partition(partition), m_comm(comm),
       m_result{with_owner(own, comm.rank()), own.size(), radius, nullptr}, m_known(m_result.known)
   {}
 
@@ -62,18 +61,18 @@ public:
   Bubbles_with_ghosts_2 operator()()
   {
     Messages<Owned_record> out;
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       insert_in_buckets(0);
       tell_of_own(out);
     });
-    Messages<Owned_record> in = m_exchange(out);
+    Messages<Owned_record> in = deliver(m_comm, out);
     out.clear();
-    m_agreement.reach_after([&] {
+    m_comm.agree_after([&] {
       learn(in);
       tell_of_pairs(out);
     });
-    in = m_exchange(out);
-    m_agreement.reach_after([&] { learn(in); });
+    in = deliver(m_comm, out);
+    m_comm.agree_after([&] { learn(in); });
     return std::move(m_result);
   }
 
@@ -138,9 +137,7 @@ private:
   }
 
   const Hilbert_partition_2& m_partition;
-  const Communicator& m_comm;
-  Agreement& m_agreement;
-  Sparse_exchange& m_exchange;
+  Communicator& m_comm;
   Bubbles_with_ghosts_2 m_result;
   Bubbles_2& m_known; // of the result
   std::set<std::pair<Index, int>> m_told; // of which bubble which rank
@@ -150,10 +147,9 @@ private:
 /// Collective. The bubbles of this rank, and all bubbles of others that are neighbours of one of them.
 /// \pre the numbers of `own` ascend
 inline Bubbles_with_ghosts_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition,
-                                           double radius, const Communicator& comm, Agreement& agreement,
-                                           Sparse_exchange& exchange)
+                                           double radius, Communicator& comm)
 {
-  return Neighbors_of_ranks_2(own, partition, radius, comm, agreement, exchange)();
+  return Neighbors_of_ranks_2(own, partition, radius, comm)();
 }
 
 /// Writes what a rank has to know of the neighbours that others own, in the order of their numbers.

@@ -6,20 +6,19 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_EXCHANGE_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_EXCHANGE_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_CHANGES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_CHANGES_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,28 +54,27 @@ using Patch_changes_2 = std::map<std::int32_t, Patch_change_2>;
 
 /// Tells all ranks that know bubbles of a patch what became of it: first the owners of its bubbles, who know which
 /// other ranks know them.
-class Patch_exchange_2
+class Patch_announcement_2
 {
 public:
-  Patch_exchange_2(const Mesh_piece_2& piece, const Communicator& comm, Sparse_exchange& exchange)
-    : m_known(piece.mesh.bubbles), m_comm(comm), m_exchange(exchange)
+  Patch_announcement_2(const Mesh_piece_2& piece, Communicator& comm)
+    : m_known(piece.mesh.bubbles), m_comm(comm), m_takers(piece.mesh.bubbles.size())
   {
     for (const auto& list : piece.sent)
       for (Index i : list.second)
-        m_takers.emplace_back(i, list.first);
-    std::sort(m_takers.begin(), m_takers.end());
+        m_takers.add(i, list.first);
   }
 
   /// Collective. Returns the changes of all ranks that are known here.
   Patch_changes_2 operator()(const Patch_changes_2& own)
   {
-    const Patch_changes_2 at_owners = deliver(own, [](const Patch_change_2& change) {
+    const Patch_changes_2 at_owners = tell(own, [](const Patch_change_2& change) {
       std::set<int> ranks;
       for (const Changed_bubble_2& b : change.bubbles)
         ranks.insert(b.owner);
       return ranks;
     });
-    return deliver(at_owners, [this](const Patch_change_2& change) { return takers(change); });
+    return tell(at_owners, [this](const Patch_change_2& change) { return takers(change); });
   }
 
 private:
@@ -86,17 +84,14 @@ private:
     std::set<int> ranks{m_comm.rank()};
     for (const Changed_bubble_2& b : change.bubbles) {
       const Index i = b.owner == m_comm.rank() ? m_known.index_of(b.bubble.id) : no_index;
-      if (i == no_index) // of another rank, or inserted
-        continue;
-      for (auto taker = std::lower_bound(m_takers.begin(), m_takers.end(), std::make_pair(i, 0));
-           taker != m_takers.end() && taker->first == i; ++taker)
-        ranks.insert(taker->second);
+      if (i != no_index) // else it is of another rank, or inserted
+        ranks.insert(m_takers[i].begin(), m_takers[i].end());
     }
     return ranks;
   }
 
   template <class Ranks_of>
-  Patch_changes_2 deliver(const Patch_changes_2& changes, const Ranks_of& ranks_of)
+  Patch_changes_2 tell(const Patch_changes_2& changes, const Ranks_of& ranks_of)
   {
     Messages<Changed_bubble_2> bubbles;
     Messages<Changed_triangle_2> triangles;
@@ -107,8 +102,8 @@ private:
         triangles[rank].insert(triangles[rank].end(), c.triangles.begin(), c.triangles.end());
       }
     Patch_changes_2 result;
-    collect(m_exchange(bubbles), result, &Patch_change_2::bubbles);
-    collect(m_exchange(triangles), result, &Patch_change_2::triangles);
+    collect(deliver(m_comm, bubbles), result, &Patch_change_2::bubbles);
+    collect(deliver(m_comm, triangles), result, &Patch_change_2::triangles);
     return result;
   }
 
@@ -124,13 +119,12 @@ private:
   }
 
   const Bubbles_2& m_known;
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  std::vector<std::pair<Index, int>> m_takers; // own bubbles, and the other ranks that know them
+  Communicator& m_comm;
+  Lists_of_few<int> m_takers; // the other ranks that know own bubbles
 };
 
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_EXCHANGE_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PATCH_CHANGES_2_H

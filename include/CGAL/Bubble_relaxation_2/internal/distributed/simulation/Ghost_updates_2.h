@@ -6,12 +6,12 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MOVES_EXCHANGE_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MOVES_EXCHANGE_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_GHOST_UPDATES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_GHOST_UPDATES_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -118,86 +118,61 @@ private:
   std::vector<Marked> m_marked;
 };
 
-/// Tells neighbouring ranks after each step where the bubbles at the border are that took part in it. Receives
-/// are persistent, as large as all bubbles of a rank; what is sent is only what moved.
-class Moves_exchange_2
+/// Tells neighbouring ranks after each step where the bubbles at the border are that took part in it. What is sent is
+/// only what moved.
+class Move_messages_2
 {
 public:
-  Moves_exchange_2(const Communicator& comm, Traffic_2& traffic) : m_comm(comm), m_traffic(traffic) {}
-  ~Moves_exchange_2() { free_requests(); }
-  Moves_exchange_2(const Moves_exchange_2&) = delete;
-  Moves_exchange_2& operator=(const Moves_exchange_2&) = delete;
+  Move_messages_2(const Communicator& comm, Traffic_2& traffic) : m_delivery(comm), m_traffic(traffic) {}
 
   /// for the bubbles that the halo knows now
   void connect(const Halo_2& halo, std::size_t number_of_bubbles)
   {
-    if (halo.number_of_changes() == m_number_of_changes) {
-      m_targets.resize(number_of_bubbles);
+    m_targets.resize(number_of_bubbles);
+    if (halo.number_of_changes() == m_number_of_changes)
       return;
-    }
     m_number_of_changes = halo.number_of_changes();
     m_targets.empty_all();
-    m_targets.resize(number_of_bubbles);
-    free_requests();
-    m_sends.clear();
-    m_receives.clear();
+    m_out.clear();
+    m_in.clear();
     for (const auto& list : halo.sent()) {
+      m_out[list.first];
       for (std::size_t position = 0; position < list.second.size(); ++position)
-        m_targets.add(list.second[position],
-                      {static_cast<std::int32_t>(m_sends.size()), static_cast<std::int32_t>(position)});
-      m_sends.push_back(Send{list.first, {}});
+        m_targets.add(list.second[position], {list.first, static_cast<std::int32_t>(position)});
     }
-    for (const auto& list : halo.received())
-      m_receives.push_back(Receive{list.second, std::vector<Move>(list.second.size())});
-    m_receive_requests.resize(m_receives.size());
-    std::size_t k = 0;
-    for (const auto& list : halo.received()) {
-      check_mpi(MPI_Recv_init(m_receives[k].moves.data(), static_cast<int>(m_receives[k].moves.size() * sizeof(Move)),
-                              MPI_BYTE, list.first, tag, m_comm.handle(), &m_receive_requests[k]));
-      ++k;
-    }
-    m_send_requests.resize(m_sends.size());
   }
 
   /// begins; `is_moving[k]` goes with the `k`-th of `active`
-  void send(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving)
+  void send(const Halo_2& halo, const Bubbles_2& b, const std::vector<Index>& active,
+            const std::vector<char>& is_moving)
   {
-    start_receives();
-    for (Send& s : m_sends)
-      s.moves.clear();
+    for (auto& message : m_out)
+      message.second.clear();
     for (std::size_t k = 0; k < active.size(); ++k) {
       const Index i = active[k];
       for (const Target& t : m_targets[i])
-        m_sends[t.send].moves.push_back(Move{b.x[i], b.y[i], b.d[i], t.position, is_moving[k]});
+        m_out[t.rank].push_back(Move{b.x[i], b.y[i], b.d[i], t.position, is_moving[k]});
     }
-    for (std::size_t n = 0; n < m_sends.size(); ++n) {
-      const std::size_t bytes = m_sends[n].moves.size() * sizeof(Move);
-      m_traffic.add_message(bytes);
-      check_mpi(MPI_Isend(m_sends[n].moves.data(), static_cast<int>(bytes), MPI_BYTE, m_sends[n].rank, tag,
-                          m_comm.handle(), &m_send_requests[n]));
-    }
+    for (const auto& message : m_out)
+      m_traffic.add_message(message.second.size() * sizeof(Move));
+    for (const auto& list : halo.received())
+      m_in[list.first].resize(list.second.size()); // if all move
+    m_delivery.start(m_out, m_in);
   }
 
   /// ends: moves the bubbles of others, adds them to `moved`, and whether they move on to `is_moving`
-  void receive(Bubbles_2& b, std::vector<Index>& moved, std::vector<char>& is_moving)
+  void receive(const Halo_2& halo, Bubbles_2& b, std::vector<Index>& moved, std::vector<char>& is_moving)
   {
-    std::vector<MPI_Status> statuses(m_receives.size());
-    check_mpi(MPI_Waitall(static_cast<int>(m_receive_requests.size()), m_receive_requests.data(), statuses.data()));
-    for (std::size_t n = 0; n < m_receives.size(); ++n) {
-      int bytes = 0;
-      MPI_Get_count(&statuses[n], MPI_BYTE, &bytes);
-      const std::size_t number = static_cast<std::size_t>(bytes) / sizeof(Move);
-      for (std::size_t k = 0; k < number; ++k) {
-        const Move& m = m_receives[n].moves[k];
-        const Index i = m_receives[n].bubbles[m.position];
+    m_delivery.finish();
+    for (const auto& list : halo.received())
+      for (const Move& m : m_in[list.first]) {
+        const Index i = list.second[static_cast<std::size_t>(m.position)];
         b.x[i] = m.x;
         b.y[i] = m.y;
         b.d[i] = m.d;
         moved.push_back(i);
         is_moving.push_back(static_cast<char>(m.is_moving));
       }
-    }
-    check_mpi(MPI_Waitall(static_cast<int>(m_send_requests.size()), m_send_requests.data(), MPI_STATUSES_IGNORE));
   }
 
 private:
@@ -210,51 +185,22 @@ private:
   /// a bubble's place in one of the messages
   struct Target
   {
-    std::int32_t send, position;
+    std::int32_t rank, position;
   };
 
-  struct Send
-  {
-    int rank;
-    std::vector<Move> moves;
-  };
-
-  struct Receive
-  {
-    std::vector<Index> bubbles;
-    std::vector<Move> moves;
-  };
-
-  static constexpr int tag = 3;
-
-  void start_receives()
-  {
-    if (!m_receive_requests.empty())
-      check_mpi(MPI_Startall(static_cast<int>(m_receive_requests.size()), m_receive_requests.data()));
-  }
-
-  void free_requests()
-  {
-    for (MPI_Request& r : m_receive_requests)
-      MPI_Request_free(&r);
-    m_receive_requests.clear();
-  }
-
-  const Communicator& m_comm;
+  Expected_delivery<Move> m_delivery;
   Traffic_2& m_traffic;
   std::size_t m_number_of_changes = 0; // of the halo, when it was connected
   Lists_of_few<Target> m_targets;      // of each bubble
-  std::vector<Send> m_sends;
-  std::vector<Receive> m_receives;
-  std::vector<MPI_Request> m_receive_requests, m_send_requests;
+  Messages<Move> m_out, m_in;
 };
 
 /// Tells neighbouring ranks where bubbles are at the stages of a step: those that are neighbours of theirs, since
 /// forces look at no others. The halo is wider.
-class Stage_exchange_2
+class Stage_messages_2
 {
 public:
-  explicit Stage_exchange_2(const Communicator& comm) : m_exchange(comm) {}
+  explicit Stage_messages_2(const Communicator& comm) : m_delivery(comm) {}
 
   /// Collective. Begins to tell where our bubbles are. `receive()` has to follow.
   void send(const Halo_2& halo, const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
@@ -271,13 +217,13 @@ public:
     }
     for (const auto& list : halo.received())
       m_in[list.first].resize(list.second.size());
-    m_exchange.start(m_out, m_in);
+    m_delivery.start(m_out, m_in);
   }
 
   /// Collective. Puts in where the bubbles of others are. \pre `send()` was called, and the halo has not changed
   void receive(const Halo_2& halo, std::vector<double>& x, std::vector<double>& y)
   {
-    m_exchange.finish();
+    m_delivery.finish();
     for (const auto& list : halo.received())
       for (const Place& p : m_in[list.first]) {
         const Index i = list.second[static_cast<std::size_t>(p.position)];
@@ -309,7 +255,7 @@ private:
     m_set_changes = sets.number_of_changes();
   }
 
-  Known_exchange<Place> m_exchange;
+  Expected_delivery<Place> m_delivery;
   Messages<Place> m_out, m_in;
   std::size_t m_halo_changes = 0, m_set_changes = 0; // when the neighbours were found
 };
@@ -318,4 +264,4 @@ private:
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MOVES_EXCHANGE_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_GHOST_UPDATES_2_H

@@ -6,12 +6,12 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_PART_TEAM_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_PART_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/exchange_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
@@ -23,29 +23,42 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Places for new bubbles, among which ranks choose together: each of those in its own part.
-class Hole_exchange_2
+/// Ranks of which each works on its own part of the plane, and which choose together among places for new bubbles.
+class Part_team_2 : public Team
 {
 public:
-  Hole_exchange_2(const Communicator& comm, Sparse_exchange& exchange) : m_comm(comm), m_exchange(exchange) {}
+  explicit Part_team_2(Communicator& comm, const Hilbert_partition_2* partition = nullptr)
+    : m_comm(comm), m_partition(partition)
+  {}
 
-  /// Collective. See `Team::share_holes()`.
-  std::size_t share(const Hilbert_partition_2& partition, std::vector<Hole_2>& holes, double reach)
+  bool is_alone() const override { return false; }
+  bool any(bool here) const override { return m_comm.any(here); }
+  bool owns_place(const Point& p) const override { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
+
+  Share_of_disc share_of(const Point& p, double radius) const override
+  {
+    const Hilbert_partition_2::Ranks owners = m_partition->owners_in_disc(p.x(), p.y(), radius);
+    if (std::find(owners.begin(), owners.end(), m_comm.rank()) == owners.end())
+      return Share_of_disc::NONE;
+    return owners.size() == 1 ? Share_of_disc::ALL : Share_of_disc::SOME;
+  }
+
+  std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
   {
     Messages<Hole_2> out;
     for (const Hole_2& h : holes)
-      out[partition.owner(h.x, h.y)].push_back(h);
+      out[m_partition->owner(h.x, h.y)].push_back(h);
     holes.clear();
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       holes.insert(holes.end(), message.second.begin(), message.second.end());
     const std::size_t number_of_ours = holes.size();
-    m_sent.clear();
-    m_received.clear();
+    m_holes_sent.clear();
+    m_holes_received.clear();
     std::vector<Hilbert_partition_2::Ranks> told(number_of_ours);
     std::vector<int> owners(number_of_ours, m_comm.rank());
     out.clear();
     for (std::size_t k = 0; k < number_of_ours; ++k)
-      for (int rank : partition.owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
+      for (int rank : m_partition->owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
         tell(holes[k], static_cast<Index>(k), rank, told[k], out);
     receive(out, holes, owners);
     out.clear();
@@ -54,8 +67,14 @@ public:
     return number_of_ours;
   }
 
-  /// Collective. See `Team::share_choice()`.
-  void share_choice(std::vector<char>& states) const { share_values(m_comm, m_sent, m_received, states); }
+  void share_choice(std::vector<char>& states) override
+  {
+    share_values(m_comm, m_holes_sent, m_holes_received, states);
+  }
+
+protected:
+  Communicator& m_comm;
+  const Hilbert_partition_2* m_partition; ///< who owns what
 
 private:
   using Told = std::vector<Hilbert_partition_2::Ranks>;
@@ -85,26 +104,24 @@ private:
       return;
     told.push_back(rank);
     out[rank].push_back(hole);
-    m_sent[rank].push_back(k);
+    m_holes_sent[rank].push_back(k);
   }
 
   void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes, std::vector<int>& owners)
   {
-    for (const auto& message : m_exchange(out))
+    for (const auto& message : deliver(m_comm, out))
       for (const Hole_2& h : message.second) {
-        m_received[message.first].push_back(static_cast<Index>(holes.size()));
+        m_holes_received[message.first].push_back(static_cast<Index>(holes.size()));
         holes.push_back(h);
         owners.push_back(message.first);
       }
   }
 
-  const Communicator& m_comm;
-  Sparse_exchange& m_exchange;
-  Messages<Index> m_sent, m_received; // holes, in one order on both sides
+  Messages<Index> m_holes_sent, m_holes_received; // in one order on both sides
 };
 
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HOLE_EXCHANGE_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_PART_TEAM_2_H

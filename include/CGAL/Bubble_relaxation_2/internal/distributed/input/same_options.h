@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_SAME_OPTIONS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_SAME_OPTIONS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// the value of a parameter, in a form that any rank, or a later run, can compare and put into words
+struct Named_value
+{
+  const char* name;
+  double value;
+  std::string (*text)(double) = [](double v) { return in_words(v); };
+};
+
+inline std::string choose_word(double value, std::initializer_list<const char*> words)
+{
+  const std::size_t k = static_cast<std::size_t>(value);
+  return k < words.size() ? words.begin()[k] : in_words(value);
+}
+
+inline std::string true_or_false(double value) { return choose_word(value, {"false", "true"}); }
+
+/// The parameters on which it depends where bubbles go, once they are placed in some way, as long as they go on.
+inline std::array<Named_value, 13> steering_parameters(const Relaxation_options& o)
+{
+  return {{{"integrator", static_cast<double>(o.integrator), // other defaults depend on it
+            [](double v) { return choose_word(v, {"RUNGE_KUTTA_4", "SEMI_IMPLICIT_EULER"}); }},
+           {"force_coefficient", o.force_coefficient},
+           {"mass", o.mass},
+           {"damping", o.damping},
+           {"time_step", o.time_step},
+           {"number_of_iterations", static_cast<double>(o.number_of_iterations)},
+           {"neighbor_radius", o.neighbor_radius},
+           {"renewal_interval", static_cast<double>(o.renewal_interval)},
+           {"initial_placement", static_cast<double>(o.placement),
+            [](double v) { return choose_word(v, {"KEEP", "RHOMBIC", "FRONTAL"}); }},
+           {"population_control", static_cast<double>(o.population),
+            [](double v) { return choose_word(v, {"NONE", "OVERLAP_RATIO", "DELAUNAY"}); }},
+           {"limit_by_outline", static_cast<double>(o.limit_by_outline), true_or_false},
+           {"displacement_tolerance", o.displacement_tolerance},
+           {"exchange_interval", static_cast<double>(o.exchange_interval)}}};
+}
+
+/// Collective. All ranks have values of the same parameters, in the same order.
+/// \throws std::invalid_argument on all ranks if a value is not the same on all, naming the first such parameter
+/// and two of its values
+inline void check_same_values(const Communicator& comm, const std::vector<Named_value>& values)
+{
+  const std::size_t n = values.size();
+  std::vector<double> first(n);
+  for (std::size_t k = 0; k < n; ++k)
+    first[k] = values[k].value;
+  check_mpi(MPI_Bcast(first.data(), static_cast<int>(n), MPI_DOUBLE, 0, comm.handle()));
+  std::size_t k = 0;
+  while (k < n && values[k].value == first[k])
+    ++k;
+  const std::int64_t ranks = comm.size();
+  const std::int64_t different = comm.smallest(static_cast<std::int64_t>(k) * ranks + comm.rank());
+  const std::size_t parameter = static_cast<std::size_t>(different / ranks);
+  if (parameter == n)
+    return;
+  const int rank = static_cast<int>(different % ranks);
+  double other = values[parameter].value;
+  check_mpi(MPI_Bcast(&other, 1, MPI_DOUBLE, rank, comm.handle()));
+  const Named_value& p = values[parameter];
+  comm.throw_on_all(std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + p.name + " = " +
+                                          p.text(first[parameter]) + " on rank 0, but " + p.text(other) +
+                                          " on rank " + std::to_string(rank)));
+}
+
+/// Collective. Callbacks need not be the same, nor be there on all ranks.
+/// \throws std::invalid_argument on all ranks if another parameter is not the same on all
+inline void check_same_options(const Communicator& comm, const Relaxation_options& o)
+{
+  const auto steering = steering_parameters(o);
+  std::vector<Named_value> values(steering.begin(), steering.end());
+  values.insert(values.end(), {
+    {"initial_placement", static_cast<double>(o.placement_is_given),
+     [](double v) { return choose_word(v, {"the default", "given"}); }},
+    {"number_of_rounds", static_cast<double>(o.number_of_rounds)},
+    {"defect_treatment", static_cast<double>(o.defect_treatment), true_or_false},
+    {"maximum_number_of_bubbles", static_cast<double>(o.maximum_number_of_bubbles)}});
+  check_same_values(comm, values);
+}
+
+/// Collective. A sizing function cannot be compared, but how many bubbles it asks for in the domain.
+/// \throws std::invalid_argument on all ranks if that is not the same on all
+inline void check_same_sizes(const Communicator& comm, double expected_number)
+{
+  const auto text = [](double v) { return "one that asks for " + in_words(v) + " bubbles"; };
+  check_same_values(comm, {{"sizing_function", expected_number, text}});
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_SAME_OPTIONS_H
