@@ -14,7 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/find_sorted.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
 #include <CGAL/Mesh_quality_2.h>
