@@ -245,16 +245,13 @@ public:
 
 private:
   using Matrix = std::array<Vector, size>;
-  // what is rarely needed has one type for all sizes, since it takes compilers long
-  static constexpr int largest_size = number_of_monomials(2);
-  using Any_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_size, largest_size>;
-  using Any_vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, largest_size, 1>;
-  using Decomposition = Eigen::JacobiSVD<Any_matrix, Eigen::NoQRPreconditioner>;
+  // what is rarely needed has types that are needed elsewhere too, since each takes compilers long
+  using Decomposition = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>;
 
   /// rows and columns times the elements of a vector
-  Any_matrix scaled(const Vector& scale) const
+  Eigen::MatrixXd scaled(const Vector& scale) const
   {
-    Any_matrix result(size, size);
+    Eigen::MatrixXd result(size, size);
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j)
         result(i, j) = scale[i] * m_matrix[i][j] * scale[j];
@@ -268,10 +265,10 @@ private:
     const Vector scale = monomials<degree>(1 / m_unit, 1 / m_unit);
     Decomposition decomposition(scaled(scale), Eigen::ComputeFullU | Eigen::ComputeFullV);
     decomposition.setThreshold(1e-12);
-    Any_vector any(size);
+    Eigen::VectorXd any(size);
     for (int i = 0; i < size; ++i)
       any[i] = scale[i] * b[i];
-    const Any_vector solution = decomposition.solve(any);
+    const Eigen::VectorXd solution = decomposition.solve(any);
     Vector result;
     for (int i = 0; i < size; ++i)
       result[i] = scale[i] * solution[i];
