@@ -117,12 +117,12 @@ public:
   {
     check();
     using namespace Bubble_relaxation_2::internal;
-    return Galerkin_error_2(
+    return error_of_solution(
       *m_discretization, m_coefficients, [&](const Point& p) { return u(Point_2(p.x(), p.y())); },
       [&](const Point& p) {
         const Vector_2 v = gradient_of_u(Point_2(p.x(), p.y()));
         return Direction{CGAL::to_double(v.x()), CGAL::to_double(v.y())};
-      })();
+      });
   }
 
 private:

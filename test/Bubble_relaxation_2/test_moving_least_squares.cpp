@@ -89,14 +89,14 @@ TEST(Moving_least_squares, weights_are_the_documented_functions)
   using namespace CGAL::Bubble_relaxation_2::internal;
   for (int i = 0; i < 1000; ++i) {
     const double q = i / 1000., s = q * q, b = 6.25;
-    EXPECT_NEAR(Quartic_spline_weight::at(q).w, 1 - 6 * s + 8 * s * q - 3 * s * s, 1e-14);
-    EXPECT_NEAR(Cubic_spline_weight::at(q).w, q < 0.5 ? 2. / 3 - 4 * s + 4 * s * q : 4. / 3 * std::pow(1 - q, 3),
+    EXPECT_NEAR(quartic_spline_weight(q).w, 1 - 6 * s + 8 * s * q - 3 * s * s, 1e-14);
+    EXPECT_NEAR(cubic_spline_weight(q).w, q < 0.5 ? 2. / 3 - 4 * s + 4 * s * q : 4. / 3 * std::pow(1 - q, 3),
                 1e-14);
-    EXPECT_NEAR(Gaussian_weight::at(q).w,
+    EXPECT_NEAR(gaussian_weight(q).w,
                 std::exp(-b * s) - std::exp(-b) * (1 - b * (s - 1) + b * b * (s - 1) * (s - 1) / 2), 1e-14);
     // next to the rim too they are positive and decrease
-    for (const Radial_weight& w : {Quartic_spline_weight::at(q), Cubic_spline_weight::at(q),
-                                   Gaussian_weight::at(q), Gaussian_weight::at(1 - q * 1e-6 - 1e-9)}) {
+    for (const Radial_weight& w : {quartic_spline_weight(q), cubic_spline_weight(q),
+                                   gaussian_weight(q), gaussian_weight(1 - q * 1e-6 - 1e-9)}) {
       EXPECT_GT(w.w, 0);
       EXPECT_LT(w.g, 0);
     }

@@ -95,17 +95,15 @@ public:
   /// solves for the coefficients, after all parts
   void solve()
   {
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 5, 5>;
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 5, 1>;
-    Matrix gram(m_number, m_number);
-    Vector defect(m_number);
+    Eigen::MatrixXd gram(m_number, m_number);
+    Eigen::VectorXd defect(m_number);
     for (std::size_t i = 0; i < m_sums.size(); ++i) {
       for (int a = 0; a < m_number; ++a) {
         defect[a] = m_sums[i].defect[a];
         for (int b = 0; b < m_number; ++b)
           gram(a, b) = m_sums[i].gram[a][b];
       }
-      const Vector c = gram.fullPivLu().solve(defect);
+      const Eigen::VectorXd c = gram.fullPivLu().solve(defect);
       for (int a = 0; a < m_number; ++a)
         m_coefficients[i][a] = c[a];
     }

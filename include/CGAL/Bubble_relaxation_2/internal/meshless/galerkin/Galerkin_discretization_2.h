@@ -148,7 +148,8 @@ struct Shape_block_2
   /// evaluates the shape functions at the points
   void evaluate(const Mls_approximation_2& mls)
   {
-    weights = Eigen::Map<const Eigen::VectorXd>(m_weights.data(), static_cast<Eigen::Index>(size()));
+    weights.resize(static_cast<Eigen::Index>(size()));
+    std::copy(m_weights.begin(), m_weights.end(), weights.data());
     if (!m_query)
       m_query.emplace(mls.query());
     m_shapes.resize((std::max)(m_shapes.size(), size()));
@@ -189,33 +190,31 @@ private:
   std::optional<Influence_query_2> m_query;
 };
 
+/// so many parts `compute_in_order()` computes at once
+constexpr std::size_t parts_at_once = 512;
+
 /// Computes `n` parts, many at once, and hands them on in their order, so that sums do not depend on the number
-/// of threads: calls `compute(i, part)`, then `take(parts, number)` for so many consecutive parts. Of several
-/// exceptions that of the first part is the one that is thrown. Stops when `go_on(number of parts that are done)`
-/// returns false, and returns that.
-template <class Part>
-bool compute_in_order(const Parallel_loop& parallel, std::size_t n,
-                      const std::function<void(std::size_t i, Part& part)>& compute,
-                      const std::function<void(const std::vector<Part>& parts, std::size_t number)>& take,
-                      const std::function<bool(std::size_t done)>& go_on)
+/// of threads: calls `compute(i, place)` for places from 0 to the number of parts that are computed at once, then
+/// `take(number)` for the parts in so many places. Of several exceptions that of the first part is the one that is
+/// thrown. Stops when `take` returns false, and returns that.
+inline bool compute_in_order(const Parallel_loop& parallel, std::size_t n,
+                             const std::function<void(std::size_t i, std::size_t place)>& compute,
+                             const std::function<bool(std::size_t number)>& take)
 {
-  constexpr std::size_t at_once = 512;
-  std::vector<Part> parts((std::min)(n, at_once));
-  std::vector<std::exception_ptr> errors(parts.size());
-  for (std::size_t first = 0; first < n; first += at_once) {
-    const std::size_t number = (std::min)(at_once, n - first);
-    parallel(number, [&](std::size_t k) {
+  std::vector<std::exception_ptr> errors((std::min)(n, parts_at_once));
+  for (std::size_t first = 0; first < n; first += parts_at_once) {
+    const std::size_t number = (std::min)(parts_at_once, n - first);
+    parallel(number, [&](std::size_t place) {
       try {
-        compute(first + k, parts[k]);
+        compute(first + place, place);
       } catch (...) {
-        errors[k] = std::current_exception();
+        errors[place] = std::current_exception();
       }
     });
     for (const std::exception_ptr& error : errors)
       if (error)
         std::rethrow_exception(error);
-    take(parts, number);
-    if (!go_on(first + number))
+    if (!take(number))
       return false;
   }
   return true;
@@ -308,10 +307,10 @@ public:
   const Boundary_edge_2& edge(const Boundary_segment_2& s) const { return domain.boundary[s.edge]; }
 
   /// the points of a cell with the shape functions
-  void evaluate_cell(std::size_t k, Shape_block_2& block) const
+  void evaluate_cell(std::size_t k, const Cell_quadrature_2& rule, Shape_block_2& block) const
   {
     block.clear();
-    cell_rule.for_each_point(cells[k], [&](double x, double y, double w) { block.add_point(x, y, w); });
+    rule.for_each_point(cells[k], [&](double x, double y, double w) { block.add_point(x, y, w); });
     block.evaluate(mls);
   }
 
@@ -343,7 +342,11 @@ public:
     for (Eigen::Index k = 0; k < of_columns.size(); ++k)
       of_columns[k] = nodes.size[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(k)])];
     const Eigen::MatrixXd weights = block.phi.cwiseAbs();
-    return (weights * of_columns).cwiseQuotient(weights.rowwise().sum());
+    const Eigen::VectorXd total = weights.rowwise().sum();
+    Eigen::VectorXd result = weights * of_columns;
+    for (Eigen::Index q = 0; q < result.size(); ++q)
+      result[q] /= total[q];
+    return result;
   }
 
 private:

@@ -22,10 +22,10 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,69 +65,50 @@ inline std::vector<double> solve_galerkin(const Galerkin_discretization_2& d, co
   return {solution.x.data(), solution.x.data() + d.nodes.number()};
 }
 
-/// `Element_free_Galerkin_solution_2::error()`
-class Galerkin_error_2
+/// the integrals of the squares of the error and its gradient, over the points of a block
+inline std::array<double, 2> squared_errors(const Shape_block_2& b, const std::vector<double>& coefficients,
+                                            const std::function<double(const Point&)>& u,
+                                            const std::function<Direction(const Point&)>& gradient_of_u)
 {
-public:
-  using Function = std::function<double(const Point&)>;
-  using Gradient = std::function<Direction(const Point&)>; // of any length
-
-  Galerkin_error_2(const Galerkin_discretization_2& discretization, const std::vector<double>& coefficients,
-                   Function u, Gradient gradient_of_u)
-    : m(discretization), m_coefficients(coefficients), m_u(std::move(u)), m_gradient_of_u(std::move(gradient_of_u))
-  {}
-
-  Element_free_Galerkin_error_2 operator()() const
-  {
-    const Cell_quadrature_2 rule((std::max)(m.options.gauss_points + 2, std::size_t(5)));
-    double values = 0, gradients = 0;
-    compute_in_order<Part>(
-      m.parallel, m.cells.size(),
-      [&](std::size_t k, Part& part) {
-        part.block.clear();
-        rule.for_each_point(m.cells[k], [&](double x, double y, double w) { part.block.add_point(x, y, w); });
-        part.block.evaluate(m.mls);
-        integrate(part);
-      },
-      [&](const std::vector<Part>& parts, std::size_t n) {
-        for (std::size_t k = 0; k < n; ++k) {
-          values += parts[k].values;
-          gradients += parts[k].gradients;
-        }
-      },
-      [](std::size_t) { return true; });
-    return Element_free_Galerkin_error_2{std::sqrt(values), std::sqrt(values + gradients)};
+  Eigen::VectorXd c(static_cast<Eigen::Index>(b.nodes.size()));
+  for (std::size_t k = 0; k < b.nodes.size(); ++k)
+    c[static_cast<Eigen::Index>(k)] = coefficients[static_cast<std::size_t>(b.nodes[k])];
+  const Eigen::VectorXd value = b.phi * c, dx = b.dx * c, dy = b.dy * c;
+  std::array<double, 2> result{0, 0};
+  for (std::size_t q = 0; q < b.size(); ++q) {
+    const auto k = static_cast<Eigen::Index>(q);
+    const Direction exact = gradient_of_u(b.point(q));
+    const double e = value[k] - u(b.point(q)), ex = dx[k] - exact.x, ey = dy[k] - exact.y;
+    result[0] += b.weights[k] * e * e;
+    result[1] += b.weights[k] * (ex * ex + ey * ey);
   }
+  return result;
+}
 
-private:
-  struct Part
-  {
-    Shape_block_2 block;
-    double values, gradients;
+/// `Element_free_Galerkin_solution_2::error()`
+/// \param gradient_of_u a vector of any length
+inline Element_free_Galerkin_error_2 error_of_solution(const Galerkin_discretization_2& d,
+                                                       const std::vector<double>& coefficients,
+                                                       const std::function<double(const Point&)>& u,
+                                                       const std::function<Direction(const Point&)>& gradient_of_u)
+{
+  const Cell_quadrature_2 rule((std::max)(d.options.gauss_points + 2, std::size_t(5)));
+  std::vector<Shape_block_2> blocks((std::min)(d.cells.size(), parts_at_once));
+  std::vector<std::array<double, 2>> errors(blocks.size());
+  double values = 0, gradients = 0;
+  const auto compute = [&](std::size_t i, std::size_t k) {
+    d.evaluate_cell(i, rule, blocks[k]);
+    errors[k] = squared_errors(blocks[k], coefficients, u, gradient_of_u);
   };
-
-  void integrate(Part& part) const
-  {
-    const Shape_block_2& b = part.block;
-    Eigen::VectorXd c(static_cast<Eigen::Index>(b.nodes.size()));
-    for (std::size_t k = 0; k < b.nodes.size(); ++k)
-      c[static_cast<Eigen::Index>(k)] = m_coefficients[static_cast<std::size_t>(b.nodes[k])];
-    const Eigen::VectorXd value = b.phi * c, dx = b.dx * c, dy = b.dy * c;
-    part.values = part.gradients = 0;
-    for (std::size_t q = 0; q < b.size(); ++q) {
-      const auto k = static_cast<Eigen::Index>(q);
-      const Direction exact = m_gradient_of_u(b.point(q));
-      const double e = value[k] - m_u(b.point(q)), ex = dx[k] - exact.x, ey = dy[k] - exact.y;
-      part.values += b.weights[k] * e * e;
-      part.gradients += b.weights[k] * (ex * ex + ey * ey);
+  compute_in_order(d.parallel, d.cells.size(), compute, [&](std::size_t n) {
+    for (std::size_t k = 0; k < n; ++k) {
+      values += errors[k][0];
+      gradients += errors[k][1];
     }
-  }
-
-  const Galerkin_discretization_2& m;
-  const std::vector<double>& m_coefficients;
-  const Function m_u;
-  const Gradient m_gradient_of_u;
-};
+    return true;
+  });
+  return {std::sqrt(values), std::sqrt(values + gradients)};
+}
 
 } // namespace internal
 } // namespace Bubble_relaxation_2

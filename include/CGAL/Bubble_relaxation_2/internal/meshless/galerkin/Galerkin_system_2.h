@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Multiplier_space_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_solver.h>
+#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/weighted_sums.h>
 
 #include <CGAL/Element_free_Galerkin_report_2.h>
 
@@ -33,22 +34,6 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-// Sums over the points of a block, in few types: every type of an expression of matrices takes long to compile.
-
-/// the matrix of sums over rows q of a(q, i) weights(q) b(q, j)
-inline Eigen::MatrixXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights,
-                                     const Eigen::MatrixXd& b)
-{
-  const Eigen::MatrixXd weighted = b.array().colwise() * weights.array();
-  return a.transpose() * weighted;
-}
-
-/// the vector of sums over rows q of a(q, i) weights(q)
-inline Eigen::VectorXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights)
-{
-  return a.transpose() * weights;
-}
 
 /// `Poisson_problem_2`, whatever the kernel
 struct Galerkin_problem
@@ -78,27 +63,30 @@ public:
   bool assemble()
   {
     const std::size_t number = m.cells.size() + m.segments.size();
+    m_parts.resize((std::min)(number, parts_at_once));
+    std::size_t done = 0;
+    const auto add_sums = [&](std::size_t n) {
+      for (std::size_t k = 0; k < n; ++k)
+        m_gradients.add(m_parts[k].sums);
+      return report_progress(0, done += n, number);
+    };
     if (m_gradients.is_needed()) {
-      const bool all = compute_in_order<Consistent_part>(
-        m.parallel, number, [&](std::size_t k, Consistent_part& part) { compute(k, part); },
-        [&](const std::vector<Consistent_part>& parts, std::size_t n) {
-          for (std::size_t k = 0; k < n; ++k)
-            m_gradients.add(parts[k].sums);
-        },
-        [&](std::size_t done) { return report_progress(0, done, number); });
-      if (!all)
+      const auto compute = [&](std::size_t i, std::size_t k) { correct(i, m_parts[k]); };
+      if (!compute_in_order(m.parallel, number, compute, add_sums))
         return false;
       m_gradients.solve();
     }
+    done = 0;
     m_rows = std::make_unique<Sparse_rows>(number_of_unknowns());
-    const bool all = compute_in_order<Galerkin_cell>(
-      m.parallel, number, [&](std::size_t k, Galerkin_cell& cell) { compute(k, cell); },
-      [&](const std::vector<Galerkin_cell>& parts, std::size_t n) {
-        m_rows->add(m.parallel, parts, n);
-        for (std::size_t k = 0; k < n; ++k)
-          count(parts[k]);
-      },
-      [&](std::size_t done) { return report_progress(m_gradients.is_needed() ? 0.5 : 0, done, number); });
+    const auto add_rows = [&](std::size_t n) {
+      m_rows->add(m.parallel, m_parts, n);
+      for (std::size_t k = 0; k < n; ++k)
+        count(m_parts[k]);
+      return report_progress(m_gradients.is_needed() ? 0.5 : 0, done += n, number);
+    };
+    const bool all =
+      compute_in_order(m.parallel, number, [&](std::size_t i, std::size_t k) { integrate(i, m_parts[k]); }, add_rows);
+    m_parts.clear();
     if (all) {
       check_rows();
       check_data();
@@ -113,15 +101,10 @@ public:
   bool is_nearly_definite() const { return number_of_unknowns() == m.nodes.number(); }
 
 private:
-  struct Consistent_part
-  {
-    Block block;
-    Consistent_gradients_2::Part sums;
-  };
-
   struct Galerkin_cell : Galerkin_part
   {
     Block block;
+    Consistent_gradients_2::Part sums;
     Eigen::MatrixXd dx, dy; // of the test functions
     double total = 0, total_size = 0; // of the integrals of the data of a Neumann problem
   };
@@ -181,10 +164,11 @@ private:
     return m_progress.report(share_of_assembly * (m_gradients.is_needed() && begin == 0 ? fraction / 2 : fraction));
   }
 
-  void compute(std::size_t k, Consistent_part& part) const
+  /// the part in the sums for the gradients of test functions
+  void correct(std::size_t k, Galerkin_cell& part) const
   {
     if (k < m.cells.size()) {
-      m.evaluate_cell(k, part.block);
+      m.evaluate_cell(k, m.cell_rule, part.block);
       m_gradients.compute_in_cell(part.block, m.nodes, part.sums);
     } else {
       const std::size_t s = k - m.cells.size();
@@ -193,11 +177,12 @@ private:
     }
   }
 
-  void compute(std::size_t k, Galerkin_cell& part) const
+  /// the part in the equations
+  void integrate(std::size_t k, Galerkin_cell& part) const
   {
     part.total = part.total_size = 0;
     if (k < m.cells.size()) {
-      m.evaluate_cell(k, part.block);
+      m.evaluate_cell(k, m.cell_rule, part.block);
       integrate_cell(part);
       return;
     }
@@ -233,10 +218,10 @@ private:
     m_gradients.correct(b, m.nodes, part.dx, part.dy);
     part.unknowns = b.nodes;
     part.matrix = weighted_sums(part.dx, b.weights, b.dx);
-    part.matrix += weighted_sums(part.dy, b.weights, b.dy);
+    add(part.matrix, 1, weighted_sums(part.dy, b.weights, b.dy));
     add_load(part, "source", m_problem.source);
     if (m_is_neumann_problem) // the mean of u is zero
-      border(part, weighted_sums(b.phi, b.weights) * (std::sqrt(double(m.nodes.number())) / m.domain.area));
+      border(part, weighted_sums(b.phi, b.weights), std::sqrt(double(m.nodes.number())) / m.domain.area);
   }
 
   void add_load(Galerkin_cell& part, const char* name, const std::function<double(const Point&)>& f) const
@@ -245,23 +230,30 @@ private:
     part.load = Eigen::VectorXd::Zero(b.phi.cols());
     if (!f)
       return;
-    const Eigen::VectorXd weighted = b.weights.cwiseProduct(values(b, name, f));
+    Eigen::VectorXd weighted = products(b.weights, values(b, name, f));
     part.load = weighted_sums(b.phi, weighted);
     part.total = weighted.sum();
-    part.total_size = weighted.cwiseAbs().sum();
+    for (double& w : weighted)
+      w = std::abs(w);
+    part.total_size = weighted.sum();
   }
 
   /// Adds the last unknown with a row and a column. Over the area and times the root of their number, the integrals of
   /// shape functions are a vector of about length 1 in any unit, as it becomes the other equations.
-  void border(Galerkin_cell& part, const Eigen::VectorXd& entries) const
+  void border(Galerkin_cell& part, const Eigen::VectorXd& integrals, double factor) const
   {
-    const Eigen::Index n = entries.size();
+    const Eigen::Index n = integrals.size();
+    const Eigen::MatrixXd matrix = part.matrix;
+    const Eigen::VectorXd load = part.load;
     part.unknowns.push_back(static_cast<Index>(number_of_unknowns() - 1));
-    part.matrix.conservativeResize(n + 1, n + 1);
-    part.load.conservativeResize(n + 1);
-    for (Eigen::Index k = 0; k < n; ++k)
-      part.matrix(n, k) = part.matrix(k, n) = entries[k];
-    part.matrix(n, n) = part.load[n] = 0;
+    part.matrix.setZero(n + 1, n + 1);
+    part.load.setZero(n + 1);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      part.load[k] = load[k];
+      part.matrix(n, k) = part.matrix(k, n) = factor * integrals[k];
+      for (Eigen::Index i = 0; i < n; ++i)
+        part.matrix(i, k) = matrix(i, k);
+    }
   }
 
   void integrate_neumann(const Boundary_edge_2& edge, Galerkin_cell& part) const
@@ -287,29 +279,34 @@ private:
   void integrate_dirichlet(const Boundary_edge_2& edge, Galerkin_cell& part) const
   {
     const Block& b = part.block;
-    const Eigen::VectorXd g = given_values(b), factor = penalty(b).cwiseProduct(b.weights);
+    const Eigen::VectorXd g = given_values(b), factor = products(penalty(b), b.weights);
     part.unknowns = b.nodes;
     part.matrix = weighted_sums(b.phi, factor, b.phi);
-    part.load = weighted_sums(b.phi, factor.cwiseProduct(g));
+    part.load = weighted_sums(b.phi, products(factor, g));
     if (m.options.dirichlet == Dirichlet_condition::PENALTY)
       return;
     const Direction n = edge.outer_normal();
-    const Eigen::MatrixXd normal = n.x * b.dx + n.y * b.dy;
-    part.matrix -= weighted_sums(b.phi, b.weights, normal);
-    part.matrix -= weighted_sums(normal, b.weights, b.phi);
-    part.load -= weighted_sums(normal, b.weights.cwiseProduct(g));
+    Eigen::MatrixXd normal(b.dx.rows(), b.dx.cols());
+    for (Eigen::Index k = 0; k < normal.size(); ++k)
+      normal.data()[k] = n.x * b.dx.data()[k] + n.y * b.dy.data()[k];
+    add(part.matrix, -1, weighted_sums(b.phi, b.weights, normal));
+    add(part.matrix, -1, weighted_sums(normal, b.weights, b.phi));
+    part.load -= weighted_sums(normal, products(b.weights, g));
   }
 
   /// the factor of the penalty at each point
   Eigen::VectorXd penalty(const Block& b) const
   {
-    const Eigen::VectorXd h = m.sizes(b);
-    if (m.options.dirichlet == Dirichlet_condition::NITSCHE)
-      return m.options.nitsche_factor * h.cwiseInverse();
-    if (m.options.penalty_factor > 0)
-      return Eigen::VectorXd::Constant(h.size(), m.options.penalty_factor);
-    // on the unit square with h = 1/11 this is about 10^4, in the middle of the range where errors are small
-    return 80 * std::sqrt(m.domain.area) * h.cwiseAbs2().cwiseInverse();
+    Eigen::VectorXd result = m.sizes(b);
+    for (double& h : result) {
+      if (m.options.dirichlet == Dirichlet_condition::NITSCHE)
+        h = m.options.nitsche_factor * (1 / h);
+      else if (m.options.penalty_factor > 0)
+        h = m.options.penalty_factor;
+      else // on the unit square with h = 1/11 this is about 10^4, in the middle of the range where errors are small
+        h = 80 * std::sqrt(m.domain.area) * (1 / (h * h));
+    }
+    return result;
   }
 
   /// the integrals of lambda v and mu (u - g), for multipliers lambda and their test functions mu, over the mean
@@ -335,11 +332,13 @@ private:
       mu(q, std::lower_bound(hats.begin(), hats.end(), hat.index) - hats.begin()) += hat.value;
     });
     const Eigen::Index n = b.phi.cols(), all = n + mu.cols();
-    const Eigen::VectorXd weights = b.weights / std::sqrt(m.domain.area / double(m.nodes.number()));
+    Eigen::VectorXd weights = b.weights;
+    for (double& w : weights)
+      w /= std::sqrt(m.domain.area / double(m.nodes.number()));
     const Eigen::MatrixXd coupling = weighted_sums(b.phi, weights, mu);
     part.matrix.setZero(all, all);
     part.load.setZero(all);
-    const Eigen::VectorXd load = weighted_sums(mu, weights.cwiseProduct(given_values(b)));
+    const Eigen::VectorXd load = weighted_sums(mu, products(weights, given_values(b)));
     for (Eigen::Index k = 0; k < mu.cols(); ++k) {
       part.load[n + k] = load[k];
       for (Eigen::Index i = 0; i < n; ++i)
@@ -385,6 +384,7 @@ private:
   bool m_is_neumann_problem = false;
   std::unique_ptr<Multiplier_space_2> m_multipliers;
   Consistent_gradients_2 m_gradients;
+  std::vector<Galerkin_cell> m_parts;
   std::unique_ptr<Sparse_rows> m_rows;
   double m_total = 0, m_total_size = 0;
 };

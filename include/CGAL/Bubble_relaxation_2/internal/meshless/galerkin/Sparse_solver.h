@@ -186,11 +186,12 @@ public:
   }
 
 private:
+  /// the mean of the matrix and its transpose, which has entries in the same places
   Matrix symmetric_part() const
   {
-    const Matrix transposed = m_a.transpose();
-    Matrix result = m_a + transposed;
-    result *= 0.5;
+    Matrix result = m_a.transpose();
+    for (Eigen::Index k = 0; k < result.nonZeros(); ++k)
+      result.valuePtr()[k] = (m_a.valuePtr()[k] + result.valuePtr()[k]) * 0.5;
     return result;
   }
 

@@ -66,20 +66,20 @@ template <int degree>
 void solve_for_values(const Moment_matrix_2<degree>& matrix, std::vector<Weighted_node_2>& nodes)
 {
   using Vector = typename Moment_matrix_2<degree>::Vector;
-  const Vector gamma = matrix.solve(Vector::Unit(0));
+  const Vector gamma = matrix.solve(Vector{1});
   for (Weighted_node_2& n : nodes)
-    n.s = gamma.dot(monomials<degree>(n.x, n.y));
+    n.s = dot(gamma, monomials<degree>(n.x, n.y));
 }
 
 template <int degree>
 void solve_for_gradients(const Moment_matrix_2<degree>& matrix, std::vector<Weighted_node_2>& nodes)
 {
   using Vector = typename Moment_matrix_2<degree>::Vector;
-  Vector bx = Vector::Zero(), by = Vector::Zero();
+  Vector bx{}, by{};
   for (const Weighted_node_2& n : nodes) {
     const Vector p = monomials<degree>(n.x, n.y);
-    bx -= n.wx * n.s * p;
-    by -= n.wy * n.s * p;
+    add(bx, -n.wx * n.s, p);
+    add(by, -n.wy * n.s, p);
   }
   if constexpr (degree > 0) {
     bx[1] += 1;
@@ -88,8 +88,8 @@ void solve_for_gradients(const Moment_matrix_2<degree>& matrix, std::vector<Weig
   const Vector gamma_x = matrix.solve(bx), gamma_y = matrix.solve(by);
   for (Weighted_node_2& n : nodes) {
     const Vector p = monomials<degree>(n.x, n.y);
-    n.sx = gamma_x.dot(p);
-    n.sy = gamma_y.dot(p);
+    n.sx = dot(gamma_x, p);
+    n.sy = dot(gamma_y, p);
   }
 }
 
@@ -97,12 +97,12 @@ template <int degree>
 void solve_for_hessians(const Moment_matrix_2<degree>& matrix, std::vector<Weighted_node_2>& nodes)
 {
   using Vector = typename Moment_matrix_2<degree>::Vector;
-  Vector bxx = Vector::Zero(), bxy = Vector::Zero(), byy = Vector::Zero();
+  Vector bxx{}, bxy{}, byy{};
   for (const Weighted_node_2& n : nodes) {
     const Vector p = monomials<degree>(n.x, n.y);
-    bxx -= (2 * n.wx * n.sx + n.wxx * n.s) * p;
-    bxy -= (n.wx * n.sy + n.wy * n.sx + n.wxy * n.s) * p;
-    byy -= (2 * n.wy * n.sy + n.wyy * n.s) * p;
+    add(bxx, -(2 * n.wx * n.sx + n.wxx * n.s), p);
+    add(bxy, -(n.wx * n.sy + n.wy * n.sx + n.wxy * n.s), p);
+    add(byy, -(2 * n.wy * n.sy + n.wyy * n.s), p);
   }
   if constexpr (degree > 1) {
     bxx[3] += 2;
@@ -112,9 +112,9 @@ void solve_for_hessians(const Moment_matrix_2<degree>& matrix, std::vector<Weigh
   const Vector gamma_xx = matrix.solve(bxx), gamma_xy = matrix.solve(bxy), gamma_yy = matrix.solve(byy);
   for (Weighted_node_2& n : nodes) {
     const Vector p = monomials<degree>(n.x, n.y);
-    n.sxx = gamma_xx.dot(p);
-    n.sxy = gamma_xy.dot(p);
-    n.syy = gamma_yy.dot(p);
+    n.sxx = dot(gamma_xx, p);
+    n.sxy = dot(gamma_xy, p);
+    n.syy = dot(gamma_yy, p);
   }
 }
 

@@ -14,6 +14,8 @@
 #include <Eigen/Core>
 #include <Eigen/SVD>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -36,54 +38,56 @@ struct Radial_weight
 };
 
 /// 1 - 6 q^2 + 8 q^3 - 3 q^4
-struct Quartic_spline_weight
+inline Radial_weight quartic_spline_weight(double q)
 {
-  static Radial_weight at(double q)
-  {
-    const double r = 1 - q;
-    return {r * r * r * (1 + 3 * q), -12 * r * r, q > 0 ? 24 * r / q : 0};
-  }
-};
+  const double r = 1 - q;
+  return {r * r * r * (1 + 3 * q), -12 * r * r, q > 0 ? 24 * r / q : 0};
+}
 
 /// 2/3 - 4 q^2 + 4 q^3 up to q = 1/2, and 4/3 (1 - q)^3 from there
-struct Cubic_spline_weight
+inline Radial_weight cubic_spline_weight(double q)
 {
-  static Radial_weight at(double q)
-  {
-    if (q <= 0.5)
-      return {2. / 3 - 4 * q * q * (1 - q), 12 * q - 8, q > 0 ? 12 / q : 0};
-    const double r = 1 - q;
-    return {4. / 3 * r * r * r, -4 * r * r / q, 4 * r * (1 + q) / (q * q * q)};
-  }
-};
+  if (q <= 0.5)
+    return {2. / 3 - 4 * q * q * (1 - q), 12 * q - 8, q > 0 ? 12 / q : 0};
+  const double r = 1 - q;
+  return {4. / 3 * r * r * r, -4 * r * r / q, 4 * r * (1 + q) / (q * q * q)};
+}
+
+/// exp(t) - 1 - t - t^2/2 for t >= 0 without the cancellation for small t
+inline double remainder_of_exp(double t)
+{
+  if (t > 1)
+    return std::exp(t) - 1 - t - t * t / 2;
+  double sum = 1;
+  for (int k = 17; k > 3; --k) // the first term left out is below 1e-16 of the sum
+    sum = 1 + sum * t / k;
+  return t * t * t / 6 * sum;
+}
 
 /// exp(-(q/c)^2) with c = 0.4, less its Taylor polynomial of second order in q^2 about q = 1: with
 /// b = 1/c^2 and t = b (1 - q^2) that is exp(-b) (exp(t) - 1 - t - t^2/2), a positive number.
-struct Gaussian_weight
+inline Radial_weight gaussian_weight(double q)
 {
-  static Radial_weight at(double q)
-  {
-    constexpr double b = 6.25;
-    static const double rim = std::exp(-b);
-    const double t = b * (1 - q) * (1 + q);
-    const double third = remainder(t);
-    const double second = third + t * t / 2; // the remainder after one term less, the derivative of the above
-    const double first = second + t;
-    return {rim * third, -2 * b * rim * second, 4 * b * b * rim * first};
-  }
+  constexpr double b = 6.25;
+  static const double rim = std::exp(-b);
+  const double t = b * (1 - q) * (1 + q);
+  const double third = remainder_of_exp(t);
+  const double second = third + t * t / 2; // the remainder after one term less, the derivative of the above
+  const double first = second + t;
+  return {rim * third, -2 * b * rim * second, 4 * b * b * rim * first};
+}
 
-private:
-  /// exp(t) - 1 - t - t^2/2 for t >= 0 without the cancellation for small t
-  static double remainder(double t)
-  {
-    if (t > 1)
-      return std::exp(t) - 1 - t - t * t / 2;
-    double sum = 1;
-    for (int k = 17; k > 3; --k) // the first term left out is below 1e-16 of the sum
-      sum = 1 + sum * t / k;
-    return t * t * t / 6 * sum;
+inline Radial_weight radial_weight(Moving_least_squares_weight weight, double q)
+{
+  switch (weight) {
+  case Moving_least_squares_weight::QUARTIC_SPLINE:
+    return quartic_spline_weight(q);
+  case Moving_least_squares_weight::CUBIC_SPLINE:
+    return cubic_spline_weight(q);
+  default:
+    return gaussian_weight(q);
   }
-};
+}
 
 /// A node in whose support the point of evaluation lies. All is in units of one length, so that neither
 /// powers nor second derivatives leave the range of numbers, whatever the unit of the coordinates is.
@@ -99,15 +103,14 @@ struct Weighted_node_2
 };
 
 /// Fills in weights and the derivatives that are asked for.
-template <class Weight>
-void weigh(std::vector<Weighted_node_2>& nodes, int number_of_derivatives)
+inline void weigh(Moving_least_squares_weight kind, std::vector<Weighted_node_2>& nodes, int number_of_derivatives)
 {
   for (Weighted_node_2& n : nodes) {
     const double scale = 1 / n.radius;
     const double ux = -n.x * scale;
     const double uy = -n.y * scale;
     const double q = std::sqrt(ux * ux + uy * uy);
-    const Radial_weight weight = q < 1 ? Weight::at(q) : Radial_weight{0, 0, 0};
+    const Radial_weight weight = q < 1 ? radial_weight(kind, q) : Radial_weight{0, 0, 0};
     n.w = weight.w;
     if (number_of_derivatives < 1)
       continue;
@@ -121,50 +124,65 @@ void weigh(std::vector<Weighted_node_2>& nodes, int number_of_derivatives)
   }
 }
 
-inline void weigh(Moving_least_squares_weight weight, std::vector<Weighted_node_2>& nodes,
-                  int number_of_derivatives)
-{
-  switch (weight) {
-  case Moving_least_squares_weight::QUARTIC_SPLINE:
-    return weigh<Quartic_spline_weight>(nodes, number_of_derivatives);
-  case Moving_least_squares_weight::CUBIC_SPLINE:
-    return weigh<Cubic_spline_weight>(nodes, number_of_derivatives);
-  case Moving_least_squares_weight::GAUSSIAN:
-    return weigh<Gaussian_weight>(nodes, number_of_derivatives);
-  }
-}
-
 /// the number of monomials in x and y up to a degree
 constexpr int number_of_monomials(int degree)
 {
   return (degree + 1) * (degree + 2) / 2;
 }
 
-/// the monomials of degree d in x and y after those of lower degree in m
-template <int d, class Vector>
-void add_monomials(double x, double y, Vector& m)
-{
-  constexpr int i = number_of_monomials(d - 1);
-  m[i] = m[i - d] * x;
-  for (int b = 0; b < d; ++b)
-    m[i + 1 + b] = m[i - d + b] * y;
-}
-
 /// 1, x, y, x^2, xy, y^2, x^3 ...: x^a y^b has the index number_of_monomials(a + b - 1) + b
 template <int degree>
-Eigen::Matrix<double, number_of_monomials(degree), 1> monomials(double x, double y)
+using Monomials = std::array<double, number_of_monomials(degree)>;
+
+template <int degree>
+Monomials<degree> monomials(double x, double y)
 {
-  Eigen::Matrix<double, number_of_monomials(degree), 1> m;
+  Monomials<degree> m;
   m[0] = 1;
-  if constexpr (degree > 0)
-    add_monomials<1>(x, y, m);
-  if constexpr (degree > 1)
-    add_monomials<2>(x, y, m);
-  if constexpr (degree > 2)
-    add_monomials<3>(x, y, m);
-  if constexpr (degree > 3)
-    add_monomials<4>(x, y, m);
+  for (int d = 1, i = 1; d <= degree; ++d) {
+    m[i] = m[i - d] * x;
+    for (int b = 0; b < d; ++b)
+      m[i + 1 + b] = m[i - d + b] * y;
+    i += d + 1;
+  }
   return m;
+}
+
+// Plain loops instead of Eigen's matrices of fixed size, which take compilers long; the order of sums is theirs.
+
+/// sums up n numbers, `step` apart, by halves
+inline double sum_by_halves(const double* t, int n, int step = 1)
+{
+  if (n < 2)
+    return n < 1 ? 0 : t[0];
+  return sum_by_halves(t, n / 2, step) + sum_by_halves(t + n / 2 * step, n - n / 2, step);
+}
+
+/// sums up n numbers: those of even places, those of odd ones, and what is left
+inline double sum_by_pairs(const double* t, int n)
+{
+  if (n < 4)
+    return n == 3 ? t[0] + t[1] + t[2] : sum_by_halves(t, n);
+  const double sum = sum_by_halves(t, n / 2, 2) + sum_by_halves(t + 1, n / 2, 2);
+  return n % 2 == 0 ? sum : sum + t[n - 1];
+}
+
+template <std::size_t n>
+double dot(const std::array<double, n>& a, const std::array<double, n>& b)
+{
+  if constexpr (n == 1)
+    return a[0] * b[0];
+  else if constexpr (n == 3)
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  else
+    return (a[0] * b[0] + (a[2] * b[2] + a[4] * b[4])) + (a[1] * b[1] + (a[3] * b[3] + a[5] * b[5]));
+}
+
+template <std::size_t n>
+void add(std::array<double, n>& sum, double factor, const std::array<double, n>& a)
+{
+  for (std::size_t i = 0; i < n; ++i)
+    sum[i] += factor * a[i];
 }
 
 /// The moment matrix A = sum of w_i p_i p_i^T of moving least squares, where p_i are the monomials up to
@@ -174,20 +192,19 @@ class Moment_matrix_2
 {
 public:
   static constexpr int size = number_of_monomials(degree);
-  using Vector = Eigen::Matrix<double, size, 1>;
+  using Vector = Monomials<degree>;
 
   explicit Moment_matrix_2(const std::vector<Weighted_node_2>& nodes)
   {
     // products of two monomials are monomials: their sums are all that is needed
-    using Moments = Eigen::Matrix<double, number_of_monomials(2 * degree), 1>;
-    Moments moments = Moments::Zero();
+    Monomials<2 * degree> moments{};
     for (const Weighted_node_2& n : nodes)
-      moments += n.w * monomials<2 * degree>(n.x, n.y);
+      add(moments, n.w, monomials<2 * degree>(n.x, n.y));
     for (int d = 0, i = 0; d <= degree; ++d)
       for (int b = 0; b <= d; ++b, ++i)
         for (int e = 0, j = 0; e <= degree; ++e)
           for (int c = 0; c <= e; ++c, ++j)
-            m_matrix(i, j) = moments[number_of_monomials(d + e - 1) + b + c];
+            m_matrix[i][j] = moments[number_of_monomials(d + e - 1) + b + c];
     factorize();
   }
 
@@ -197,7 +214,9 @@ public:
     const double bound = condition_bound();
     if (bound <= limit)
       return bound;
-    const auto values = Decomposition(m_matrix).singularValues(); // eigenvalues, since they are not negative
+    Vector ones;
+    ones.fill(1);
+    const auto values = Decomposition(scaled(ones)).singularValues(); // eigenvalues, since they are not negative
     return values[size - 1] > 0 ? values[0] / values[size - 1] : std::numeric_limits<double>::infinity();
   }
 
@@ -210,42 +229,63 @@ public:
     if (m_unit > 0)
       return pseudo_solve(b);
     Vector x = b;
-    m_lower.template triangularView<Eigen::Lower>().solveInPlace(x);
-    m_lower.adjoint().template triangularView<Eigen::Upper>().solveInPlace(x);
+    std::array<double, size> terms;
+    for (int i = 0; i < size; ++i) {
+      for (int k = 0; k < i; ++k)
+        terms[k] = m_lower[i][k] * x[k];
+      x[i] = (x[i] - sum_by_halves(terms.data(), i)) / m_lower[i][i];
+    }
+    for (int i = size; i-- > 0;) {
+      for (int k = i + 1; k < size; ++k)
+        terms[k] = m_lower[k][i] * x[k];
+      x[i] = (x[i] - sum_by_pairs(terms.data() + i + 1, size - i - 1)) / m_lower[i][i];
+    }
     return x;
   }
 
 private:
+  using Matrix = std::array<Vector, size>;
+  // what is rarely needed has types that are needed elsewhere too, since each takes compilers long
+  using Decomposition = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>;
+
+  /// rows and columns times the elements of a vector
+  Eigen::MatrixXd scaled(const Vector& scale) const
+  {
+    Eigen::MatrixXd result(size, size);
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        result(i, j) = scale[i] * m_matrix[i][j] * scale[j];
+    return result;
+  }
+
   /// The least of all solutions that come nearest: parts that hardly matter to the matrix are left out. What is
   /// least depends on the unit of length.
   Vector pseudo_solve(const Vector& b) const
   {
     const Vector scale = monomials<degree>(1 / m_unit, 1 / m_unit);
-    const Any_matrix scaled = scale.asDiagonal() * m_matrix * scale.asDiagonal();
-    Decomposition decomposition(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Decomposition decomposition(scaled(scale), Eigen::ComputeFullU | Eigen::ComputeFullV);
     decomposition.setThreshold(1e-12);
-    const Any_vector any = scale.cwiseProduct(b);
-    return scale.cwiseProduct(Vector(decomposition.solve(any)));
+    Eigen::VectorXd any(size);
+    for (int i = 0; i < size; ++i)
+      any[i] = scale[i] * b[i];
+    const Eigen::VectorXd solution = decomposition.solve(any);
+    Vector result;
+    for (int i = 0; i < size; ++i)
+      result[i] = scale[i] * solution[i];
+    return result;
   }
 
-  using Matrix = Eigen::Matrix<double, size, size>;
-  // what is rarely needed has one type for all sizes, since it takes compilers long
-  static constexpr int largest_size = number_of_monomials(2);
-  using Any_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, largest_size, largest_size>;
-  using Any_vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, largest_size, 1>;
-  using Decomposition = Eigen::JacobiSVD<Any_matrix, Eigen::NoQRPreconditioner>;
-
-  /// Cholesky's factorization; that of Eigen has code for large matrices too, which takes compilers long
+  /// Cholesky's factorization
   void factorize()
   {
     m_lower = m_matrix;
     for (int k = 0; k < size; ++k) {
-      const double pivot = m_lower(k, k) - product_of_rows(k, k);
+      const double pivot = m_lower[k][k] - product_of_rows(k, k);
       if (!(pivot > 0))
         return;
-      m_lower(k, k) = std::sqrt(pivot);
+      m_lower[k][k] = std::sqrt(pivot);
       for (int i = k + 1; i < size; ++i)
-        m_lower(i, k) = (m_lower(i, k) - product_of_rows(i, k)) / m_lower(k, k);
+        m_lower[i][k] = (m_lower[i][k] - product_of_rows(i, k)) / m_lower[k][k];
     }
     m_is_definite = true;
   }
@@ -255,7 +295,7 @@ private:
   {
     double sum = 0;
     for (int j = 0; j < k; ++j)
-      sum += m_lower(i, j) * m_lower(k, j);
+      sum += m_lower[i][j] * m_lower[k][j];
     return sum;
   }
 
@@ -267,13 +307,16 @@ private:
   {
     if (!m_is_definite)
       return std::numeric_limits<double>::infinity();
-    double d = 1;
-    for (int i = 0; i < size; ++i)
-      d *= m_lower(i, i) * m_lower(i, i) / m_matrix(i, i);
-    double least = d;
+    Vector diagonal;
+    double least = 1;
+    for (int i = 0; i < size; ++i) {
+      diagonal[i] = m_matrix[i][i];
+      least *= m_lower[i][i] * m_lower[i][i] / diagonal[i];
+    }
     for (int i = 1; i < size; ++i)
       least *= (size - 1.) / size;
-    return least > 0 ? m_matrix.trace() / (least * m_matrix.diagonal().minCoeff())
+    return least > 0 ? sum_by_halves(diagonal.data(), size) /
+                         (least * *std::min_element(diagonal.begin(), diagonal.end()))
                      : std::numeric_limits<double>::infinity();
   }
 
