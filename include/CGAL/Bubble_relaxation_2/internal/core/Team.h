@@ -290,7 +290,7 @@ public:
   /// @}
 
 private:
-  const std::vector<Index> m_none;
+  const std::vector<Index> m_none{};
 };
 
 } // namespace internal
