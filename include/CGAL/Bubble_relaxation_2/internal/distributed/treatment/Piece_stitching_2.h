@@ -11,8 +11,8 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_changes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
 #include <algorithm>
@@ -25,6 +25,53 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// a bubble of a patch after an operation, `GONE` if it was deleted
+struct Changed_bubble_2
+{
+  std::int32_t operation; ///< the place of the operation among all, the worst triangle's first
+  std::int32_t owner;
+  Bubble_record_2 bubble;
+};
+
+/// a triangle that an operation takes away or makes
+struct Changed_triangle_2
+{
+  std::int32_t operation;
+  std::int32_t is_new;
+  std::array<std::int64_t, 3> vertices; ///< their numbers
+  std::array<Index, 3> edges;           ///< labels
+};
+
+/// What operations make of their patches, in the words of all ranks.
+struct Patch_change_2
+{
+  std::vector<Changed_bubble_2> bubbles; ///< all of the patches; what is inserted comes in the order of its numbers
+  std::vector<Changed_triangle_2> triangles;
+};
+
+/// changes by the places of single operations
+using Patch_changes_2 = std::map<std::int32_t, Patch_change_2>;
+
+/// Collective. The changes of all ranks of which this one knows some bubble. All get all: operations are few.
+inline Patch_changes_2 changes_known_here(const Communicator& comm, const Bubbles_2& known, const Patch_change_2& own)
+{
+  Patch_changes_2 result;
+  const auto all_bubbles = gather_records(comm, own.bubbles);
+  for (const Changed_bubble_2& b : all_bubbles)
+    if (known.index_of(b.bubble.id) != no_index)
+      result[b.operation];
+  const auto sort_in = [&result](const auto& all, auto part) {
+    for (const auto& t : all) {
+      const auto found = result.find(t.operation);
+      if (found != result.end())
+        (found->second.*part).push_back(t);
+    }
+  };
+  sort_in(all_bubbles, &Patch_change_2::bubbles);
+  sort_in(gather_records(comm, own.triangles), &Patch_change_2::triangles);
+  return result;
+}
 
 /// Puts what operations made of patches in their place in the pieces of all ranks, as far as each piece reaches. Bubbles
 /// are numbered without gaps then, as on one rank.
