@@ -71,9 +71,7 @@ public:
   {
     m_quality = quality;
     std::vector<Index> local(mesh.bubbles.size(), -1);
-    add_owned_points(mesh, local);
-    m_owned_points = m_points.size();
-    add_ghosts(mesh, local);
+    add_points(mesh, local);
     const auto triangles = static_cast<std::size_t>(std::count(mesh.is_final.begin(), mesh.is_final.end(), 1));
     m_vertices.reserve(triangles);
     m_is_constrained.reserve(triangles);
@@ -159,51 +157,37 @@ public:
 private:
   using Part = Bubble_relaxation_2::internal::Distributed_mesh_2;
 
-  /// makes room for `n` more
-  void make_room_for_points(std::size_t n)
+  /// `local`: of each point of the mesh, its index here
+  void add_points(const Part& mesh, std::vector<Index>& local)
   {
-    n += m_points.size();
+    const auto& b = mesh.bubbles;
+    std::vector<Index> those;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.owner[i] == m_rank)
+        those.push_back(static_cast<Index>(i));
+    m_owned_points = those.size();
+    for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
+      if (mesh.is_final[t])
+        for (Index v : mesh.triangles.vertices[t])
+          if (b.owner[v] != m_rank && local[v] == -1) {
+            those.push_back(v);
+            local[v] = 0; // is set when all are known
+          }
+    std::sort(those.begin() + static_cast<std::ptrdiff_t>(m_owned_points), those.end()); // as their ids
+    const std::size_t n = those.size();
     m_points.reserve(n);
     m_ids.reserve(n);
     m_owners.reserve(n);
     m_sizes.reserve(n);
     m_dimensions.reserve(n);
-  }
-
-  void add_owned_points(const Part& mesh, std::vector<Index>& local)
-  {
-    make_room_for_points(
-      static_cast<std::size_t>(std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_rank)));
-    for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
-      if (mesh.bubbles.owner[i] == m_rank)
-        add_point(mesh, i, local);
-  }
-
-  void add_point(const Part& mesh, std::size_t i, std::vector<Index>& local)
-  {
-    const auto& b = mesh.bubbles;
-    local[i] = static_cast<Index>(m_points.size());
-    m_points.push_back(Point_2(b.x[i], b.y[i]));
-    m_ids.push_back(mesh.bubbles.id[i]);
-    m_owners.push_back(mesh.bubbles.owner[i]);
-    m_sizes.push_back(b.d[i]);
-    m_dimensions.push_back(b.dimension[i]);
-  }
-
-  void add_ghosts(const Part& mesh, std::vector<Index>& local)
-  {
-    std::vector<Index> ghosts;
-    for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
-      if (mesh.is_final[t])
-        for (Index v : mesh.triangles.vertices[t])
-          if (local[v] == -1) {
-            ghosts.push_back(v);
-            local[v] = 0; // is set when all are known
-          }
-    std::sort(ghosts.begin(), ghosts.end()); // as their ids
-    make_room_for_points(ghosts.size());
-    for (Index v : ghosts)
-      add_point(mesh, static_cast<std::size_t>(v), local);
+    for (Index i : those) {
+      local[i] = static_cast<Index>(m_points.size());
+      m_points.push_back(Point_2(b.x[i], b.y[i]));
+      m_ids.push_back(b.id[i]);
+      m_owners.push_back(b.owner[i]);
+      m_sizes.push_back(b.d[i]);
+      m_dimensions.push_back(static_cast<unsigned char>(b.dimension[i]));
+    }
   }
 
   void add_triangles(const Part& mesh, bool are_owned, const std::vector<Index>& local)

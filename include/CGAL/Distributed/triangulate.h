@@ -12,8 +12,8 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>

@@ -76,14 +76,14 @@ TEST(Lists_of_few, as_a_list_for_each)
   for (int turn = 0; turn < 2000; ++turn) {
     const std::size_t n = expected.size();
     if (engine() % 100 == 0) {
-      lists.empty_all();
+      lists.clear();
       expected.assign(n, {});
       lists.resize(n + 3);
       expected.resize(n + 3);
     }
     if (engine() % 20 == 0) {
-      lists.add_empty();
       expected.emplace_back();
+      lists.resize(expected.size());
     }
     const Index i = static_cast<Index>(engine() % expected.size());
     if (engine() % 3 == 0) {

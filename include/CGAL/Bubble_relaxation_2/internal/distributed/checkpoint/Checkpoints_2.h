@@ -11,9 +11,8 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoint_format_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Shared_file.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoint_file_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
@@ -196,16 +195,6 @@ inline void check_checkpoint_path(Communicator& comm, const std::string& path)
   });
 }
 
-/// Puts a file that is whole into the place of another: at each moment there is the one or the other.
-inline void replace_file(Communicator& comm, const std::string& from, const std::string& to)
-{
-  comm.agree_after([&] {
-    if (comm.rank() == 0 && std::rename(from.c_str(), to.c_str()) != 0)
-      throw std::runtime_error("Bubble_relaxation_2: the file " + from + " cannot be renamed to " + to + ": " +
-                               std::error_code(errno, std::generic_category()).message());
-  });
-}
-
 /// Collective. Writes the records of all ranks. The last checkpoint stays until the new one is on the disk.
 /// \param header with all that is not of the records
 /// \pre the records of each rank are sorted along the curve, and come before those of the next
@@ -231,7 +220,11 @@ inline void write_checkpoint(Communicator& comm, const std::string& path, Checkp
     file.write(0, std::vector<Checkpoint_header_2>(comm.rank() == 0 ? 1 : 0, header));
     file.write(static_cast<std::int64_t>(sizeof(header)) + first * header.record_size, records);
     file.finish();
-    replace_file(comm, unfinished, path);
+    comm.agree_after([&] { // at each moment there is the one file or the other
+      if (comm.rank() == 0 && std::rename(unfinished.c_str(), path.c_str()) != 0)
+        throw std::runtime_error("Bubble_relaxation_2: the file " + unfinished + " cannot be renamed to " + path +
+                                 ": " + std::error_code(errno, std::generic_category()).message());
+    });
   } catch (...) { // on all ranks
     if (comm.rank() == 0)
       std::remove(unfinished.c_str());

@@ -9,20 +9,185 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_INPUT_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_INPUT_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/hash_of_domain.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/same_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// the hash FNV-1a of numbers, byte by byte
+class Hash_of_numbers
+{
+public:
+  template <class T>
+  void add(T number)
+  {
+    unsigned char bytes[sizeof(T)];
+    std::memcpy(bytes, &number, sizeof(T));
+    for (unsigned char byte : bytes)
+      m_hash = (m_hash ^ byte) * 1099511628211u;
+  }
+
+  void add(const Point& p)
+  {
+    add(p.x());
+    add(p.y());
+  }
+
+  std::uint64_t value() const { return m_hash; }
+
+private:
+  std::uint64_t m_hash = 14695981039346656037u;
+};
+
+inline std::uint64_t hash_of(const Domain_2& domain)
+{
+  Hash_of_numbers hash;
+  for (const Point& p : domain.corners())
+    hash.add(p);
+  for (const Domain_edge_2& e : domain.edges()) {
+    hash.add(e.source);
+    hash.add(e.target);
+    hash.add(e.inside_left);
+    hash.add(e.inside_right);
+  }
+  return hash.value();
+}
+
+/// Collective. \throws std::invalid_argument on all ranks, with the words `what`, if not all have the same hash
+inline void check_same(const Communicator& comm, std::uint64_t hash, const std::string& what)
+{
+  if (comm.smallest(hash) == comm.largest(hash))
+    return;
+  comm.throw_on_all(std::invalid_argument("Bubble_relaxation_2: " + what));
+}
+
+inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
+{
+  check_same(comm, hash_of(domain), "the domain is not the same on all ranks");
+}
+
+/// Collective. \throws std::invalid_argument on all ranks if vertices in the domain, or on its edges, are not the
+/// same on all
+inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& given)
+{
+  Hash_of_numbers hash;
+  const auto add = [&hash](const std::vector<Point>& points) {
+    hash.add(points.size());
+    for (const Point& p : points)
+      hash.add(p);
+  };
+  add(given.pinned);
+  add(given.free);
+  for (const std::vector<Point>& points : given.on_edge)
+    add(points);
+  check_same(comm, hash.value(), "the domain has not the same vertices on all ranks, or not the same are pinned");
+}
+
+/// the value of a parameter, in a form that any rank, or a later run, can compare and put into words
+struct Named_value
+{
+  const char* name;
+  double value;
+  std::string (*text)(double) = [](double v) { return in_words(v); };
+};
+
+inline std::string choose_word(double value, std::initializer_list<const char*> words)
+{
+  const std::size_t k = static_cast<std::size_t>(value);
+  return k < words.size() ? words.begin()[k] : in_words(value);
+}
+
+inline std::string true_or_false(double value) { return choose_word(value, {"false", "true"}); }
+
+/// The parameters on which it depends where bubbles go, once they are placed in some way, as long as they go on.
+inline std::array<Named_value, 13> steering_parameters(const Relaxation_options& o)
+{
+  return {{{"integrator", static_cast<double>(o.integrator), // other defaults depend on it
+            [](double v) { return choose_word(v, {"RUNGE_KUTTA_4", "SEMI_IMPLICIT_EULER"}); }},
+           {"force_coefficient", o.force_coefficient},
+           {"mass", o.mass},
+           {"damping", o.damping},
+           {"time_step", o.time_step},
+           {"number_of_iterations", static_cast<double>(o.number_of_iterations)},
+           {"neighbor_radius", o.neighbor_radius},
+           {"renewal_interval", static_cast<double>(o.renewal_interval)},
+           {"initial_placement", static_cast<double>(o.placement),
+            [](double v) { return choose_word(v, {"KEEP", "RHOMBIC", "FRONTAL"}); }},
+           {"population_control", static_cast<double>(o.population),
+            [](double v) { return choose_word(v, {"NONE", "OVERLAP_RATIO", "DELAUNAY"}); }},
+           {"limit_by_outline", static_cast<double>(o.limit_by_outline), true_or_false},
+           {"displacement_tolerance", o.displacement_tolerance},
+           {"exchange_interval", static_cast<double>(o.exchange_interval)}}};
+}
+
+/// Collective. All ranks have values of the same parameters, in the same order.
+/// \throws std::invalid_argument on all ranks if a value is not the same on all, naming the first such parameter
+/// and two of its values
+inline void check_same_values(const Communicator& comm, const std::vector<Named_value>& values)
+{
+  const std::size_t n = values.size();
+  std::vector<double> first(n);
+  for (std::size_t k = 0; k < n; ++k)
+    first[k] = values[k].value;
+  check_mpi(MPI_Bcast(first.data(), static_cast<int>(n), MPI_DOUBLE, 0, comm.handle()));
+  std::size_t k = 0;
+  while (k < n && values[k].value == first[k])
+    ++k;
+  const std::int64_t ranks = comm.size();
+  const std::int64_t different = comm.smallest(static_cast<std::int64_t>(k) * ranks + comm.rank());
+  const std::size_t parameter = static_cast<std::size_t>(different / ranks);
+  if (parameter == n)
+    return;
+  const int rank = static_cast<int>(different % ranks);
+  double other = values[parameter].value;
+  check_mpi(MPI_Bcast(&other, 1, MPI_DOUBLE, rank, comm.handle()));
+  const Named_value& p = values[parameter];
+  comm.throw_on_all(std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + p.name + " = " +
+                                          p.text(first[parameter]) + " on rank 0, but " + p.text(other) +
+                                          " on rank " + std::to_string(rank)));
+}
+
+/// Collective. Callbacks need not be the same, nor be there on all ranks.
+/// \throws std::invalid_argument on all ranks if another parameter is not the same on all
+inline void check_same_options(const Communicator& comm, const Relaxation_options& o)
+{
+  const auto steering = steering_parameters(o);
+  std::vector<Named_value> values(steering.begin(), steering.end());
+  values.insert(values.end(), {
+    {"initial_placement", static_cast<double>(o.placement_is_given),
+     [](double v) { return choose_word(v, {"the default", "given"}); }},
+    {"number_of_rounds", static_cast<double>(o.number_of_rounds)},
+    {"defect_treatment", static_cast<double>(o.defect_treatment), true_or_false},
+    {"maximum_number_of_bubbles", static_cast<double>(o.maximum_number_of_bubbles)}});
+  check_same_values(comm, values);
+}
+
+/// Collective. A sizing function cannot be compared, but how many bubbles it asks for in the domain.
+/// \throws std::invalid_argument on all ranks if that is not the same on all
+inline void check_same_sizes(const Communicator& comm, double expected_number)
+{
+  const auto text = [](double v) { return "one that asks for " + in_words(v) + " bubbles"; };
+  check_same_values(comm, {{"sizing_function", expected_number, text}});
+}
 
 /// What the user's callback throws on one rank stops all. It is kept until all ranks can throw it.
 inline std::function<bool(double)> agreed_callback(const std::function<bool(double)>& callback, Communicator& comm)

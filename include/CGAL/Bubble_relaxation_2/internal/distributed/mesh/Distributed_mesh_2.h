@@ -24,24 +24,6 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// whether all ranks know a bubble: those on the edges of the domain and its corners
-inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
-{
-  return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
-}
-
-/// Collective. The bubbles of all ranks on the outline, those of one rank after those of another.
-inline std::vector<Bubble_record_2> gather_outline(Communicator& comm, const Bubbles_2& bubbles)
-{
-  std::vector<Bubble_record_2> own;
-  comm.agree_after([&] {
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (bubbles.is_ours(i) && is_on_outline(bubbles, i))
-        own.push_back(record(bubbles, i));
-  });
-  return gather_records(comm, own);
-}
-
 /// What a rank has of the one constrained Delaunay triangulation of the bubbles of all ranks. Triangles of the
 /// domain with a vertex that this rank owns are the same as on one rank; all others are only what its
 /// bubbles, the ghosts that it happens to know and the outline look like from here. When ranks have treated defects,

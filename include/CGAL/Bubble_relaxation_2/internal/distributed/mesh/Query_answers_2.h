@@ -31,7 +31,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -46,7 +45,7 @@ namespace internal {
 struct Triangle_question_2
 {
   std::array<double, 3> x, y; ///< the vertices, counterclockwise
-  double xmin, ymin, xmax, ymax; ///< all that matters lies in this box
+  Bbox_2 box; ///< all that matters lies in it
   std::array<std::int32_t, 3> is_hidden; ///< for each vertex, what lies beyond the opposite side
   std::int32_t vertex; ///< points near to this one matter first
   std::int32_t number; ///< of the question, among those of its rank
@@ -113,10 +112,7 @@ inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, con
     question.y[i] = mesh.point(t, i).y();
     question.is_hidden[i] = mesh.triangles.edges[t][i] != no_index;
   }
-  question.xmin = box.xmin();
-  question.ymin = box.ymin();
-  question.xmax = box.xmax();
-  question.ymax = box.ymax();
+  question.box = box;
   question.vertex = vertex;
   question.number = number;
   return question;
@@ -146,24 +142,24 @@ public:
   /// adds what a question of `rank` asks for
   void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
   {
-    if (!m_is_collected)
+    if (m_inner.empty())
       collect();
     std::unordered_set<Index>& sent = m_sent[rank];
-    m_found.clear();
-    const Fuzzy_iso_box<Traits> box(Point(question.xmin, question.ymin), Point(question.xmax, question.ymax));
     std::vector<Bubble> in_box;
-    m_inner.search(std::back_inserter(in_box), box);
+    const Bbox_2& box = question.box;
+    m_inner.search(std::back_inserter(in_box),
+                   Fuzzy_iso_box<Traits>(Point(box.xmin(), box.ymin()), Point(box.xmax(), box.ymax())));
+    std::vector<std::pair<double, Index>> found; // by distances
     for (const Bubble& b : in_box)
-      test(question, b.second, sent);
-    const std::size_t n = (std::min)(m_found.size(), most_bubbles);
-    std::partial_sort(m_found.begin(), m_found.begin() + static_cast<std::ptrdiff_t>(n), m_found.end(),
-                      [](const Found& f, const Found& g) {
-                        return std::tie(f.distance, f.i) < std::tie(g.distance, g.i);
-                      });
+      if (sent.count(b.second) == 0 && question.concerns(b.first)) {
+        const double dx = b.first.x() - question.x[question.vertex], dy = b.first.y() - question.y[question.vertex];
+        found.emplace_back(dx * dx + dy * dy, b.second);
+      }
+    const std::size_t n = (std::min)(found.size(), most_bubbles);
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(n), found.end());
     for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t i = static_cast<std::size_t>(m_found[k].i);
-      answers.push_back({record(m_own, i), question.number});
-      sent.insert(m_found[k].i);
+      answers.push_back({record(m_own, static_cast<std::size_t>(found[k].second)), question.number});
+      sent.insert(found[k].second);
     }
   }
 
@@ -171,34 +167,16 @@ private:
   using Bubble = std::pair<Point, Index>;
   using Traits = Search_traits_adapter<Bubble, First_of_pair_property_map<Bubble>, Search_traits_2<Kernel>>;
 
-  struct Found
-  {
-    double distance;
-    Index i;
-  };
-
   void collect()
   {
     for (std::size_t i = 0; i < m_own.size(); ++i)
       if (!is_on_outline(m_own, i))
         m_inner.insert(Bubble(m_own.point(i), static_cast<Index>(i)));
-    m_is_collected = true;
-  }
-
-  void test(const Triangle_question_2& question, Index i, const std::unordered_set<Index>& sent)
-  {
-    const Point p = m_own.point(static_cast<std::size_t>(i));
-    if (sent.count(i) != 0 || !question.concerns(p))
-      return;
-    const double dx = p.x() - question.x[question.vertex], dy = p.y() - question.y[question.vertex];
-    m_found.push_back(Found{dx * dx + dy * dy, i});
   }
 
   const Bubbles_2& m_own;
-  bool m_is_collected = false;
   Kd_tree<Traits> m_inner; // those that others may not know
   std::map<int, std::unordered_set<Index>> m_sent;
-  std::vector<Found> m_found;
 };
 
 } // namespace internal

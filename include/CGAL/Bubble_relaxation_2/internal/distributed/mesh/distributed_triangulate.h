@@ -102,20 +102,13 @@ private:
     Messages<Bubble_record_2> out;
     m_comm.agree_after([&] {
       const Bubbles_2& b = m_own;
-      m_free_radius.assign(m_own.size(), 0);
       Clearance_2 clearance(m_partition, m_comm.rank());
-      for (std::size_t i = 0; i < m_own.size(); ++i) {
-        const double radius = reach * b.d[i];
-        m_free_radius[i] = clearance(b.x[i], b.y[i], radius);
-        if (m_free_radius[i] > 0)
-          continue;
-        const auto ranks = m_partition.owners_in_disc(b.x[i], b.y[i], radius);
-        if (ranks.size() == 1 && ranks.front() == m_comm.rank())
-          m_free_radius[i] = radius;
-        else if (!is_on_outline(b, i))
-          for (int rank : ranks)
-            send(static_cast<Index>(i), rank, out);
-      }
+      for (std::size_t i = 0; i < m_own.size(); ++i)
+        if (!is_on_outline(b, i))
+          for (int rank : clearance.others_in_disc(b.x[i], b.y[i], reach * b.d[i])) {
+            out[rank].push_back(record(b, i));
+            m_answers.note_sent(rank, static_cast<Index>(i));
+          }
     });
     const Messages<Bubble_record_2> in = deliver(m_comm, out);
     m_comm.agree_after([&] {
@@ -126,15 +119,6 @@ private:
     });
   }
 
-  void send(Index i, int rank, Messages<Bubble_record_2>& out)
-  {
-    if (rank == m_comm.rank())
-      return;
-    const std::size_t k = static_cast<std::size_t>(i);
-    out[rank].push_back(record(m_own, k));
-    m_answers.note_sent(rank, i);
-  }
-
   void triangulate()
   {
     const Bubbles_2& b = m_mesh.bubbles;
@@ -143,12 +127,6 @@ private:
     else
       triangulate_along_curve();
     m_is_new = false;
-    m_radius.assign(m_mesh.bubbles.size(), no_radius);
-    for (std::size_t i = 0, k = 0; i < m_own.size(); ++i, ++k) {
-      while (m_mesh.bubbles.id[k] != m_own.id[i])
-        ++k;
-      m_radius[k] = m_free_radius[i];
-    }
   }
 
   /// CGAL searches each point from the last one
@@ -173,22 +151,22 @@ private:
     m_asked.clear();
     if (m_comm.size() == 1)
       return questions;
+    Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t k = 0; k < m_mesh.triangles.number_of_triangles(); ++k) {
       const Index t = static_cast<Index>(k);
       const int vertex = m_mesh.triangles.inside[k] ? own_vertex(t) : -1;
-      if (vertex == -1 || is_clearly_free(t))
+      if (vertex == -1)
         continue;
       const Bbox_2 box = box_that_matters(m_mesh, t, m_domain.bbox());
-      if (is_free(t, box))
-        continue;
-      const auto ranks = owners(box);
-      if ((ranks.size() == 1 && ranks.front() == m_comm.rank()) || m_is_certain.count(triangle(t)) != 0)
+      const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin();
+      const auto ranks = clearance.others_in_disc(box.xmin() + dx / 2, box.ymin() + dy / 2,
+                                                  0.5000001 * std::hypot(dx, dy));
+      if (ranks.empty() || m_is_certain.count(triangle(t)) != 0)
         continue;
       const auto question = make_question(m_mesh, t, box, vertex, static_cast<std::int32_t>(m_asked.size()));
       m_asked.push_back(triangle(t));
       for (int rank : ranks)
-        if (rank != m_comm.rank())
-          questions[rank].push_back(question);
+        questions[rank].push_back(question);
     }
     m_mesh.number_of_questions += m_asked.size();
     return questions;
@@ -198,44 +176,9 @@ private:
   int own_vertex(Index t) const
   {
     for (int i = 0; i < 3; ++i)
-      if (m_radius[m_mesh.triangles.vertices[t][i]] != no_radius)
+      if (m_mesh.bubbles.is_ours(m_mesh.triangles.vertices[t][i]))
         return i;
     return -1;
-  }
-
-  /// Of a triangle without an obtuse angle the disc lies in a disc around each vertex with less than 1.4 times
-  /// the longest side as radius. That decides about most triangles.
-  bool is_clearly_free(Index t) const
-  {
-    double longest = 0, sum = 0, radius = 0;
-    for (int i = 0; i < 3; ++i) {
-      const Point p = m_mesh.point(t, ccw(i)), q = m_mesh.point(t, cw(i));
-      const double dx = q.x() - p.x(), dy = q.y() - p.y(), square = dx * dx + dy * dy;
-      longest = (std::max)(longest, square);
-      sum += square;
-      radius = (std::max)(radius, m_radius[m_mesh.triangles.vertices[t][i]]);
-    }
-    return 2 * longest < sum && 2 * longest < radius * radius;
-  }
-
-  /// whether the box lies in a disc around a vertex of which this rank owns all
-  bool is_free(Index t, const Bbox_2& box) const
-  {
-    for (int i = 0; i < 3; ++i) {
-      const double radius = m_radius[m_mesh.triangles.vertices[t][i]], x = m_mesh.point(t, i).x(), y = m_mesh.point(t, i).y();
-      const double dx = (std::max)(x - box.xmin(), box.xmax() - x);
-      const double dy = (std::max)(y - box.ymin(), box.ymax() - y);
-      if (radius > 0 && dx * dx + dy * dy < 0.999999 * radius * radius)
-        return true;
-    }
-    return false;
-  }
-
-  Hilbert_partition_2::Ranks owners(const Bbox_2& box) const
-  {
-    const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin();
-    return m_partition.owners_in_disc(box.xmin() + dx / 2, box.ymin() + dy / 2,
-                                      0.5000001 * std::hypot(dx, dy));
   }
 
   Triangle triangle(Index t) const
@@ -280,19 +223,15 @@ private:
     m_is_new = true;
   }
 
-  static constexpr double no_radius = -1; // of bubbles of other ranks
-
   const Domain_2& m_domain;
   const Bubbles_2& m_own;
   const Hilbert_partition_2& m_partition;
   Communicator& m_comm;
   Query_answers_2 m_answers;
   Distributed_mesh_2 m_mesh;
-  bool m_is_new = true;              // there are bubbles that are not in the triangulation
-  std::vector<double> m_free_radius; // of own bubbles: of a disc that reaches into no other piece, or 0
-  std::vector<double> m_radius;      // the same by index in the mesh
-  std::vector<Triangle> m_asked;     // in this round
-  std::set<Triangle> m_is_certain;   // of those that were asked about
+  bool m_is_new = true;          // there are bubbles that are not in the triangulation
+  std::vector<Triangle> m_asked; // in this round
+  std::set<Triangle> m_is_certain; // of those that were asked about
 };
 
 /// Collective. The part of this rank of the constrained Delaunay triangulation of the bubbles of all ranks:

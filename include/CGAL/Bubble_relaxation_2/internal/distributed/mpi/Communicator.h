@@ -27,6 +27,7 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+inline MPI_Datatype mpi_type(char) { return MPI_SIGNED_CHAR; }
 inline MPI_Datatype mpi_type(double) { return MPI_DOUBLE; }
 inline MPI_Datatype mpi_type(std::int32_t) { return MPI_INT32_T; }
 inline MPI_Datatype mpi_type(std::int64_t) { return MPI_INT64_T; }

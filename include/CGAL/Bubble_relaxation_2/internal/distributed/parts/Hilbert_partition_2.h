@@ -222,6 +222,16 @@ public:
     return found;
   }
 
+  /// The other ranks with a part of the disc, and perhaps some with a part of what is beside it.
+  Hilbert_partition_2::Ranks others_in_disc(double x, double y, double radius)
+  {
+    Hilbert_partition_2::Ranks result;
+    if ((*this)(x, y, radius) == 0)
+      result = m_partition->owners_in_disc(x, y, radius);
+    result.erase(std::remove(result.begin(), result.end(), m_rank), result.end());
+    return result;
+  }
+
 private:
   /// so many times the radius are tried, for those that come after
   static constexpr std::array<double, 4> look_ahead = {1.2, 2, 4, 8};

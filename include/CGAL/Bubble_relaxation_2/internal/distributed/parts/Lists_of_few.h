@@ -37,23 +37,10 @@ public:
   /// There are `n` bubbles, of which those that come new have empty lists. \pre they are not fewer than before
   void resize(std::size_t n) { m_place.resize(n, no_index); }
 
-  /// one more bubble
-  void add_empty() { m_place.push_back(no_index); }
-
   /// no bubbles
   void clear()
   {
     m_place.clear();
-    m_those.clear();
-    m_lists.clear();
-  }
-
-  /// empties all lists; as many bubbles stay
-  void empty_all()
-  {
-    for (Index i : m_those)
-      m_place[i] = no_index;
-    m_those.clear();
     m_lists.clear();
   }
 
@@ -72,16 +59,23 @@ public:
   {
     if (is_empty(i)) {
       m_place[i] = static_cast<Index>(m_lists.size());
-      m_those.push_back(i);
       m_lists.emplace_back();
     }
     m_lists[m_place[i]].push_back(value);
   }
 
+  /// unless it is there; returns whether it was added
+  bool add_once(Index i, const T& value)
+  {
+    if (has(i, value))
+      return false;
+    add(i, value);
+    return true;
+  }
+
 private:
   std::vector<Index> m_place; // of each bubble's list
-  std::vector<Index> m_those; // bubbles whose lists are not empty
-  std::vector<List> m_lists;  // theirs
+  std::vector<List> m_lists;  // that are not empty
   List m_none;
 };
 

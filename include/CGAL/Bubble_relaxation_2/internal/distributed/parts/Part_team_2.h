@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
 #include <algorithm>
@@ -54,16 +55,15 @@ public:
     const std::size_t number_of_ours = holes.size();
     m_holes_sent.clear();
     m_holes_received.clear();
-    std::vector<Hilbert_partition_2::Ranks> told(number_of_ours);
-    std::vector<int> owners(number_of_ours, m_comm.rank());
+    Lists_of_few<int> told(number_of_ours);
     out.clear();
     for (std::size_t k = 0; k < number_of_ours; ++k)
       for (int rank : m_partition->owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
-        tell(holes[k], static_cast<Index>(k), rank, told[k], out);
-    receive(out, holes, owners);
+        tell(holes[k], static_cast<Index>(k), rank, told, out);
+    receive(out, holes);
     out.clear();
-    tell_of_smaller(holes, number_of_ours, owners, reach, told, out);
-    receive(out, holes, owners);
+    tell_of_smaller(holes, number_of_ours, reach, told, out);
+    receive(out, holes);
     return number_of_ours;
   }
 
@@ -77,43 +77,40 @@ protected:
   const Hilbert_partition_2* m_partition; ///< who owns what
 
 private:
-  using Told = std::vector<Hilbert_partition_2::Ranks>;
-
   /// who was told of a larger one tells of smaller ones near it
-  void tell_of_smaller(const std::vector<Hole_2>& holes, std::size_t number_of_ours, const std::vector<int>& owners,
-                       double reach, Told& told, Messages<Hole_2>& out)
+  void tell_of_smaller(const std::vector<Hole_2>& holes, std::size_t number_of_ours, double reach,
+                       Lists_of_few<int>& told, Messages<Hole_2>& out)
   {
     if (number_of_ours == 0 || holes.size() == number_of_ours)
       return;
     Bubble_buckets_2 ours(2 * reach, holes[0].d, holes[0].x, holes[0].y, number_of_ours);
     for (std::size_t k = 0; k < number_of_ours; ++k)
       ours.insert(static_cast<Index>(k), holes[k].x, holes[k].y, holes[k].d);
-    for (std::size_t l = number_of_ours; l < holes.size(); ++l) {
-      const double far = reach * holes[l].d;
-      ours.for_each_near(holes[l].x, holes[l].y, holes[l].d, [&](Index k, double squared, double) {
-        if (squared < far * far)
-          tell(holes[k], k, owners[l], told[k], out);
-        return true;
-      });
-    }
+    for (const auto& list : m_holes_received)
+      for (Index l : list.second) {
+        const double far = reach * holes[l].d;
+        ours.for_each_near(holes[l].x, holes[l].y, holes[l].d, [&](Index k, double squared, double) {
+          if (squared < far * far)
+            tell(holes[k], k, list.first, told, out);
+          return true;
+        });
+      }
   }
 
-  void tell(const Hole_2& hole, Index k, int rank, Hilbert_partition_2::Ranks& told, Messages<Hole_2>& out)
+  void tell(const Hole_2& hole, Index k, int rank, Lists_of_few<int>& told, Messages<Hole_2>& out)
   {
-    if (rank == m_comm.rank() || std::find(told.begin(), told.end(), rank) != told.end())
+    if (rank == m_comm.rank() || !told.add_once(k, rank))
       return;
-    told.push_back(rank);
     out[rank].push_back(hole);
     m_holes_sent[rank].push_back(k);
   }
 
-  void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes, std::vector<int>& owners)
+  void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes)
   {
     for (const auto& message : deliver(m_comm, out))
       for (const Hole_2& h : message.second) {
         m_holes_received[message.first].push_back(static_cast<Index>(holes.size()));
         holes.push_back(h);
-        owners.push_back(message.first);
       }
   }
 

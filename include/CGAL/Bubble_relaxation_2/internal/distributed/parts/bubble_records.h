@@ -10,9 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_BUBBLE_RECORDS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -96,6 +99,24 @@ inline Bubble_state_2 bubble_state(const Bubbles_2& b, std::size_t i, const Bubb
 {
   return Bubble_state_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i], m.reference_x, m.reference_y, m.reference_d,
                         m.asked_x, m.asked_y, b.id[i], b.host[i], b.pin[i], b.dimension[i], m.is_active, m.is_touched};
+}
+
+/// whether all ranks know a bubble: those on the edges of the domain and its corners
+inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
+{
+  return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
+}
+
+/// Collective. The bubbles of all ranks on the outline, those of one rank after those of another.
+inline std::vector<Bubble_record_2> gather_outline(Communicator& comm, const Bubbles_2& bubbles)
+{
+  std::vector<Bubble_record_2> own;
+  comm.agree_after([&] {
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_ours(i) && is_on_outline(bubbles, i))
+        own.push_back(record(bubbles, i));
+  });
+  return gather_records(comm, own);
 }
 
 } // namespace internal

@@ -82,13 +82,6 @@ public:
     m_places.reserve(bubbles.size());
   }
 
-  /// adds all
-  void add_all()
-  {
-    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
-      add(static_cast<Index>(i));
-  }
-
   void add(Index i) { m_places.push_back(Place{m_curve.key(m_bubbles.x[i], m_bubbles.y[i]), i}); }
 
   /// Collective. Cuts the curve so that all ranks own equally many bubbles; those that other ranks own then go there,
@@ -194,7 +187,8 @@ public:
     const bool are_numbered = check_numbers(points, has_numbers);
     add_missing_corners(points, are_numbered);
     Curve_sort_2 on_curve(m_partition.curve(), points);
-    on_curve.add_all();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      on_curve.add(static_cast<Index>(i));
     m_partition = on_curve.send_home_evenly(m_comm);
     on_curve.select();
     m_comm.agree_after([&] {

@@ -48,7 +48,7 @@ public:
     if (clearance < radius)
       clearance = find_clearance(x, y, radius);
     m_places.push_back(Place{x, y, clearance});
-    m_others.add_empty();
+    m_others.resize(m_places.size());
     m_owner.push_back(clearance > 0 ? m_rank : m_partition.owner(x, y));
     if (clearance == 0 && is_ours(static_cast<std::size_t>(i)))
       for (int r : m_partition.owners_in_disc(x, y, radius))
@@ -82,8 +82,8 @@ public:
 
   void add_holder(Index i, int rank)
   {
-    if (!has(i, rank))
-      m_others.add(i, rank);
+    if (rank != m_rank)
+      m_others.add_once(i, rank);
   }
 
 private:

@@ -198,16 +198,7 @@ public:
 
   void share_settled(std::vector<Point>& settled) override
   {
-    Messages<Place> out, in;
-    for (const auto& list : m_new_sent)
-      for (Index i : list.second)
-        out[list.first].push_back(Place{settled[i - m_first].x(), settled[i - m_first].y()});
-    for (const auto& list : m_new_received)
-      in[list.first].resize(list.second.size());
-    deliver_expected(m_comm, out, in);
-    for (const auto& list : m_new_received)
-      for (std::size_t n = 0; n < list.second.size(); ++n)
-        settled[list.second[n] - m_first] = Point(in[list.first][n].x, in[list.first][n].y);
+    share_values(m_comm, m_new_sent, m_new_received, settled);
   }
 
   /// A bubble has its place and its size. Where d jumps, it may be larger than it was thought to be.
@@ -252,11 +243,6 @@ private:
     m_keys.reserve(all);
     m_place_among_others.reserve(all);
   }
-
-  struct Place
-  {
-    double x, y;
-  };
 
   /// a bubble that another rank needs only now
   struct Late
@@ -336,7 +322,7 @@ private:
     m_late.clear();
   }
 
-  /// who tells whom where new bubbles settle
+  /// who tells whom where new bubbles settle, which are counted from the first
   void list_new(const Crystal_2& crystal)
   {
     m_new_sent.clear();
@@ -346,15 +332,15 @@ private:
       if (crystal.birth(i).generation != m_generation)
         continue;
       if (!owns(index))
-        m_new_received[m_holders->owner(i)].push_back(index);
+        m_new_received[m_holders->owner(i)].push_back(index - m_first);
       else
         for (int rank : m_holders->others(index))
-          m_new_sent[rank].push_back(index);
+          m_new_sent[rank].push_back(index - m_first);
     }
     for (auto* lists : {&m_new_sent, &m_new_received})
       for (auto& list : *lists)
         std::sort(list.second.begin(), list.second.end(),
-                  [&crystal](Index i, Index j) { return crystal.came_before(i, j); });
+                  [&](Index i, Index j) { return crystal.came_before(m_first + i, m_first + j); });
   }
 
   Communicator& m_comm;

@@ -79,15 +79,6 @@ public:
   }
 
 private:
-  /// a point on an edge of the domain, or a pinned one
-  struct Placed
-  {
-    double x, y, s;
-    Index edge;
-
-    bool operator<(const Placed& p) const { return std::tie(edge, s, x, y) < std::tie(p.edge, p.s, p.x, p.y); }
-  };
-
   void take_share()
   {
     const std::size_t n = m_given.free.size(), ranks = static_cast<std::size_t>(m_comm.size()),
@@ -116,17 +107,19 @@ private:
 
   void gather_outline(const Bubbles_2& b)
   {
-    std::vector<Placed> placed;
+    std::vector<Bubble_record_2> placed;
     for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_on_edge(i))
-        placed.push_back(Placed{b.x[i], b.y[i], position_on_edge(m_domain, b.host[i], b.point(i)), b.host[i]});
-      else if (b.is_corner(i) && b.host[i] == no_index)
-        placed.push_back(Placed{b.x[i], b.y[i], 0, no_index});
+      if (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] == no_index)) {
+        placed.push_back(record(b, i));
+        placed.back().s = b.is_on_edge(i) ? position_on_edge(m_domain, b.host[i], b.point(i)) : 0;
+      }
     placed = gather_records(m_comm, placed);
-    std::sort(placed.begin(), placed.end());
+    std::sort(placed.begin(), placed.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) {
+      return std::tie(p.host, p.s, p.x, p.y) < std::tie(q.host, q.s, q.x, q.y);
+    });
     m_outline.on_edge.assign(m_domain.edges().size(), {});
-    for (const Placed& p : placed)
-      (p.edge == no_index ? m_outline.pinned : m_outline.on_edge[p.edge]).push_back(Point(p.x, p.y));
+    for (const Bubble_record_2& p : placed)
+      (p.host == no_index ? m_outline.pinned : m_outline.on_edge[p.host]).push_back(Point(p.x, p.y));
     sort_pinned();
   }
 

@@ -108,9 +108,9 @@ public:
   void add(const Bubbles_2& b, Index i)
   {
     const int owner = this->owner(i);
-    m_holders.add_empty();
     m_is_near_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
+    m_holders.resize(m_places.size());
     if (owner == m_comm.rank())
       find_clearance(b, i);
     else {
@@ -209,9 +209,12 @@ public:
       Messages<Bubble_state_2> out;
       for (Index i : those)
         note_place(b, i);
-      tell_of_ours(b, those, finder, state, out);
-      if (m_width == 0) // else it is the same from the other side
-        tell_owners(b, those, finder, state, out);
+      for (Index i : those)
+        if (is_ours(i))
+          tell_of(b, i, finder, state, out);
+      for (Index i : those)
+        if (!is_ours(i) && m_width == 0) // else it is the same from the other side
+          tell_owner(b, i, finder, state, out);
       m_traffic.add_messages(out);
       those.clear();
       for (const auto& message : deliver(m_comm, out))
@@ -299,15 +302,6 @@ private:
 
   bool is_ours(Index i) const { return owner(i) == m_comm.rank(); }
 
-  template <class Finder, class State>
-  void tell_of_ours(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
-                    Messages<Bubble_state_2>& out)
-  {
-    for (Index i : those)
-      if (is_ours(i))
-        tell_of(b, i, finder, state, out);
-  }
-
   /// tells of a bubble of ours all ranks near it, and the owners of larger ones that reach it
   template <class Finder, class State>
   void tell_of(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
@@ -335,17 +329,15 @@ private:
   /// whether another rank has a bubble of ours
   bool has(int rank, Index i) const { return m_holders.has(i, rank); }
 
-  /// tells the owners of others' bubbles of ours that these reach
+  /// tells the owner of another's bubble of ours that this one reaches
   template <class Finder, class State>
-  void tell_owners(const Bubbles_2& b, const std::vector<Index>& those, const Finder& finder, const State& state,
-                   Messages<Bubble_state_2>& out)
+  void tell_owner(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
+                  Messages<Bubble_state_2>& out)
   {
-    for (Index i : those)
-      if (!is_ours(i))
-        finder.find_within(b.x[i], b.y[i], b.d[i], m_reach, [&](Index j) {
-          if (is_ours(j) && is_reached_by(b, i, j))
-            give(j, owner(i), state, out);
-        });
+    finder.find_within(b.x[i], b.y[i], b.d[i], m_reach, [&](Index j) {
+      if (is_ours(j) && is_reached_by(b, i, j))
+        give(j, owner(i), state, out);
+    });
   }
 
   bool is_reached_by(const Bubbles_2& b, Index i, Index j) const
@@ -358,9 +350,8 @@ private:
   template <class State>
   void give(Index i, int rank, const State& state, Messages<Bubble_state_2>& out)
   {
-    if (rank == m_comm.rank() || has(rank, i))
+    if (rank == m_comm.rank() || !m_holders.add_once(i, rank))
       return;
-    m_holders.add(i, rank);
     m_sent[rank].push_back(i);
     ++m_number_of_changes;
     out[rank].push_back(state(i));

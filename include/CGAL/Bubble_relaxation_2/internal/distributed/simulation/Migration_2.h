@@ -69,18 +69,19 @@ public:
   {
     std::vector<Bubble_state_2> ours;
     Messages<Bubble_state_2> out;
+    Census census{}; // before and after
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
       if (!is_here(bubbles, i))
         continue;
+      ++census[0];
+      census[1] += static_cast<std::uint64_t>(bubbles.id[i]);
       const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
       (owner == m_comm.rank() ? ours : out[owner])
         .push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
     }
     m_traffic.add_messages(out);
-    const Census before = census(ours, out);
     for (const auto& message : deliver(m_comm, out))
       ours.insert(ours.end(), message.second.begin(), message.second.end());
-    check(before, census(ours, {}));
     std::sort(ours.begin(), ours.end());
     bubbles = Bubbles_2();
     bubbles.rank = m_comm.rank();
@@ -89,7 +90,10 @@ public:
     for (const Bubble_state_2& s : ours) {
       add(bubbles, s.bubble(), m_comm.rank());
       memories.push_back(s.memory());
+      ++census[2];
+      census[3] += static_cast<std::uint64_t>(s.id);
     }
+    check(census);
     simulation.restart(memories, simulation.is_roused());
   }
 
@@ -97,31 +101,17 @@ private:
   /// more bubbles than the mean: so many that all migrate, and so many that they migrate to other parts if they do
   static constexpr double too_many = 1.1, many = 1.01;
 
-  /// how many bubbles all ranks have, and the sum of their numbers, which no migration may change; modulo 2^64
-  using Census = std::array<std::uint64_t, 2>;
+  /// How many bubbles there are, and the sum of their numbers modulo 2^64, before and after a migration, which may not
+  /// change these for all ranks together.
+  using Census = std::array<std::uint64_t, 4>;
 
-  /// Collective. Of bubbles that stay, and those that are sent away.
-  Census census(const std::vector<Bubble_state_2>& here, const Messages<Bubble_state_2>& leaving) const
+  /// Collective. \throws std::logic_error on all ranks if bubbles were lost
+  void check(Census census) const
   {
-    Census result{0, 0};
-    const auto add = [&result](const std::vector<Bubble_state_2>& states) {
-      result[0] += states.size();
-      for (const Bubble_state_2& s : states)
-        result[1] += static_cast<std::uint64_t>(s.id);
-    };
-    add(here);
-    for (const auto& message : leaving)
-      add(message.second);
-    m_comm.reduce_each(result, MPI_SUM);
-    return result;
-  }
-
-  /// \throws std::logic_error on all ranks if bubbles were lost
-  void check(const Census& before, const Census& after) const
-  {
-    if (before != after)
-      m_comm.throw_on_all(std::logic_error("Bubble_relaxation_2: of " + std::to_string(before[0]) + " bubbles " +
-                                           std::to_string(after[0]) + " have arrived on other ranks, or not the same"));
+    m_comm.reduce_each(census, MPI_SUM);
+    if (census[0] != census[2] || census[1] != census[3])
+      m_comm.throw_on_all(std::logic_error("Bubble_relaxation_2: of " + std::to_string(census[0]) + " bubbles " +
+                                           std::to_string(census[2]) + " have arrived on other ranks, or not the same"));
   }
 
   static bool is_here(const Bubbles_2& bubbles, std::size_t i) { return bubbles.is_ours(i) && !bubbles.is_gone(i); }

@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
@@ -120,25 +121,23 @@ public:
   /// All ranks have the outline of the domain, and now all its bubbles.
   void share_outline(const Domain_2& domain, const Bubbles_2& b, Outline_bubbles_2& result) const override
   {
-    std::vector<Placed> ours;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_ours(i) && (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index)))
-        ours.push_back(Placed{b.x[i], b.y[i], b.d[i], b.s[i], b.id[i], b.host[i], b.is_on_edge(i)});
-    std::vector<Placed> all = gather_records(m_comm, ours);
-    std::sort(all.begin(), all.end());
+    std::vector<Bubble_record_2> all = gather_outline(m_comm, b);
+    std::sort(all.begin(), all.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) {
+      return std::tie(p.dimension, p.host, p.s, p.id) < std::tie(q.dimension, q.host, q.s, q.id);
+    });
     std::unordered_map<std::int64_t, Index> indices;
     for (std::size_t i = 0; i < b.size(); ++i)
       if (b.is_on_edge(i) || b.is_corner(i))
         indices[b.id[i]] = static_cast<Index>(i);
     result.on_edge.assign(domain.edges().size(), {});
     result.on_corner.assign(domain.corners().size(), Outline_bubble_2{0, 0, 1, 0, no_index});
-    for (const Placed& p : all) {
-      const auto found = indices.find(p.number);
+    for (const Bubble_record_2& p : all) {
+      const auto found = indices.find(p.id);
       const Outline_bubble_2 bubble{p.x, p.y, p.d, p.s, found == indices.end() ? no_index : found->second};
-      if (p.is_on_edge)
-        result.on_edge[p.place].push_back(bubble);
+      if (p.dimension == Bubbles_2::EDGE)
+        result.on_edge[p.host].push_back(bubble);
       else
-        result.on_corner[p.place] = bubble;
+        result.on_corner[p.host] = bubble;
     }
   }
 
@@ -153,20 +152,6 @@ public:
   }
 
 private:
-  /// a bubble of the outline
-  struct Placed
-  {
-    double x, y, d, s;
-    std::int64_t number;
-    Index place;
-    std::int32_t is_on_edge;
-
-    bool operator<(const Placed& p) const
-    {
-      return std::tie(is_on_edge, place, s, number) < std::tie(p.is_on_edge, p.place, p.s, p.number);
-    }
-  };
-
   const Halo_2& m_halo;
   std::int64_t m_next_number = 0;
 };

@@ -17,7 +17,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Population_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/share_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 

@@ -12,8 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_changes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Piece_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 
@@ -21,25 +20,22 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// an operation on the triangles around a bad one, which tells who comes first
+/// an operation on the triangles around a bad one
 struct Ranked_operation_2
 {
-  Bad_triangle_2 bad;
+  Index place; ///< among the worst triangles of all ranks: who comes first
+  Index triangle;
   Mesh_patch_2 patch;
   Patch_outcome_2 outcome;
   bool is_chosen;
-  std::int32_t place = 0;        ///< among all that are chosen
-  std::int64_t first_number = 0; ///< of what is inserted
 
   std::int64_t number_of_insertions() const
   {
@@ -47,105 +43,6 @@ struct Ranked_operation_2
       return static_cast<std::size_t>(i) >= patch.indices().size();
     });
   }
-};
-
-/// Chooses among the claims of all ranks those that are worth it, the first ones first, and none that shares a
-/// triangle with one chosen before. The owners of the triangles' first vertices compare the claims.
-class Patch_choice_2
-{
-public:
-  Patch_choice_2(Communicator& comm, const std::vector<Ranked_operation_2>& claims,
-                 const Distributed_mesh_2& mesh)
-    : m_comm(comm)
-  {
-    add_candidates(claims.size(), find_rivals(claims, mesh));
-  }
-
-  /// Collective. `is_worth_it(k)` is asked only of claims that no other one is in the way of, in whatever order.
-  template <class Predicate>
-  void operator()(const Predicate& is_worth_it)
-  {
-    const auto decide = [&] {
-      bool is_open = false;
-      m_comm.agree_after([&] { is_open = m_choice.decide(is_worth_it); });
-      return is_open;
-    };
-    decide_together(m_comm, decide, [this] { share_values(m_comm, m_sent, m_received, m_choice.states()); });
-  }
-
-private:
-  using Name = std::pair<std::int32_t, std::int32_t>; // rank and claim
-
-  struct Claimed
-  {
-    std::array<std::int64_t, 3> triangle; // numbers of its vertices, in order
-    Bad_triangle_2 bad;
-    std::int32_t rank, claim;
-
-    bool operator<(const Claimed& c) const { return std::tie(triangle, bad) < std::tie(c.triangle, c.bad); }
-  };
-
-  /// a claim, and one that comes before it and shares a triangle
-  struct Rivalry
-  {
-    std::int32_t claim, rival_rank, rival;
-  };
-
-  /// tells the ranks that claim triangles who comes before
-  Messages<Rivalry> find_rivals(const std::vector<Ranked_operation_2>& claims, const Distributed_mesh_2& mesh)
-  {
-    const Bubbles_2& known = mesh.bubbles;
-    Messages<Claimed> out;
-    for (std::size_t k = 0; k < claims.size(); ++k)
-      for (Index triangle : claims[k].patch.triangles()) {
-        const std::array<Index, 3>& t = mesh.triangles.vertices[triangle];
-        Claimed claimed{{known.id[t[0]], known.id[t[1]], known.id[t[2]]},
-                        claims[k].bad, m_comm.rank(), static_cast<std::int32_t>(k)};
-        std::sort(claimed.triangle.begin(), claimed.triangle.end());
-        out[known.owner[*std::min_element(t.begin(), t.end())]].push_back(claimed);
-      }
-    std::vector<Claimed> claimed;
-    for (const auto& message : deliver(m_comm, out))
-      claimed.insert(claimed.end(), message.second.begin(), message.second.end());
-    std::sort(claimed.begin(), claimed.end());
-    Messages<Rivalry> rivalries;
-    for (std::size_t first = 0, k = 0; k < claimed.size(); ++k) {
-      if (claimed[k].triangle != claimed[first].triangle)
-        first = k;
-      for (std::size_t r = first; r < k; ++r)
-        rivalries[claimed[k].rank].push_back(Rivalry{claimed[k].claim, claimed[r].rank, claimed[r].claim});
-    }
-    return deliver(m_comm, rivalries);
-  }
-
-  /// the claims of this rank, and after them those of others that come before one of them
-  void add_candidates(std::size_t n, const Messages<Rivalry>& rivalries)
-  {
-    std::map<Name, Index> others;
-    for (const auto& message : rivalries)
-      for (const Rivalry& r : message.second)
-        if (r.rival_rank != m_comm.rank())
-          others[{r.rival_rank, r.rival}] = no_index;
-    Messages<std::int32_t> questions;
-    Index next = static_cast<Index>(n);
-    for (auto& other : others) {
-      other.second = next++;
-      questions[other.first.first].push_back(other.first.second);
-      m_received[other.first.first].push_back(other.second);
-    }
-    m_sent = deliver(m_comm, questions);
-    m_choice.start(static_cast<std::size_t>(next));
-    for (std::size_t k = 0; k < n; ++k)
-      m_choice.add(static_cast<Index>(k));
-    for (const auto& message : rivalries)
-      for (const Rivalry& r : message.second)
-        m_choice.rivals(static_cast<std::size_t>(r.claim))
-          .push_back(r.rival_rank == m_comm.rank() ? r.rival : others.at({r.rival_rank, r.rival}));
-  }
-
-  Communicator& m_comm;
-  Greedy_choice m_choice;
-  Messages<Index> m_sent, m_received; // claims that others ask for, and theirs that this rank asks for
 };
 
 /// The operations of `Defect_surgery_2` by ranks: each operates on the triangles it owns that are among the worst of
@@ -167,19 +64,24 @@ public:
   bool find_patches(double bad_quality, std::size_t most)
   {
     bool is_cut_off = false;
-    std::vector<Bad_triangle_2> worst;
+    std::vector<Bad_triangle_2> own;
     m_comm.agree_after([&] {
-      worst = bad_triangles(m_piece.mesh, bad_quality);
-      worst.erase(std::remove_if(worst.begin(), worst.end(),
-                                 [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
-                  worst.end());
-      worst.resize((std::min)(most, worst.size()));
+      own = bad_triangles(m_piece.mesh, bad_quality);
+      own.erase(std::remove_if(own.begin(), own.end(),
+                               [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
+                own.end());
+      own.resize((std::min)(most, own.size()));
     });
-    keep_worst_of_all(most, worst);
+    std::vector<Bad_triangle_2> worst = gather_records(m_comm, own);
+    std::sort(worst.begin(), worst.end());
+    m_number_of_places = (std::min)(most, worst.size());
     m_comm.agree_after([&] {
-      for (const Bad_triangle_2& bad : worst) {
-        m_operations.push_back(
-          Ranked_operation_2{bad, Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
+      for (const Bad_triangle_2& bad : own) {
+        const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
+        if (static_cast<std::size_t>(place) >= m_number_of_places)
+          break;
+        m_operations.push_back(Ranked_operation_2{static_cast<Index>(place), bad.triangle,
+                                                  Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
         is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
       }
     });
@@ -190,80 +92,95 @@ public:
   /// inserted gets numbers from `end` on.
   Patch_changes_2 operate(std::int64_t end)
   {
-    Patch_choice_2 choose(m_comm, m_operations, m_piece.mesh);
-    choose([this](std::size_t k) { return operate_on(m_operations[k]); });
-    number_operations(end);
-    Patch_changes_2 own;
+    choose();
+    std::vector<std::int64_t> insertions(m_number_of_places, 0);
+    for (const Ranked_operation_2& operation : m_operations)
+      if (operation.is_chosen)
+        insertions[operation.place] = operation.number_of_insertions();
+    m_comm.reduce_each(insertions, MPI_SUM);
+    Patch_change_2 own;
     m_comm.agree_after([&] {
       for (const Ranked_operation_2& operation : m_operations)
-        if (operation.is_chosen)
-          own[operation.place] = describe(operation);
+        if (operation.is_chosen) // numbers are as if all operations were made by one rank
+          describe(operation, std::accumulate(insertions.begin(), insertions.begin() + operation.place, end), own);
     });
-    number_of_insertions = m_comm.sum(number_of_insertions);
+    number_of_insertions = std::accumulate(insertions.begin(), insertions.end(), std::int64_t(0));
     number_of_deletions = m_comm.sum(number_of_deletions);
-    return Patch_announcement_2(m_piece, m_comm)(own);
+    return changes_known_here(m_comm, m_known, own);
   }
 
 private:
-  void keep_worst_of_all(std::size_t most, std::vector<Bad_triangle_2>& worst) const
+  /// a triangle that an operation wants to change
+  struct Claim
   {
-    std::vector<Bad_triangle_2> all = gather_records(m_comm, worst);
-    if (all.size() <= most)
-      return;
-    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
-    const Bad_triangle_2& first_too_many = all[most];
-    worst.erase(std::lower_bound(worst.begin(), worst.end(), first_too_many), worst.end());
+    std::array<std::int64_t, 3> triangle; // numbers of its vertices, in order
+    std::int64_t place;
+
+    bool operator<(const Claim& c) const { return std::tie(triangle, place) < std::tie(c.triangle, c.place); }
+  };
+
+  /// Collective. Operates where that is worth it, the first ones first, and nowhere if a triangle is shared with one
+  /// before that was worth it.
+  void choose()
+  {
+    const std::vector<Claim> claims = claims_of_all();
+    Greedy_choice choice;
+    choice.start(m_number_of_places);
+    std::vector<Ranked_operation_2*> at(m_number_of_places, nullptr);
+    std::vector<std::size_t> place_here(m_number_of_places);
+    for (Ranked_operation_2& operation : m_operations) {
+      at[operation.place] = &operation;
+      place_here[operation.place] = choice.add(operation.place);
+    }
+    for (std::size_t first = 0, k = 0; k < claims.size(); ++k) {
+      if (claims[k].triangle != claims[first].triangle)
+        first = k;
+      for (std::size_t r = first; at[claims[k].place] && r < k; ++r)
+        choice.rivals(place_here[claims[k].place]).push_back(static_cast<Index>(claims[r].place));
+    }
+    const auto decide = [&] {
+      bool is_open = false;
+      m_comm.agree_after([&] { is_open = choice.decide([&](Index place) { return operate_on(*at[place]); }); });
+      return is_open;
+    };
+    decide_together(m_comm, decide, [&] { m_comm.reduce_each(choice.states(), MPI_MAX); });
+  }
+
+  std::vector<Claim> claims_of_all() const
+  {
+    std::vector<Claim> own;
+    for (const Ranked_operation_2& operation : m_operations)
+      for (Index triangle : operation.patch.triangles()) {
+        const std::array<Index, 3>& t = m_triangles.vertices[triangle];
+        own.push_back(Claim{{m_known.id[t[0]], m_known.id[t[1]], m_known.id[t[2]]}, operation.place});
+        std::sort(own.back().triangle.begin(), own.back().triangle.end());
+      }
+    std::vector<Claim> all = gather_records(m_comm, own);
+    std::sort(all.begin(), all.end());
+    return all;
   }
 
   /// returns whether it helped
   bool operate_on(Ranked_operation_2& operation) const
   {
     Patch_operation_2 operate(m_domain, m_piece.mesh, operation.patch);
-    operation.is_chosen = operate(operation.bad.triangle);
+    operation.is_chosen = operate(operation.triangle);
     operation.outcome = operate.best();
     return operation.is_chosen;
   }
 
-  /// numbers operations, and what they insert, as if all were made by one rank
-  void number_operations(std::int64_t end)
+  /// adds what an operation does. `number`: that of the first bubble that it inserts
+  void describe(const Ranked_operation_2& operation, std::int64_t number, Patch_change_2& result)
   {
-    struct Insertion
-    {
-      Bad_triangle_2 bad;
-      std::int64_t number;
-
-      bool operator<(const Insertion& i) const { return bad < i.bad; }
-    };
-    std::vector<Insertion> own;
-    for (const Ranked_operation_2& operation : m_operations)
-      if (operation.is_chosen)
-        own.push_back(Insertion{operation.bad, operation.number_of_insertions()});
-    std::vector<Insertion> all = gather_records(m_comm, own);
-    std::sort(all.begin(), all.end());
-    for (Insertion& i : all)
-      end += std::exchange(i.number, end);
-    for (Ranked_operation_2& operation : m_operations)
-      if (operation.is_chosen) {
-        const auto found = std::lower_bound(all.begin(), all.end(), Insertion{operation.bad, 0});
-        operation.place = static_cast<std::int32_t>(found - all.begin());
-        operation.first_number = found->number;
-      }
-  }
-
-  Patch_change_2 describe(const Ranked_operation_2& operation)
-  {
-    Patch_change_2 result;
     const std::vector<Index>& indices = operation.patch.indices();
     const Bubbles_2& b = operation.outcome.mesh.bubbles;
     std::vector<char> is_left(indices.size(), 0);
     std::vector<std::int64_t> numbers; // of the bubbles of the outcome
-    std::int64_t number = operation.first_number;
     for (std::size_t k = 0; k < b.size(); ++k) {
       const std::size_t original = static_cast<std::size_t>(operation.outcome.original[k]);
       if (original >= indices.size()) {
         result.bubbles.push_back({operation.place, m_comm.rank(), record(b, k, number)});
         numbers.push_back(number++);
-        ++number_of_insertions;
         continue;
       }
       is_left[original] = 1;
@@ -280,7 +197,6 @@ private:
         ++number_of_deletions;
       }
     describe_triangles(operation, numbers, result);
-    return result;
   }
 
   void describe_triangles(const Ranked_operation_2& operation, const std::vector<std::int64_t>& numbers,
@@ -305,6 +221,7 @@ private:
   const Marked_triangles_2& m_triangles;
   Communicator& m_comm;
   std::vector<Ranked_operation_2> m_operations;
+  std::size_t m_number_of_places = 0; // of operations of all ranks
 };
 
 } // namespace internal

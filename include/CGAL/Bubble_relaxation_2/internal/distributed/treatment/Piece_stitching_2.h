@@ -11,8 +11,8 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Patch_changes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
 #include <algorithm>
@@ -25,6 +25,53 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// a bubble of a patch after an operation, `GONE` if it was deleted
+struct Changed_bubble_2
+{
+  std::int32_t operation; ///< the place of the operation among all, the worst triangle's first
+  std::int32_t owner;
+  Bubble_record_2 bubble;
+};
+
+/// a triangle that an operation takes away or makes
+struct Changed_triangle_2
+{
+  std::int32_t operation;
+  std::int32_t is_new;
+  std::array<std::int64_t, 3> vertices; ///< their numbers
+  std::array<Index, 3> edges;           ///< labels
+};
+
+/// What operations make of their patches, in the words of all ranks.
+struct Patch_change_2
+{
+  std::vector<Changed_bubble_2> bubbles; ///< all of the patches; what is inserted comes in the order of its numbers
+  std::vector<Changed_triangle_2> triangles;
+};
+
+/// changes by the places of single operations
+using Patch_changes_2 = std::map<std::int32_t, Patch_change_2>;
+
+/// Collective. The changes of all ranks of which this one knows some bubble. All get all: operations are few.
+inline Patch_changes_2 changes_known_here(const Communicator& comm, const Bubbles_2& known, const Patch_change_2& own)
+{
+  Patch_changes_2 result;
+  const auto all_bubbles = gather_records(comm, own.bubbles);
+  for (const Changed_bubble_2& b : all_bubbles)
+    if (known.index_of(b.bubble.id) != no_index)
+      result[b.operation];
+  const auto sort_in = [&result](const auto& all, auto part) {
+    for (const auto& t : all) {
+      const auto found = result.find(t.operation);
+      if (found != result.end())
+        (found->second.*part).push_back(t);
+    }
+  };
+  sort_in(all_bubbles, &Patch_change_2::bubbles);
+  sort_in(gather_records(comm, own.triangles), &Patch_change_2::triangles);
+  return result;
+}
 
 /// Puts what operations made of patches in their place in the pieces of all ranks, as far as each piece reaches. Bubbles
 /// are numbered without gaps then, as on one rank.
@@ -52,7 +99,7 @@ public:
       is_wide_enough = forget_doubtful(triangles_beside_others(m_piece.mesh), certificate, mesh);
     });
     close_gaps(gone);
-    link_with_others();
+    link_with_others(m_comm, m_piece);
     m_piece.mesh.mark_triangles(m_comm.rank());
     has_changed_outline = m_comm.any(has_changed_outline);
     return !m_comm.any(!is_wide_enough);
@@ -117,9 +164,11 @@ private:
     Bubbles_2& b = m_known;
     const Index i = m_known.index_of(r.id);
     if (i == no_index) {
-      if (r.id >= m_end)
-        insert(changed);
-      return; // others are not known here
+      if (r.id >= m_end) { // else it is not known here
+        add(b, r, changed.owner);
+        has_changed_outline = has_changed_outline || r.dimension == Bubbles_2::EDGE;
+      }
+      return;
     }
     const bool is_gone = r.dimension == Bubbles_2::GONE;
     has_changed_outline = has_changed_outline || (b.is_on_edge(i) && (is_gone || Point(r.x, r.y) != b.point(i)));
@@ -131,12 +180,6 @@ private:
     b.y[i] = r.y;
     b.s[i] = r.s;
     b.host[i] = r.host;
-  }
-
-  void insert(const Changed_bubble_2& changed)
-  {
-    add(m_known, changed.bubble, changed.owner);
-    has_changed_outline = has_changed_outline || changed.bubble.dimension == Bubbles_2::EDGE;
   }
 
   /// the identities of bubbles of this rank that are gone
@@ -159,22 +202,6 @@ private:
         ++before;
       number -= static_cast<std::int64_t>(before);
     }
-  }
-
-  /// each rank tells the others which of their bubbles it knows
-  void link_with_others()
-  {
-    Messages<std::int64_t> wanted;
-    m_piece.sent.clear();
-    m_piece.received.clear();
-    for (std::size_t i = 0; i < m_known.size(); ++i)
-      if (m_known.owner[i] != m_comm.rank()) {
-        wanted[m_known.owner[i]].push_back(m_known.id[i]);
-        m_piece.received[m_known.owner[i]].push_back(static_cast<Index>(i));
-      }
-    for (const auto& message : deliver(m_comm, wanted))
-      for (std::int64_t number : message.second)
-        m_piece.sent[message.first].push_back(m_known.index_of(number));
   }
 
   Mesh_piece_2& m_piece;

@@ -14,7 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 
 #include <algorithm>

@@ -15,9 +15,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Piece_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/widen_mesh.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
@@ -201,15 +201,13 @@ private:
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
   {
-    std::vector<Bubble_record_2> all = gather_outline(m_comm, mesh.bubbles);
+    const std::vector<Bubble_record_2> all = gather_outline(m_comm, mesh.bubbles);
     bool is_valid = false;
     m_comm.agree_after([&] {
-      std::sort(all.begin(), all.end(), [](const Bubble_record_2& r, const Bubble_record_2& s) {
-        return r.id < s.id;
-      });
       Bubbles_2 bubbles;
       for (const Bubble_record_2& r : all)
-        add(bubbles, r);
+        add_own(bubbles, r);
+      bubbles.sort_by_id();
       Marked_triangles_2 outline;
       is_valid = triangulate_outline(m_domain, bubbles, outline);
     });

@@ -21,7 +21,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/Point_replacement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 

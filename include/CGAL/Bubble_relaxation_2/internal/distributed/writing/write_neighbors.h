@@ -89,9 +89,8 @@ private:
     const Bubbles_2& b = m_known;
     Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < m_result.number_of_own; ++i)
-      if (clearance(b.x[i], b.y[i], slack * m_result.radius * b.d[i]) == 0)
-        for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], slack * m_result.radius * b.d[i]))
-          tell(static_cast<Index>(i), rank, out);
+      for (int rank : clearance.others_in_disc(b.x[i], b.y[i], slack * m_result.radius * b.d[i]))
+        tell(static_cast<Index>(i), rank, out);
   }
 
   void tell_of_pairs(Messages<Owned_record>& out)
@@ -154,19 +153,19 @@ inline Bubbles_with_ghosts_2 with_neighbors(const Bubbles_2& own, const Hilbert_
 
 /// Writes what a rank has to know of the neighbours that others own, in the order of their numbers.
 template <class Relaxation>
-void write_ghosts(const Bubbles_2& known, const std::vector<char>& is_ghost, Relaxation& relaxation)
+void write_ghosts(const Bubbles_2& b, const std::vector<char>& is_ghost, Relaxation& relaxation)
 {
-  std::vector<Index> ghosts;
-  for (std::size_t i = 0; i < known.size(); ++i)
+  std::vector<std::pair<std::int64_t, std::size_t>> ghosts;
+  for (std::size_t i = 0; i < b.size(); ++i)
     if (is_ghost[i])
-      ghosts.push_back(static_cast<Index>(i));
-  std::sort(ghosts.begin(), ghosts.end(), [&](Index i, Index j) { return known.id[i] < known.id[j]; });
-  const Bubbles_2& b = known;
-  for (Index i : ghosts) {
-    relaxation.ghost_ids.push_back(known.id[i]);
+      ghosts.emplace_back(b.id[i], i);
+  std::sort(ghosts.begin(), ghosts.end());
+  for (const auto& ghost : ghosts) {
+    const std::size_t i = ghost.second;
+    relaxation.ghost_ids.push_back(b.id[i]);
     relaxation.ghost_points.push_back(typename Relaxation::Point_2(b.x[i], b.y[i]));
     relaxation.ghost_sizes.push_back(b.d[i]);
-    relaxation.ghost_owners.push_back(known.owner[i]);
+    relaxation.ghost_owners.push_back(b.owner[i]);
   }
 }
 

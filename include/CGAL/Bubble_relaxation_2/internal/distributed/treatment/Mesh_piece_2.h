@@ -6,15 +6,19 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_WIDEN_MESH_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_WIDEN_MESH_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_MESH_PIECE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_MESH_PIECE_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Border_certificate_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
@@ -28,6 +32,143 @@
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
+
+/// A rank's triangles of the domain and others' triangles around them: only such as the mesh of all ranks has, so
+/// that they stay a part of it while all ranks tell each other how they move the vertices. Where the domain goes
+/// on and the piece ends, a triangle has no neighbour, and its side is no edge or labelled as an inner one.
+struct Mesh_piece_2
+{
+  Distributed_mesh_2 mesh;
+  Messages<Index> sent;     ///< own bubbles that other ranks have, in the order of their numbers
+  Messages<Index> received; ///< others' bubbles that this rank has, in the same order as there
+};
+
+/// Collective. Each rank tells the others which of their bubbles it knows.
+inline void link_with_others(Communicator& comm, Mesh_piece_2& piece)
+{
+  const Bubbles_2& known = piece.mesh.bubbles;
+  Messages<std::int64_t> wanted;
+  piece.sent.clear();
+  piece.received.clear();
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (!known.is_ours(i)) {
+      wanted[known.owner[i]].push_back(known.id[i]);
+      piece.received[known.owner[i]].push_back(static_cast<Index>(i));
+    }
+  for (const auto& message : deliver(comm, wanted))
+    for (std::int64_t number : message.second)
+      piece.sent[message.first].push_back(known.index_of(number));
+}
+
+/// how many bubbles of a triangle are of this rank
+inline int number_of_ours(const Bubbles_2& bubbles, const std::array<Index, 3>& vertices)
+{
+  return bubbles.is_ours(vertices[0]) + bubbles.is_ours(vertices[1]) + bubbles.is_ours(vertices[2]);
+}
+
+/// whether a triangle has a bubble of another rank
+inline bool is_beside_others(const Bubbles_2& bubbles, const std::array<Index, 3>& vertices)
+{
+  return number_of_ours(bubbles, vertices) < 3;
+}
+
+/// the triangles of a piece with a bubble of another rank: among them all at its border
+inline std::vector<Index> triangles_beside_others(const Bubble_mesh_2& piece)
+{
+  std::vector<Index> result;
+  for (std::size_t t = 0; t < piece.triangles.inside.size(); ++t)
+    if (piece.triangles.inside[t] && is_beside_others(piece.bubbles, piece.triangles.vertices[t]))
+      result.push_back(static_cast<Index>(t));
+  return result;
+}
+
+/// Finds the triangles of a piece of a mesh, Delaunay for itself, that the whole may not have: there can be bubbles
+/// beyond the sides where the piece ends, and in the circles of triangles that reach across. The triangles whose
+/// circle reaches a side hang together, so they are found from there. The mesh may change from one time to the next,
+/// but not the number of its triangles.
+class Border_certificate_2
+{
+public:
+  explicit Border_certificate_2(const Bubble_mesh_2& mesh)
+    : m_mesh(mesh), m_triangles(mesh.triangles), m_seen_from(mesh.triangles.inside.size(), 0),
+      m_is_doubtful(mesh.triangles.inside.size(), 0)
+  {}
+
+  /// `at_border`: at least all triangles with a side where the piece ends
+  const std::vector<Index>& doubtful(const std::vector<Index>& at_border)
+  {
+    for (Index t : m_doubtful)
+      m_is_doubtful[t] = 0;
+    m_doubtful.clear();
+    for (Index t : at_border)
+      for (int i = 0; i < 3 && m_triangles.inside[t]; ++i)
+        if (m_triangles.neighbors[t][i] == no_index && m_triangles.edges[t][i] == no_index)
+          find_from(t, i);
+    return m_doubtful;
+  }
+
+private:
+  void find_from(Index start, int side)
+  {
+    const Point p = m_mesh.point(start, ccw(side)), q = m_mesh.point(start, cw(side));
+    ++m_number_of_sides;
+    m_stack.assign(1, start);
+    m_seen_from[start] = m_number_of_sides;
+    while (!m_stack.empty()) {
+      const Index t = m_stack.back();
+      m_stack.pop_back();
+      if (!m_is_doubtful[t])
+        m_doubtful.push_back(t);
+      m_is_doubtful[t] = 1;
+      for (int i = 0; i < 3; ++i) {
+        const Index n = m_triangles.neighbors[t][i];
+        if (n == no_index || m_triangles.edges[t][i] != no_index || m_seen_from[n] == m_number_of_sides)
+          continue;
+        m_seen_from[n] = m_number_of_sides;
+        if (may_reach(n, p, q))
+          m_stack.push_back(n);
+      }
+    }
+  }
+
+  /// whether the circle of a triangle may reach a segment; with a margin for rounding
+  bool may_reach(Index t, const Point& p, const Point& q) const
+  {
+    constexpr double flat = 1e-4, margin = 1e-6;
+    const Point o = m_mesh.point(t, 0), r = m_mesh.point(t, 1), u = m_mesh.point(t, 2);
+    const double ax = r.x() - o.x(), ay = r.y() - o.y();
+    const double bx = u.x() - o.x(), by = u.y() - o.y();
+    const double a = ax * ax + ay * ay, b = bx * bx + by * by, area2 = ax * by - ay * bx;
+    if (!(area2 > flat * (std::max)(a, b)))
+      return true;
+    const double x = (by * a - ay * b) / (2 * area2), y = (ax * b - bx * a) / (2 * area2); // the centre
+    const double px = p.x() - o.x() - x, py = p.y() - o.y() - y, ux = q.x() - p.x(), uy = q.y() - p.y();
+    const double s = (std::min)(1., (std::max)(0., -(px * ux + py * uy) / (ux * ux + uy * uy)));
+    const double dx = px + s * ux, dy = py + s * uy;
+    return !(dx * dx + dy * dy > (1 + margin) * (x * x + y * y));
+  }
+
+  const Bubble_mesh_2& m_mesh;
+  const Marked_triangles_2& m_triangles; // of it
+  std::size_t m_number_of_sides = 0;
+  std::vector<std::size_t> m_seen_from; // the last side from which a triangle was looked at
+  std::vector<char> m_is_doubtful;
+  std::vector<Index> m_doubtful, m_stack;
+};
+
+/// Forgets the triangles at the border of a piece that the whole mesh may not have; returns whether only those between
+/// others' bubbles had to be forgotten, so that the piece is still wide enough. `beside_others`: at least all triangles
+/// with a bubble of another rank. `certificate`: of the piece
+inline bool forget_doubtful(const std::vector<Index>& beside_others, Border_certificate_2& certificate,
+                            Editable_triangulation_2& piece)
+{
+  for (Index t : certificate.doubtful(beside_others)) {
+    if (number_of_ours(piece.mesh().bubbles, piece.vertices(t)) > 0)
+      return false;
+    piece.cut_off(t);
+  }
+  return true;
+}
 
 /// Gives each rank the triangles around its own ones. A bubble goes to the ranks with a part of a disc around it,
 /// and to those with a neighbour of it; of the other ranks' triangles those count whose vertices all came so. Own
@@ -59,6 +200,7 @@ public:
       replace_triangles(others_triangles);
       m_mesh.mark_triangles(m_comm.rank());
     });
+    link_with_others(m_comm, m_piece);
     return std::move(m_piece);
   }
 
@@ -78,9 +220,9 @@ private:
     m_takers.resize(m_mesh.bubbles.size());
     Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < m_mesh.bubbles.size(); ++i)
-      if (is_own(static_cast<Index>(i)) && clearance(b.x[i], b.y[i], reach * b.d[i]) == 0)
-        for (int rank : m_partition.owners_in_disc(b.x[i], b.y[i], reach * b.d[i]))
-          add_taker(static_cast<Index>(i), rank);
+      if (is_own(static_cast<Index>(i)))
+        for (int rank : clearance.others_in_disc(b.x[i], b.y[i], reach * b.d[i]))
+          m_takers.add_once(static_cast<Index>(i), rank);
     for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
       if (m_mesh.is_final[t])
         find_takers_beside(m_mesh.triangles.vertices[t]);
@@ -95,23 +237,15 @@ private:
     for (Index v : vertices)
       for (Index w : vertices)
         if (is_own(v) && !is_own(w))
-          add_taker(v, owners[w]);
-  }
-
-  void add_taker(Index i, int rank)
-  {
-    if (rank != m_comm.rank() && !m_takers.has(i, rank))
-      m_takers.add(i, rank);
+          m_takers.add_once(v, owners[w]);
   }
 
   void tell(Messages<Bubble_record_2>& bubbles, Messages<Triangle>& triangles)
   {
     const Bubbles_2& known = m_mesh.bubbles;
     for (std::size_t i = 0; i < known.size(); ++i)
-      for (int rank : m_takers[static_cast<Index>(i)]) {
+      for (int rank : m_takers[static_cast<Index>(i)])
         bubbles[rank].push_back(record(known, i));
-        m_piece.sent[rank].push_back(static_cast<Index>(i)); // as yet
-      }
     for (std::size_t t = 0; t < m_mesh.is_owned.size(); ++t) {
       const Index first = m_mesh.first_vertex(t);
       if (!m_mesh.is_owned[t] || m_takers.is_empty(first))
@@ -137,7 +271,6 @@ private:
     for (const auto& message : others)
       for (const Bubble_record_2& r : message.second) {
         order.push_back(static_cast<Index>(known.size()));
-        m_piece.received[message.first].push_back(order.back());
         internal::add(known, r, message.first);
       }
     merge_tail(order, own, [&known](Index i, Index j) { return known.id[i] < known.id[j]; });
@@ -151,10 +284,6 @@ private:
     known.select(order);
     for (const auto& ghost : ghosts)
       m_place[ghost.first] = known.index_of(ghost.second);
-    for (auto* lists : {&m_piece.sent, &m_piece.received})
-      for (auto& list : *lists)
-        for (Index& i : list.second)
-          i = m_place[i];
   }
 
   /// in the place of those without own bubbles come such that their owners tell
@@ -201,4 +330,4 @@ private:
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_WIDEN_MESH_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_MESH_PIECE_2_H
