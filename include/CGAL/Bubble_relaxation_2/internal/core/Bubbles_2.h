@@ -102,6 +102,12 @@ struct Bubbles_2
     pin.push_back(pinned);
   }
 
+  /// adds a copy of another one, at rest
+  void add(const Bubbles_2& from, std::size_t i)
+  {
+    add(from.point(i), from.d[i], static_cast<Dimension>(from.dimension[i]), from.host[i], from.s[i], from.pin[i]);
+  }
+
   /// deletes a bubble; the others keep their indices until `forget_gone()`
   void remove(std::size_t i) { dimension[i] = GONE; }
 

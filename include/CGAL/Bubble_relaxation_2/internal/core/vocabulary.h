@@ -71,6 +71,16 @@ void make_room_for(std::size_t n, std::vector<T>& array)
     array.reserve(array.size() + (std::max)(n, array.size() / 8));
 }
 
+/// where flags are set
+inline std::vector<Index> marked(const std::vector<char>& flags)
+{
+  std::vector<Index> result;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    if (flags[i])
+      result.push_back(static_cast<Index>(i));
+  return result;
+}
+
 /// Sorts where it does not matter how long a comparison takes: it is called through a pointer, so that
 /// `std::sort()` is compiled once, and not for each comparison.
 inline void sort_indices(std::vector<Index>& indices, const std::function<bool(Index, Index)>& less)

@@ -46,7 +46,7 @@ public:
 
   const std::vector<Point>& corners() const { return m_corners; }
   const std::vector<Domain_edge_2>& edges() const { return m_edges; }
-  const Flat_triangulation_2& triangulation() const { return m_marked.tr; }
+  const Flat_triangulation_2& triangulation() const { return m_marked; }
   const Bbox_2& bbox() const { return m_bbox; }
 
   bool is_inside(Index triangle) const { return m_marked.inside[triangle] != 0; }
@@ -84,7 +84,7 @@ public:
   /// walks from `p` in `triangle` towards `q` and stops at edges of the domain
   Walk_end walk(Index triangle, const Point& p, const Point& q) const
   {
-    return walk_straight(m_marked.tr, triangle, p, q, is_wall());
+    return walk_straight(m_marked, triangle, p, q, is_wall());
   }
 
   /// the triangle of `q` if it can be seen from `p` on the edge `e` through the domain, else `no_index`
@@ -94,13 +94,13 @@ public:
     if (turn == COLLINEAR || !(turn == LEFT_TURN ? m_edges[e].inside_left : m_edges[e].inside_right))
       return no_index;
     const Side& side = turn == LEFT_TURN ? m_left[e] : m_right[e];
-    const Walk_end end = walk_straight(m_marked.tr, side.triangle, p, q, is_wall(), side.index);
+    const Walk_end end = walk_straight(m_marked, side.triangle, p, q, is_wall(), side.index);
     return end.is_blocked() ? no_index : end.triangle;
   }
 
   /// the triangle that contains `q`, in or out of the domain, searched from `hint`; `no_index` if `q`
   /// lies outside of the convex hull
-  Index locate(const Point& q, Index hint) const { return internal::locate(m_marked.tr, hint, q); }
+  Index locate(const Point& q, Index hint) const { return internal::locate(m_marked, hint, q); }
 
   /// the triangle of the domain that contains `q`, or `no_index`; `hint` becomes where the search ended
   Index locate_inside(const Point& q, Index& hint) const
@@ -121,9 +121,9 @@ public:
     hint = found;
     Index first = is_inside(found) ? found : no_index;
     for (int i = 0; i < 3; ++i) {
-      const Index t = m_marked.tr.neighbors[found][i];
+      const Index t = m_marked.neighbors[found][i];
       if (t != no_index && is_inside(t) && (first == no_index || t < first) &&
-          CGAL::orientation(m_marked.tr.point(found, ccw(i)), m_marked.tr.point(found, cw(i)), q) == COLLINEAR)
+          CGAL::orientation(m_marked.point(found, ccw(i)), m_marked.point(found, cw(i)), q) == COLLINEAR)
         first = t;
     }
     return first;
@@ -154,7 +154,7 @@ private:
         const Index e = m_marked.edges[t][i];
         if (e == no_index)
           continue;
-        const bool is_left = m_marked.tr.vertices[t][ccw(i)] == m_edges[e].source;
+        const bool is_left = m_marked.vertices[t][ccw(i)] == m_edges[e].source;
         (is_left ? m_left : m_right)[e] = Side{static_cast<Index>(t), i};
       }
   }

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -16,8 +17,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -124,14 +127,25 @@ private:
   }
 };
 
+/// \throws std::invalid_argument if a point of the user's triangulation is not finite
+inline void check_coordinates(const std::vector<Point>& points)
+{
+  for (const Point& p : points)
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
+                                  in_words(p.x(), p.y()) + ", which must be finite");
+}
+
 /// whether the point of a vertex, given by its address, is lexicographically before that of another one
 using Is_before = bool (*)(const void*, const void*);
 
 /// The numbers of a triangulation's vertices in the lexicographic order of their points.
 /// \param is_before `nullptr` if it is enough to compare the points as they are rounded to double; those in one place
 /// come in the order of their numbers then
+/// \throws std::invalid_argument if a point is not finite
 inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, Is_before is_before)
 {
+  check_coordinates(copy.tr.points);
   std::vector<std::pair<Point, Index>> sorted;
   sorted.reserve(copy.tr.points.size());
   for (const Point& p : copy.tr.points)
@@ -188,6 +202,8 @@ struct Sorted_triangulation_2
       };
       tr.vertices.push_back(c.vertices);
       tr.neighbors.push_back({neighbor(c.first), neighbor(ccw(c.first)), neighbor(cw(c.first))});
+      if (!t.inside.empty())
+        tr.inside.push_back(t.inside[c.triangle]);
     }
   }
 

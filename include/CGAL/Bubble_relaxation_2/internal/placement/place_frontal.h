@@ -252,8 +252,8 @@ inline Bubbles_2 enlarge(const Domain_2& domain, const Bubbles_2& b, double fact
     if (!buckets.is_free(b.x[i], b.y[i], d))
       continue;
     buckets.insert(static_cast<Index>(large.size()), b.x[i], b.y[i], d);
-    large.add(b.point(i), d, static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.host[i], b.s[i],
-              b.pin[i]);
+    large.add(b, i);
+    large.d.back() = d;
   }
   return large;
 }

@@ -55,7 +55,7 @@ template <class Visitor>
 void for_each_own_edge(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last, const Visitor& visit)
 {
   const Marked_triangles_2& tr = mesh.triangles;
-  for_each_edge(tr, tr.inside, first, last, [&](Index t, int i) {
+  for_each_edge(tr, first, last, [&](Index t, int i) {
     const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
     if (mesh.bubbles.is_ours((std::min)(a, b)))
       visit(a, b);

@@ -26,19 +26,9 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// \throws std::invalid_argument if a point of the user's triangulation is not finite
-inline void check_coordinates(const std::vector<Point>& points)
-{
-  for (const Point& p : points)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
-      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
-                                  in_words(p.x(), p.y()) + ", which must be finite");
-}
-
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sorted_vertices_2::Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before)
 {
-  check_coordinates(copy.tr.points);
   const std::vector<Index> order = lexicographic_order(copy, is_before);
   number = inverse(order);
   points.reserve(order.size());

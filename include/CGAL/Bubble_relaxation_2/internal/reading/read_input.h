@@ -51,7 +51,7 @@ Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks
   } else if (reading.free.empty()) { // no mesh yet
     return sizes_of_domain(reading.domain, reading.given);
   } else {
-    return sizes_of_mesh(marks, marks.inside());
+    return sizes_of_mesh(marks);
   }
 }
 
