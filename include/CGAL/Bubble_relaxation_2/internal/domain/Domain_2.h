@@ -38,6 +38,13 @@ public:
     m_bbox = Bbox_2();
     for (const Point& p : m_corners)
       m_bbox += p.bbox();
+    m_lengths.clear();
+    m_directions.clear();
+    for (const Domain_edge_2& e : m_edges) {
+      const Kernel::Vector_2 u = m_corners[e.target] - m_corners[e.source];
+      m_lengths.push_back(std::hypot(u.x(), u.y()));
+      m_directions.push_back({u.x() / m_lengths.back(), u.y() / m_lengths.back()});
+    }
     const Marking_error error = mark_triangulation(m_corners, m_edges, m_marked);
     if (error == Marking_error::NONE)
       find_sides();
@@ -57,18 +64,10 @@ public:
   const Point& source(Index e) const { return m_corners[m_edges[e].source]; }
   const Point& target(Index e) const { return m_corners[m_edges[e].target]; }
 
-  double length(Index e) const
-  {
-    return std::hypot(target(e).x() - source(e).x(), target(e).y() - source(e).y());
-  }
+  double length(Index e) const { return m_lengths[e]; }
 
   /// from the source to the target
-  Direction direction(Index e) const
-  {
-    const Point &a = source(e), &b = target(e);
-    const double l = length(e);
-    return {(b.x() - a.x()) / l, (b.y() - a.y()) / l};
-  }
+  const Direction& direction(Index e) const { return m_directions[e]; }
 
   /// the point that divides the edge at `s` in [0,1]; always from the nearer end, so that a reversed
   /// edge gives the same points
@@ -161,6 +160,8 @@ private:
 
   std::vector<Point> m_corners;
   std::vector<Domain_edge_2> m_edges;
+  std::vector<double> m_lengths;        // of the edges
+  std::vector<Direction> m_directions;  // of the edges
   Marked_triangulation_2 m_marked;
   std::vector<Side> m_left, m_right; // the triangles beside each edge
   Bbox_2 m_bbox;

@@ -118,7 +118,13 @@ public:
   }
 
   /// where a bubble settles among those that it is linked to
-  Point settled(std::size_t i) const { return internal::settled(m_bubbles, i, m_links[i]); }
+  Point settled(std::size_t i) const
+  {
+    return internal::settled(m_bubbles.point(i), m_bubbles.d[i], [&](const auto& add) {
+      for (Index j : m_links[i])
+        add(m_bubbles.x[j], m_bubbles.y[j], m_bubbles.d[j]);
+    });
+  }
 
   void set_point(std::size_t i, const Point& p)
   {
