@@ -9,9 +9,9 @@
 #ifndef CGAL_INTERPOLATED_SIZING_FIELD_2_H
 #define CGAL_INTERPOLATED_SIZING_FIELD_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
@@ -25,8 +25,8 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 

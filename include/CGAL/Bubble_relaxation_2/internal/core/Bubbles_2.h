@@ -147,7 +147,8 @@ struct Bubbles_2
       return;
     std::vector<Index> order(size());
     std::iota(order.begin(), order.end(), Index(0));
-    merge_tail(order, static_cast<std::size_t>(sorted_end - id.begin()), [this](Index i, Index j) { return id[i] < id[j]; });
+    const auto has_less = [this](Index i, Index j) { return id[i] < id[j]; };
+    merge_tail(order, static_cast<std::size_t>(sorted_end - id.begin()), has_less);
     select(order);
   }
 

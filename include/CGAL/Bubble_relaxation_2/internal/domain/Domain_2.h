@@ -112,7 +112,7 @@ public:
   }
 
   /// The same; of two triangles on whose common side `q` lies the first, wherever the search began.
-  Index place_inside(const Point& q, Index& hint) const
+  Index host_of(const Point& q, Index& hint) const
   {
     const Index found = locate(q, hint);
     if (found == no_index)

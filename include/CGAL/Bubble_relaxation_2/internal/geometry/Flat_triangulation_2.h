@@ -37,8 +37,8 @@ struct Triangles_2
   }
 };
 
-/// Calls `visit(t, i)` for edges of the domain, each as the side `i` of the first of the triangles of the domain that have
-/// it: for those of which it is one of the triangles from `first` to `last`, without.
+/// Calls `visit(t, i)` for edges of the domain, each as the side `i` of the first of the triangles of the domain that
+/// have it: for those of which it is one of the triangles from `first` to `last`, without.
 template <class Visitor>
 void for_each_edge(const Triangles_2& tr, std::size_t first, std::size_t last, const Visitor& visit)
 {

@@ -57,13 +57,12 @@ public:
     Key key = 0;
     for (int level = depth - 1; level >= 0; --level) {
       const std::uint32_t column = x >> level & 1, row = y >> level & 1;
-      const std::uint32_t right = (are_exchanged != 0 ? row : column) ^ are_mirrored,
-                          up = (are_exchanged != 0 ? column : row) ^ are_mirrored;
+      // without a branch, which nobody could foresee
+      const std::uint32_t change = ((column ^ row) & are_exchanged) ^ are_mirrored;
+      const std::uint32_t right = column ^ change, up = row ^ change, is_lower = up ^ 1;
       key = key << 2 | ((3 * right) ^ up);
-      if (up == 0) { // the curve in the lower quarters is mirrored at a diagonal
-        are_exchanged ^= 1;
-        are_mirrored ^= right;
-      }
+      are_exchanged ^= is_lower; // the curve in the lower quarters is mirrored at a diagonal
+      are_mirrored ^= is_lower & right;
     }
     return key;
   }

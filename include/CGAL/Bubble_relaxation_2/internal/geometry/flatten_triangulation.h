@@ -161,13 +161,13 @@ inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, 
   return order;
 }
 
-/// the place of each number in an order of them
+/// the position of each number in an order of them
 inline std::vector<Index> inverse(const std::vector<Index>& order)
 {
-  std::vector<Index> place(order.size());
+  std::vector<Index> position(order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
-    place[order[k]] = static_cast<Index>(k);
-  return place;
+    position[order[k]] = static_cast<Index>(k);
+  return position;
 }
 
 /// A triangulation with the vertices in the order of their points and the triangles in the order of their vertices,
@@ -194,11 +194,11 @@ struct Sorted_triangulation_2
               [](const Turned_triangle& a, const Turned_triangle& b) { return a.vertices < b.vertices; });
     for (const Turned_triangle& c : turned)
       triangles.push_back(c.triangle);
-    const std::vector<Index> place = inverse(triangles);
+    const std::vector<Index> position = inverse(triangles);
     for (const Turned_triangle& c : turned) {
       const auto neighbor = [&](int i) {
         const Index n = t.neighbors[c.triangle][i];
-        return n == no_index ? no_index : place[n];
+        return n == no_index ? no_index : position[n];
       };
       tr.vertices.push_back(c.vertices);
       tr.neighbors.push_back({neighbor(c.first), neighbor(ccw(c.first)), neighbor(cw(c.first))});

@@ -53,8 +53,8 @@ public:
 
   /// without links
   Crystal_2(const Domain_2& domain, Bubbles_2& bubbles, const Threads& threads)
-    : m_threads(threads), m_bubbles(bubbles), m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
-                                    4 * bubbles.size())
+    : m_threads(threads), m_bubbles(bubbles),
+      m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 4 * bubbles.size())
   {
     m_direction.assign(bubbles.size(), Direction{1, 0});
     for (std::size_t i = 0; i < bubbles.size(); ++i)

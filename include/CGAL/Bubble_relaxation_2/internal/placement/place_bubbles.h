@@ -78,7 +78,7 @@ void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Size
   Index hint = 0;
   for (std::size_t k = 0; k < given.free.size(); ++k) {
     const Point& p = given.free[k];
-    const Index triangle = domain.place_inside(p, hint);
+    const Index triangle = domain.host_of(p, hint);
     if (triangle == no_index) // rounded out of the domain
       continue;
     const double d = sizing(p);

@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
 
 #include <algorithm>

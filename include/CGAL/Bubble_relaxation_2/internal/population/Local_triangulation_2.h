@@ -278,9 +278,9 @@ private:
     return is_within(widest_hole);
   }
 
-  /// Whether it is clear without a star that no circle is wider than `widest_hole`. One through the bubble with diameter
-  /// w contains all that is nearer than w cos(a) in directions up to an angle a from its centre. If of 16 sectors no
-  /// four in a row are empty of neighbours, one is in a direction up to 56.25 degrees from each other one.
+  /// Whether it is clear without a star that no circle is wider than `widest_hole`. One through the bubble with
+  /// diameter w contains all that is nearer than w cos(a) in directions up to an angle a from its centre. If of 16
+  /// sectors no four in a row are empty of neighbours, one is in a direction up to 56.25 degrees from each other one.
   static bool is_surrounded(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i)
   {
     constexpr double cosine = 0.555, tangent_of_sector = 0.41421356;

@@ -45,8 +45,8 @@ public:
   const Bubbles_2& bubbles() const { return m_bubbles; }
   const std::vector<Domain_edge_2>& edges() const { return m_edges; } ///< between bubbles of the patch
 
-  /// what the mesh has in `edges` for a side where it goes on beyond the patch, between two bubbles of the patch; `other`
-  /// for all other sides
+  /// what the mesh has in `edges` for a side where it goes on beyond the patch, between two bubbles of the patch;
+  /// `other` for all other sides
   Index edge_on_rim(Index source, Index target, Index other) const
   {
     const auto side = m_rim.find({source, target});

@@ -128,8 +128,8 @@ private:
     return result;
   }
 
-  /// Sets of candidates without neighbours among them: each candidate gets into the first set that none of its neighbours
-  /// with a smaller index is in. Where neighbours are in all sets there may be, it gets into none.
+  /// Sets of candidates without neighbours among them: each candidate gets into the first set that none of its
+  /// neighbours with a smaller index is in. Where neighbours are in all sets there may be, it gets into none.
   std::vector<std::vector<Index>> independent_sets(const Editable_triangulation_2& mesh,
                                                    const std::vector<Index>& candidates)
   {
