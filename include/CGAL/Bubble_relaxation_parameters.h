@@ -81,35 +81,23 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
   explicit Bubble_relaxation_named_parameters(const T& v) : Cgal_pack(v) {}
   Bubble_relaxation_named_parameters(const T& v, const Base& b) : Cgal_pack(v, b) {}
 
-#define CGAL_add_named_parameter(X, Y, Z)                                                            \
+// what the three kinds of CGAL's parameters have in common
+#define CGAL_bubble_relaxation_setter(Held, Argument, held, X, Z)                                    \
   template <class K>                                                                                 \
-  Bubble_relaxation_named_parameters<K, internal_np::X, Cgal_pack> Z(const K& k) const               \
+  Bubble_relaxation_named_parameters<Held, internal_np::X, Cgal_pack> Z(Argument k) const            \
   {                                                                                                  \
-    return Bubble_relaxation_named_parameters<K, internal_np::X, Cgal_pack>(k, *this);               \
+    return Bubble_relaxation_named_parameters<Held, internal_np::X, Cgal_pack>(held, *this);         \
   }
+#define CGAL_add_named_parameter(X, Y, Z) CGAL_bubble_relaxation_setter(K, const K&, k, X, Z)
 #define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)                               \
-  template <class K>                                                                                 \
-  Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X, Cgal_pack>     \
-  Z(const K& k) const                                                                                \
-  {                                                                                                  \
-    return Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X,       \
-                                              Cgal_pack>(std::cref(k), *this);                       \
-  }
+  CGAL_bubble_relaxation_setter(std::reference_wrapper<const K>, const K&, std::cref(k), X, Z)
 #define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)                                \
-  template <class K>                                                                                 \
-  Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X, Cgal_pack>           \
-  Z(K& k) const                                                                                      \
-  {                                                                                                  \
-    return Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X, Cgal_pack>( \
-      std::ref(k), *this);                                                                           \
-  }
+  CGAL_bubble_relaxation_setter(std::reference_wrapper<K>, K&, std::ref(k), X, Z)
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
-#undef CGAL_add_named_parameter
-#undef CGAL_add_named_parameter_with_compatibility_cref_only
-#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_bubble_relaxation_setter
 
   // the setters with two arguments
   template <class Count>
@@ -138,25 +126,11 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 namespace Bubble_relaxation_parameters {
 
 #ifndef DOXYGEN_RUNNING
-#define CGAL_add_named_parameter(X, Y, Z)                                                            \
+#define CGAL_bubble_relaxation_setter(Held, Argument, held, X, Z)                                    \
   template <class K>                                                                                 \
-  Bubble_relaxation_named_parameters<K, internal_np::X> Z(const K& k)                                \
+  Bubble_relaxation_named_parameters<Held, internal_np::X> Z(Argument k)                             \
   {                                                                                                  \
-    return Bubble_relaxation_named_parameters<K, internal_np::X>(k);                                 \
-  }
-#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)                               \
-  template <class K>                                                                                 \
-  Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X> Z(const K& k)  \
-  {                                                                                                  \
-    return Bubble_relaxation_named_parameters<std::reference_wrapper<const K>, internal_np::X>(      \
-      std::cref(k));                                                                                 \
-  }
-#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)                                \
-  template <class K>                                                                                 \
-  Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X> Z(K& k)              \
-  {                                                                                                  \
-    return Bubble_relaxation_named_parameters<std::reference_wrapper<K>, internal_np::X>(            \
-      std::ref(k));                                                                                  \
+    return Bubble_relaxation_named_parameters<Held, internal_np::X>(held);                           \
   }
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
@@ -165,6 +139,7 @@ namespace Bubble_relaxation_parameters {
 #undef CGAL_add_extra_named_parameter_with_compatibility
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_bubble_relaxation_setter
 
 template <class Count>
 auto checkpoint(const std::string& path, const Count& every)

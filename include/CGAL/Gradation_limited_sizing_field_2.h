@@ -137,9 +137,8 @@ private:
     Background_mesh_2 background(domain, inner, sizes, m_gradation / margin, maximum);
     m_is_resolved = background.build();
     Marked_triangulation_2& mesh = background.mesh();
-    Gradient_limiter_2(mesh.tr, mesh.inside, m_gradation).clip(background.sizes());
-    m_field = std::make_shared<const Field>(std::move(mesh.tr), std::move(mesh.inside),
-                                            std::move(background.sizes()));
+    Gradient_limiter_2(mesh, m_gradation).clip(background.sizes());
+    m_field = std::make_shared<const Field>(std::move(mesh), std::move(background.sizes()));
   }
 
   /// Fronts are interpolated with a gradient that is some percent too large here and there. To cut it off there

@@ -9,9 +9,9 @@
 #ifndef CGAL_INTERPOLATED_SIZING_FIELD_2_H
 #define CGAL_INTERPOLATED_SIZING_FIELD_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
@@ -25,8 +25,8 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -96,7 +96,7 @@ public:
     using namespace Bubble_relaxation_2::internal;
     check_positive("gradation", gradation);
     Parts parts = read(t, sizes);
-    Gradient_limiter_2(parts.tr, parts.inside, gradation).clip(parts.sizes);
+    Gradient_limiter_2(parts.tr, gradation).clip(parts.sizes);
     build(std::move(parts));
   }
 
@@ -110,35 +110,29 @@ private:
   struct Parts
   {
     Bubble_relaxation_2::internal::Flat_triangulation_2 tr;
-    std::vector<char> inside;  // per triangle
     std::vector<double> sizes; // per vertex
   };
 
   void build(Parts parts)
   {
-    m_field = std::make_shared<const Field>(std::move(parts.tr), std::move(parts.inside),
-                                            std::move(parts.sizes));
+    m_field = std::make_shared<const Field>(std::move(parts.tr), std::move(parts.sizes));
   }
 
   template <class VertexSizeMap>
   static Parts read(const Triangulation& t, const VertexSizeMap& sizes)
   {
     using namespace Bubble_relaxation_2::internal;
-    if (t.dimension() < 2) {
-      std::ostringstream message;
-      message << "Bubble_relaxation_2: the triangulation of an Interpolated_sizing_field_2 has the dimension "
-              << t.dimension() << ", so it has no faces";
-      throw std::invalid_argument(message.str());
-    }
-    for (auto v : t.finite_vertex_handles())
-      check_coordinates(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+    if (t.dimension() < 2)
+      throw std::invalid_argument("Bubble_relaxation_2: the triangulation of an Interpolated_sizing_field_2 has the "
+                                  "dimension " + std::to_string(t.dimension()) + ", so it has no faces");
     auto flat = flatten_triangulation(t);
-    Parts parts{std::move(flat.tr), inside(flat.faces), {}};
+    Parts parts{std::move(flat.tr), {}};
+    parts.tr.inside = inside(flat.faces);
     parts.sizes.assign(flat.vertices.size(), 0);
-    for (std::size_t f = 0; f < parts.inside.size(); ++f) {
+    for (std::size_t f = 0; f < parts.tr.inside.size(); ++f) {
       check_orientation(parts.tr, static_cast<Index>(f));
       for (Index v : parts.tr.vertices[f])
-        if (parts.inside[f] && parts.sizes[v] == 0)
+        if (parts.tr.inside[f] && parts.sizes[v] == 0)
           parts.sizes[v] = checked_size(CGAL::to_double(get(sizes, flat.vertices[v])), parts.tr.points[v]);
     }
     return parts;
@@ -154,16 +148,6 @@ private:
         std::transform(faces.begin(), faces.end(), is_inside.begin(),
                        [](auto f) { return f->is_in_domain() ? 1 : 0; });
     return is_inside;
-  }
-
-  static void check_coordinates(double x, double y)
-  {
-    if (std::isfinite(x) && std::isfinite(y))
-      return;
-    std::ostringstream message;
-    message << "Bubble_relaxation_2: a vertex of the triangulation has the coordinates (" << x << ", " << y
-            << "), which must be finite";
-    throw std::invalid_argument(message.str());
   }
 
   static double checked_size(double d, const Bubble_relaxation_2::internal::Point& p)

@@ -182,12 +182,12 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
       accumulator.add_triangle(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2));
   }
   add_vertices(
-    tr, domain.inside(), tr.points.size(), [&](Index t, int i) { return domain.is_constrained(t, i); },
+    tr, tr.points.size(), [&](Index t, int i) { return domain.is_constrained(t, i); },
     [](std::size_t) { return true; }, accumulator);
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
     const auto sizing = checked_sizing_field<typename CDT::Geom_traits::Point_2>(f);
-    for_each_edge(tr, domain.inside(), 0, tr.number_of_triangles(), [&](Index t, int i) {
+    for_each_edge(tr, 0, tr.number_of_triangles(), [&](Index t, int i) {
       add_length(tr.point(t, ccw(i)), tr.point(t, cw(i)), sizing, accumulator);
     });
   }

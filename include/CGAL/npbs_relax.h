@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_mesh.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>

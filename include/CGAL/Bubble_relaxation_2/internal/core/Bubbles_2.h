@@ -77,15 +77,7 @@ struct Bubbles_2
   /// makes room for `n` more
   void make_room_for(std::size_t n)
   {
-    for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
-      internal::make_room_for(n, *a);
-    internal::make_room_for(n, dimension);
-    internal::make_room_for(n, host);
-    internal::make_room_for(n, pin);
-    if (!id.empty())
-      internal::make_room_for(n, id);
-    if (!owner.empty())
-      internal::make_room_for(n, owner);
+    for_each_array([n](auto& array) { internal::make_room_for(n, array); });
   }
 
   void add(const Point& p, double size, Dimension dim, Index at, double on_edge = 0,
@@ -100,6 +92,12 @@ struct Bubbles_2
     host.push_back(at);
     s.push_back(on_edge);
     pin.push_back(pinned);
+  }
+
+  /// adds a copy of another one, at rest
+  void add(const Bubbles_2& from, std::size_t i)
+  {
+    add(from.point(i), from.d[i], static_cast<Dimension>(from.dimension[i]), from.host[i], from.s[i], from.pin[i]);
   }
 
   /// deletes a bubble; the others keep their indices until `forget_gone()`
@@ -138,15 +136,7 @@ struct Bubbles_2
   void select(const std::vector<Index>& order)
   {
     const bool in_place = is_in_place(order);
-    for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
-      select(*a, order, in_place);
-    select(dimension, order, in_place);
-    select(host, order, in_place);
-    select(pin, order, in_place);
-    if (!id.empty())
-      select(id, order, in_place);
-    if (!owner.empty())
-      select(owner, order, in_place);
+    for_each_array([&](auto& array) { select(array, order, in_place); });
   }
 
   /// Orders them by their identities. Mostly few were added to those that ascend.
@@ -157,7 +147,8 @@ struct Bubbles_2
       return;
     std::vector<Index> order(size());
     std::iota(order.begin(), order.end(), Index(0));
-    merge_tail(order, static_cast<std::size_t>(sorted_end - id.begin()), [this](Index i, Index j) { return id[i] < id[j]; });
+    const auto has_less = [this](Index i, Index j) { return id[i] < id[j]; };
+    merge_tail(order, static_cast<std::size_t>(sorted_end - id.begin()), has_less);
     select(order);
   }
 
@@ -171,6 +162,21 @@ struct Bubbles_2
   void stop(std::size_t i) { vx[i] = vy[i] = 0; }
 
 private:
+  /// calls `f` for all that have an element a bubble
+  template <class Function>
+  void for_each_array(const Function& f)
+  {
+    for (std::vector<double>* a : {&x, &y, &d, &vx, &vy, &s})
+      f(*a);
+    f(dimension);
+    f(host);
+    f(pin);
+    if (!id.empty())
+      f(id);
+    if (!owner.empty())
+      f(owner);
+  }
+
   /// whether none gets a later place: then one after the other can go where it belongs
   static bool is_in_place(const std::vector<Index>& order)
   {

@@ -56,11 +56,15 @@ struct Relaxation_options
   std::string restart_path;              ///< empty: the simulation starts anew
 };
 
-[[noreturn]] inline void throw_invalid_parameter(const char* name, double value,
-                                                 const char* requirement)
+[[noreturn]] inline void throw_invalid_parameter(const std::string& name, const std::string& value,
+                                                 const std::string& requirement)
 {
-  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " +
-                              in_words(value) + " must be " + requirement);
+  throw std::invalid_argument("Bubble_relaxation_2: parameter " + name + " = " + value + " must be " + requirement);
+}
+
+[[noreturn]] inline void throw_invalid_parameter(const std::string& name, double value, const std::string& requirement)
+{
+  throw_invalid_parameter(name, in_words(value), requirement);
 }
 
 inline void check_positive(const char* name, double value)

@@ -26,13 +26,6 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-[[noreturn]] inline void throw_invalid_count(const char* name, const std::string& value,
-                                             const std::string& requirement)
-{
-  throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + " = " + value +
-                              " must be " + requirement);
-}
-
 /// A count given as any number. A negative one would turn into a huge unsigned one silently, and what a
 /// floating-point number that is no integer turns into is not defined.
 template <class T>
@@ -44,7 +37,7 @@ std::size_t read_count(const char* name, T value, std::size_t least,
   if constexpr (std::is_floating_point<T>::value) {
     text = in_words(static_cast<double>(value));
     if (!(std::abs(value) < T(1e18)) || value != std::floor(value))
-      throw_invalid_count(name, text, "an integer");
+      throw_invalid_parameter(name, text, "an integer");
   } else {
     text = std::to_string(value);
   }
@@ -52,9 +45,9 @@ std::size_t read_count(const char* name, T value, std::size_t least,
   if constexpr (std::is_signed<T>::value)
     is_negative = value < 0;
   if (is_negative || static_cast<std::size_t>(value) < least)
-    throw_invalid_count(name, text, "at least " + std::to_string(least));
+    throw_invalid_parameter(name, text, "at least " + std::to_string(least));
   if (static_cast<std::size_t>(value) > largest)
-    throw_invalid_count(name, text, "at most " + std::to_string(largest));
+    throw_invalid_parameter(name, text, "at most " + std::to_string(largest));
   return static_cast<std::size_t>(value);
 }
 

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <vector>
 
 // What is compiled once is declared in headers, and defined in headers whose names end in `_impl.h`. A program that is
@@ -70,25 +71,21 @@ void make_room_for(std::size_t n, std::vector<T>& array)
     array.reserve(array.size() + (std::max)(n, array.size() / 8));
 }
 
-/// A reference to a comparison of numbers.
-struct Index_order
+/// where flags are set
+inline std::vector<Index> marked(const std::vector<char>& flags)
 {
-  const void* less;
-  bool (*call)(const void* less, Index, Index);
-
-  bool operator()(Index i, Index j) const { return call(less, i, j); }
-};
-
-inline void sort_by(std::vector<Index>& indices, Index_order order) { std::sort(indices.begin(), indices.end(), order); }
+  std::vector<Index> result;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    if (flags[i])
+      result.push_back(static_cast<Index>(i));
+  return result;
+}
 
 /// Sorts where it does not matter how long a comparison takes: it is called through a pointer, so that
 /// `std::sort()` is compiled once, and not for each comparison.
-template <class Less>
-void sort_indices(std::vector<Index>& indices, const Less& less)
+inline void sort_indices(std::vector<Index>& indices, const std::function<bool(Index, Index)>& less)
 {
-  sort_by(indices, Index_order{&less, [](const void* l, Index i, Index j) -> bool {
-                                 return (*static_cast<const Less*>(l))(i, j);
-                               }});
+  std::sort(indices.begin(), indices.end(), std::cref(less));
 }
 
 } // namespace internal

@@ -38,6 +38,13 @@ public:
     m_bbox = Bbox_2();
     for (const Point& p : m_corners)
       m_bbox += p.bbox();
+    m_lengths.clear();
+    m_directions.clear();
+    for (const Domain_edge_2& e : m_edges) {
+      const Kernel::Vector_2 u = m_corners[e.target] - m_corners[e.source];
+      m_lengths.push_back(std::hypot(u.x(), u.y()));
+      m_directions.push_back({u.x() / m_lengths.back(), u.y() / m_lengths.back()});
+    }
     const Marking_error error = mark_triangulation(m_corners, m_edges, m_marked);
     if (error == Marking_error::NONE)
       find_sides();
@@ -46,7 +53,7 @@ public:
 
   const std::vector<Point>& corners() const { return m_corners; }
   const std::vector<Domain_edge_2>& edges() const { return m_edges; }
-  const Flat_triangulation_2& triangulation() const { return m_marked.tr; }
+  const Flat_triangulation_2& triangulation() const { return m_marked; }
   const Bbox_2& bbox() const { return m_bbox; }
 
   bool is_inside(Index triangle) const { return m_marked.inside[triangle] != 0; }
@@ -57,18 +64,10 @@ public:
   const Point& source(Index e) const { return m_corners[m_edges[e].source]; }
   const Point& target(Index e) const { return m_corners[m_edges[e].target]; }
 
-  double length(Index e) const
-  {
-    return std::hypot(target(e).x() - source(e).x(), target(e).y() - source(e).y());
-  }
+  double length(Index e) const { return m_lengths[e]; }
 
   /// from the source to the target
-  Direction direction(Index e) const
-  {
-    const Point &a = source(e), &b = target(e);
-    const double l = length(e);
-    return {(b.x() - a.x()) / l, (b.y() - a.y()) / l};
-  }
+  const Direction& direction(Index e) const { return m_directions[e]; }
 
   /// the point that divides the edge at `s` in [0,1]; always from the nearer end, so that a reversed
   /// edge gives the same points
@@ -84,7 +83,7 @@ public:
   /// walks from `p` in `triangle` towards `q` and stops at edges of the domain
   Walk_end walk(Index triangle, const Point& p, const Point& q) const
   {
-    return walk_straight(m_marked.tr, triangle, p, q, is_wall());
+    return walk_straight(m_marked, triangle, p, q, is_wall());
   }
 
   /// the triangle of `q` if it can be seen from `p` on the edge `e` through the domain, else `no_index`
@@ -94,13 +93,13 @@ public:
     if (turn == COLLINEAR || !(turn == LEFT_TURN ? m_edges[e].inside_left : m_edges[e].inside_right))
       return no_index;
     const Side& side = turn == LEFT_TURN ? m_left[e] : m_right[e];
-    const Walk_end end = walk_straight(m_marked.tr, side.triangle, p, q, is_wall(), side.index);
+    const Walk_end end = walk_straight(m_marked, side.triangle, p, q, is_wall(), side.index);
     return end.is_blocked() ? no_index : end.triangle;
   }
 
   /// the triangle that contains `q`, in or out of the domain, searched from `hint`; `no_index` if `q`
   /// lies outside of the convex hull
-  Index locate(const Point& q, Index hint) const { return internal::locate(m_marked.tr, hint, q); }
+  Index locate(const Point& q, Index hint) const { return internal::locate(m_marked, hint, q); }
 
   /// the triangle of the domain that contains `q`, or `no_index`; `hint` becomes where the search ended
   Index locate_inside(const Point& q, Index& hint) const
@@ -113,7 +112,7 @@ public:
   }
 
   /// The same; of two triangles on whose common side `q` lies the first, wherever the search began.
-  Index place_inside(const Point& q, Index& hint) const
+  Index host_of(const Point& q, Index& hint) const
   {
     const Index found = locate(q, hint);
     if (found == no_index)
@@ -121,9 +120,9 @@ public:
     hint = found;
     Index first = is_inside(found) ? found : no_index;
     for (int i = 0; i < 3; ++i) {
-      const Index t = m_marked.tr.neighbors[found][i];
+      const Index t = m_marked.neighbors[found][i];
       if (t != no_index && is_inside(t) && (first == no_index || t < first) &&
-          CGAL::orientation(m_marked.tr.point(found, ccw(i)), m_marked.tr.point(found, cw(i)), q) == COLLINEAR)
+          CGAL::orientation(m_marked.point(found, ccw(i)), m_marked.point(found, cw(i)), q) == COLLINEAR)
         first = t;
     }
     return first;
@@ -154,13 +153,15 @@ private:
         const Index e = m_marked.edges[t][i];
         if (e == no_index)
           continue;
-        const bool is_left = m_marked.tr.vertices[t][ccw(i)] == m_edges[e].source;
+        const bool is_left = m_marked.vertices[t][ccw(i)] == m_edges[e].source;
         (is_left ? m_left : m_right)[e] = Side{static_cast<Index>(t), i};
       }
   }
 
   std::vector<Point> m_corners;
   std::vector<Domain_edge_2> m_edges;
+  std::vector<double> m_lengths;        // of the edges
+  std::vector<Direction> m_directions;  // of the edges
   Marked_triangulation_2 m_marked;
   std::vector<Side> m_left, m_right; // the triangles beside each edge
   Bbox_2 m_bbox;

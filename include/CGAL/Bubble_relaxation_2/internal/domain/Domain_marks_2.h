@@ -37,12 +37,10 @@ struct Has_domain_mark<Face, std::void_t<decltype(std::declval<Face&>().set_in_d
 class Marked_copy_2 : public Triangulation_copy_2
 {
 public:
-  const std::vector<char>& inside() const { return m_inside; } ///< of each triangle whether it is in the domain
-
   /// whether the side `i` of a triangle is constrained
   bool is_constrained(Index t, int i) const { return (m_constrained[t] >> i & 1) != 0; }
 
-  bool is_inside(Index t) const { return t != no_index && m_inside[t]; }
+  bool is_inside(Index t) const { return t != no_index && tr.inside[t]; }
 
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
@@ -50,9 +48,9 @@ protected:
   /// \throws std::invalid_argument if there are no triangles
   template <class Cdt>
   explicit Marked_copy_2(const Cdt& cdt)
-    : Triangulation_copy_2(check_dimension(cdt, cdt.dimension(), cdt.number_of_vertices())),
-      m_inside(tr.number_of_triangles(), 0)
+    : Triangulation_copy_2(check_dimension(cdt, cdt.dimension(), cdt.number_of_vertices()))
   {
+    tr.inside.assign(tr.number_of_triangles(), 0);
     m_constrained.reserve(tr.number_of_triangles());
     for (void* f : faces.addresses()) {
       const auto& face = *static_cast<typename Cdt::Face*>(f);
@@ -62,7 +60,7 @@ protected:
 
   void set_inside(Index t)
   {
-    m_inside[t] = 1;
+    tr.inside[t] = 1;
     ++m_number_of_faces;
   }
 
@@ -104,7 +102,7 @@ private:
   /// reaches all triangles that no constraint separates from those that are reached
   void flood(std::vector<char>& is_reached, std::vector<Index>& reached) const;
 
-  std::vector<char> m_constrained, m_inside;
+  std::vector<char> m_constrained;
   std::size_t m_number_of_faces = 0;
 };
 
@@ -154,7 +152,7 @@ private:
   bool copy_marks()
   {
     if constexpr (has_marks)
-      for (std::size_t t = 0; t < inside().size(); ++t)
+      for (std::size_t t = 0; t < tr.inside.size(); ++t)
         if (static_cast<typename Cdt::Face*>(faces.addresses()[t])->is_in_domain())
           set_inside(static_cast<Index>(t));
     return number_of_faces() > 0;

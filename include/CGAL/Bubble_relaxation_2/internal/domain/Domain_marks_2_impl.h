@@ -25,7 +25,7 @@ namespace internal {
 CGAL_BUBBLE_RELAXATION_2_INLINE
 void Marked_copy_2::mark_by_seeds(const std::vector<Index>& seeds, bool seeds_are_in_domain)
 {
-  std::vector<char> is_reached(m_inside.size(), 0);
+  std::vector<char> is_reached(tr.inside.size(), 0);
   std::vector<Index> reached, behind;
   if (!seeds_are_in_domain)
     reach_from_beyond_hull(is_reached, reached, behind);
@@ -33,7 +33,7 @@ void Marked_copy_2::mark_by_seeds(const std::vector<Index>& seeds, bool seeds_ar
     if (t != no_index)
       reach(t, is_reached, reached);
   flood(is_reached, reached);
-  for (std::size_t t = 0; t < m_inside.size(); ++t)
+  for (std::size_t t = 0; t < tr.inside.size(); ++t)
     if ((is_reached[t] != 0) == seeds_are_in_domain)
       set_inside(static_cast<Index>(t));
 }
@@ -41,7 +41,7 @@ void Marked_copy_2::mark_by_seeds(const std::vector<Index>& seeds, bool seeds_ar
 CGAL_BUBBLE_RELAXATION_2_INLINE
 void Marked_copy_2::mark_by_nesting()
 {
-  std::vector<char> is_reached(m_inside.size(), 0);
+  std::vector<char> is_reached(tr.inside.size(), 0);
   std::vector<Index> level, next_level;
   reach_from_beyond_hull(is_reached, level, next_level);
   for (bool is_odd = false; !level.empty() || !next_level.empty(); is_odd = !is_odd) {
@@ -64,8 +64,8 @@ void Marked_copy_2::check_domain() const
   if (m_number_of_faces == 0)
     throw std::invalid_argument("Bubble_relaxation_2: no face lies in the domain: the constraints close no "
                                 "region, or all regions are holes");
-  for (std::size_t t = 0; t < m_inside.size(); ++t)
-    for (int i = 0; i < 3 && m_inside[t]; ++i) {
+  for (std::size_t t = 0; t < tr.inside.size(); ++t)
+    for (int i = 0; i < 3 && tr.inside[t]; ++i) {
       const Index f = static_cast<Index>(t);
       if (is_constrained(f, i) || is_inside(tr.neighbors[t][i]))
         continue;
@@ -109,7 +109,7 @@ CGAL_BUBBLE_RELAXATION_2_INLINE
 void Marked_copy_2::reach_from_beyond_hull(std::vector<char>& is_reached, std::vector<Index>& reached,
                             std::vector<Index>& behind) const
 {
-  for (std::size_t t = 0; t < m_inside.size(); ++t)
+  for (std::size_t t = 0; t < tr.inside.size(); ++t)
     for (int i = 0; i < 3; ++i) {
       const Index f = static_cast<Index>(t);
       if (tr.neighbors[t][i] != no_index)

@@ -29,6 +29,9 @@ struct Edge_integral
 
   double total() const { return sum.back(); }
 
+  /// into how many of about 1 it is cut
+  double parts() const { return (std::max)(1., std::round(total())); }
+
   /// where the integral reaches `value`
   double invert(double value) const
   {
@@ -75,7 +78,7 @@ inline Edge_integral integrate_edge(const Domain_2& domain, Index e, const Sizes
 inline void place_on_edge(const Domain_2& domain, Index e, const Sizes_2& sizing, Bubbles_2& bubbles)
 {
   const Edge_integral integral = integrate_edge(domain, e, sizing);
-  const double parts = (std::max)(1., std::round(integral.total()));
+  const double parts = integral.parts();
   for (double k = 1; k < parts; ++k) {
     const double s = integral.invert(k / parts * integral.total());
     const Point p = domain.point_on_edge(e, s);

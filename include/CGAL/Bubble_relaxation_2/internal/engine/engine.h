@@ -28,9 +28,9 @@ namespace internal {
 
 // What lies between reading and writing, without the user's types: it is compiled once.
 
-/// the sizes of the edges of a mesh; `inside`: of each triangle whether it is in the domain
+/// the sizes of the edges of a mesh in its domain
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh, const std::vector<char>& inside);
+Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh);
 
 /// the sizes that the outline of a domain without mesh asks for
 CGAL_BUBBLE_RELAXATION_2_INLINE

@@ -25,9 +25,9 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh, const std::vector<char>& inside)
+Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh)
 {
-  return Sizes_2(mean_edge_length_field(mesh, inside));
+  return Sizes_2(mean_edge_length_field(mesh));
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

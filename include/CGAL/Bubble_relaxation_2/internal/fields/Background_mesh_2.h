@@ -51,7 +51,7 @@ public:
     while (triangulate()) {
       m_given = given_sizes();
       m_sizes = m_given;
-      Gradient_limiter_2(m_mesh.tr, m_mesh.inside, m_g).spread(m_sizes);
+      Gradient_limiter_2(m_mesh, m_g).spread(m_sizes);
       std::vector<Cut> cuts = find_cuts();
       const std::size_t room = m_maximum > m_points.size() ? m_maximum - m_points.size() : 0;
       if (cuts.empty() || room == 0)
@@ -106,8 +106,8 @@ private:
   std::vector<double> given_sizes()
   {
     std::vector<double> sizes(m_points.size(), 0);
-    for (std::size_t t = 0; t < m_mesh.tr.number_of_triangles(); ++t)
-      for (Index v : m_mesh.tr.vertices[t])
+    for (std::size_t t = 0; t < m_mesh.number_of_triangles(); ++t)
+      for (Index v : m_mesh.vertices[t])
         if (m_mesh.inside[t] && sizes[v] == 0)
           sizes[v] = size(m_points[v]);
     return sizes;
@@ -125,12 +125,11 @@ private:
   std::vector<Cut> find_cuts()
   {
     std::vector<Cut> cuts;
-    const Flat_triangulation_2& tr = m_mesh.tr;
-    const Gradient_limiter_2 limiter(tr, m_mesh.inside, m_g);
-    for_each_edge(tr, m_mesh.inside, 0, tr.number_of_triangles(), [&](Index t, int i) {
+    const Gradient_limiter_2 limiter(m_mesh, m_g);
+    for_each_edge(m_mesh, 0, m_mesh.number_of_triangles(), [&](Index t, int i) {
       add_edge(t, i, edge_error(t, i), cuts);
     });
-    for (std::size_t k = 0; k < tr.number_of_triangles(); ++k)
+    for (std::size_t k = 0; k < m_mesh.number_of_triangles(); ++k)
       if (m_mesh.inside[k])
         add_triangle(static_cast<Index>(k), limiter.gradient(static_cast<Index>(k), m_sizes), cuts);
     std::sort(cuts.begin(), cuts.end());
@@ -143,10 +142,10 @@ private:
 
   double length(Index t, int i) const
   {
-    return std::sqrt(CGAL::squared_distance(m_mesh.tr.point(t, ccw(i)), m_mesh.tr.point(t, cw(i))));
+    return std::sqrt(CGAL::squared_distance(m_mesh.point(t, ccw(i)), m_mesh.point(t, cw(i))));
   }
 
-  double value(Index t, int i) const { return m_sizes[m_mesh.tr.vertices[t][i]]; }
+  double value(Index t, int i) const { return m_sizes[m_mesh.vertices[t][i]]; }
 
   /// how far the middle of a side is from linear, relative to the tolerance; infinite for a side that is too
   /// long to know anything
@@ -160,11 +159,11 @@ private:
       return 1 / tolerance;
     if (l <= shortest * (std::min)(a, b))
       return 0;
-    const Point m = CGAL::midpoint(m_mesh.tr.point(t, ccw(i)), m_mesh.tr.point(t, cw(i)));
+    const Point m = CGAL::midpoint(m_mesh.point(t, ccw(i)), m_mesh.point(t, cw(i)));
     double limited = (std::min)(size(m), limit_across(t, i, m));
-    const Index n = m_mesh.tr.neighbors[t][i];
+    const Index n = m_mesh.neighbors[t][i];
     if (n != no_index && m_mesh.inside[n])
-      limited = (std::min)(limited, limit_across(n, m_mesh.tr.index_of_neighbor(n, t), m));
+      limited = (std::min)(limited, limit_across(n, m_mesh.index_of_neighbor(n, t), m));
     return std::abs(limited / (a + (b - a) / 2) - 1) / tolerance;
   }
 
@@ -172,7 +171,7 @@ private:
   /// narrow dip, whose bottom may lie somewhere beside.
   bool leads_into_dip(Index t, int i, double l) const
   {
-    Index low = m_mesh.tr.vertices[t][ccw(i)], high = m_mesh.tr.vertices[t][cw(i)];
+    Index low = m_mesh.vertices[t][ccw(i)], high = m_mesh.vertices[t][cw(i)];
     if (m_given[high] < m_given[low])
       std::swap(low, high);
     return m_sizes[low] == m_given[low] && m_given[high] - m_given[low] > steep_in_dips * m_g * l;
@@ -181,10 +180,10 @@ private:
   /// what fronts from the other two sides of a triangle bring to a point of the side `i`
   double limit_across(Index t, int i, const Point& m) const
   {
-    const Point& p = m_mesh.tr.point(t, i);
+    const Point& p = m_mesh.point(t, i);
     return (std::min)(
-      front_from_segment(p, value(t, i), m_mesh.tr.point(t, ccw(i)), value(t, ccw(i)), m, m_g),
-      front_from_segment(p, value(t, i), m_mesh.tr.point(t, cw(i)), value(t, cw(i)), m, m_g));
+      front_from_segment(p, value(t, i), m_mesh.point(t, ccw(i)), value(t, ccw(i)), m, m_g),
+      front_from_segment(p, value(t, i), m_mesh.point(t, cw(i)), value(t, cw(i)), m, m_g));
   }
 
   /// Cuts a side, or instead the much longer one that the triangles beside it lead to: else a triangle with a
@@ -196,7 +195,7 @@ private:
     for (double l = length(t, i), last = 0; l > last;) {
       last = l;
       l *= much_longer;
-      const Index n = m_mesh.tr.neighbors[t][i];
+      const Index n = m_mesh.neighbors[t][i];
       for (Index beside : {t, n})
         for (int j = 0; j < 3 && beside != no_index && m_mesh.inside[beside]; ++j)
           if (length(beside, j) > l) {
@@ -207,7 +206,7 @@ private:
       if (l == last * much_longer)
         break;
     }
-    cuts.push_back(Cut{error, CGAL::midpoint(m_mesh.tr.point(t, ccw(i)), m_mesh.tr.point(t, cw(i))),
+    cuts.push_back(Cut{error, CGAL::midpoint(m_mesh.point(t, ccw(i)), m_mesh.point(t, cw(i))),
                        m_mesh.edges[t][i]});
   }
 
@@ -222,7 +221,7 @@ private:
       add_edge(t, i, 1 + gradient / m_g, cuts);
     if (l[i] <= shortest * least)
       return;
-    const Point c = CGAL::centroid(m_mesh.tr.point(t, 0), m_mesh.tr.point(t, 1), m_mesh.tr.point(t, 2));
+    const Point c = CGAL::centroid(m_mesh.point(t, 0), m_mesh.point(t, 1), m_mesh.point(t, 2));
     const double error = (1 - size(c) / ((value(t, 0) + value(t, 1) + value(t, 2)) / 3)) / tolerance;
     if (error > 1)
       cuts.push_back(Cut{error, c, no_index});

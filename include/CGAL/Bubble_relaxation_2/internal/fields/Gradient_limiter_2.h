@@ -50,18 +50,18 @@ inline double front_from_segment(const Point& a, double value_a, const Point& b,
 class Gradient_limiter_2
 {
 public:
-  Gradient_limiter_2(const Flat_triangulation_2& tr, const std::vector<char>& inside, double g)
+  Gradient_limiter_2(const Flat_triangulation_2& tr, double g)
     : m_tr(tr), m_g(g), m_first(tr.points.size() + 1, 0)
   {
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-      for (int i = 0; i < 3 && inside[t]; ++i)
+      for (int i = 0; i < 3 && tr.inside[t]; ++i)
         ++m_first[tr.vertices[t][i] + 1];
     for (std::size_t v = 1; v < m_first.size(); ++v)
       m_first[v] += m_first[v - 1];
     m_triangles.resize(m_first.back());
     std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-      for (int i = 0; i < 3 && inside[t]; ++i)
+      for (int i = 0; i < 3 && tr.inside[t]; ++i)
         m_triangles[next[tr.vertices[t][i]]++] = static_cast<Index>(t);
   }
 

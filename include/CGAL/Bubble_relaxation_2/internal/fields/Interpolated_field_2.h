@@ -33,9 +33,9 @@ namespace internal {
 class Interpolated_field_2
 {
 public:
-  /// \param inside per triangle whether it belongs to the domain; some do
-  Interpolated_field_2(Flat_triangulation_2 tr, std::vector<char> inside, std::vector<double> values)
-    : m_tr(std::move(tr)), m_inside(std::move(inside)), m_values(std::move(values)), m_quadtree(m_tr)
+  /// \pre some triangles belong to the domain
+  Interpolated_field_2(Flat_triangulation_2 tr, std::vector<double> values)
+    : m_tr(std::move(tr)), m_values(std::move(values)), m_quadtree(m_tr)
   {}
 
   double operator()(double x, double y) const
@@ -46,14 +46,12 @@ public:
     const Walk_end end = locate_or_exit(m_tr, m_quadtree.start(x, y), q);
     if (end.is_blocked())
       return value_beyond_hull(end, q);
-    return m_inside[end.triangle] ? interpolate(end.triangle, q) : value_outside(end.triangle, q);
+    return m_tr.inside[end.triangle] ? interpolate(end.triangle, q) : value_outside(end.triangle, q);
   }
 
   double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
 
   const Flat_triangulation_2& triangulation() const { return m_tr; }
-  const std::vector<char>& inside() const { return m_inside; }
-  const std::vector<double>& values() const { return m_values; }
 
 private:
   double value(Index t, int i) const { return m_values[m_tr.vertices[t][i]]; }
@@ -131,7 +129,7 @@ private:
         side = next;
         best = n;
       }
-    return m_inside[side.triangle] ? best.value : value_outside(side.triangle, best.point);
+    return m_tr.inside[side.triangle] ? best.value : value_outside(side.triangle, best.point);
   }
 
   /// The value in the point of the domain's boundary that is the nearest to `q` in the triangle `start`
@@ -151,7 +149,7 @@ private:
         const Nearest n = on_side(t, i, q);
         if (n.distance > best.distance)
           continue;
-        if (!m_inside[next]) {
+        if (!m_tr.inside[next]) {
           if (seen.insert(next).second)
             queue.push_back(next);
         } else if (n.distance < best.distance || n.value < best.value)
@@ -161,7 +159,6 @@ private:
   }
 
   Flat_triangulation_2 m_tr;
-  std::vector<char> m_inside;
   std::vector<double> m_values;
   Triangle_quadtree_2 m_quadtree;
 };
@@ -193,23 +190,18 @@ inline std::vector<double> mean_edge_lengths(std::size_t number_of_vertices,
   return sum;
 }
 
-/// The size that a mesh has: at each vertex the mean length of its edges in the domain. `inside`: of each triangle
-inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh, const std::vector<char>& inside)
+/// The size that a mesh with a domain has: at each vertex the mean length of its edges there.
+inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh)
 {
   Sorted_triangulation_2 sorted(mesh); // so that it does not matter how the mesh came about
   const Flat_triangulation_2& tr = sorted.tr;
-  std::vector<char> is_inside;
-  for (Index t : sorted.triangles)
-    is_inside.push_back(inside[t]);
   std::vector<Edge_length> edges;
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-    for (int i = 0; i < 3 && is_inside[t]; ++i) {
-      const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)], n = tr.neighbors[t][i];
-      if (a < b || n == no_index || !is_inside[n]) // else it is added from the other side
-        edges.push_back({{a, b}, std::sqrt(CGAL::squared_distance(tr.points[a], tr.points[b]))});
-    }
+  for_each_edge(tr, 0, tr.number_of_triangles(), [&](Index t, int i) {
+    const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
+    edges.push_back({{tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)]}, std::sqrt(CGAL::squared_distance(p, q))});
+  });
   std::vector<double> sizes = mean_edge_lengths(tr.points.size(), std::move(edges));
-  return Interpolated_field_2(std::move(sorted.tr), std::move(is_inside), std::move(sizes));
+  return Interpolated_field_2(std::move(sorted.tr), std::move(sizes));
 }
 
 } // namespace internal

@@ -94,7 +94,7 @@ public:
   template <class Visitor>
   bool for_each_near(double x, double y, double d, double near, Visitor visit) const
   {
-    return for_each_in(Query<Mean_radius>{x, y, Mean_radius{near, d}}, d, visit);
+    return for_each_in(x, y, [=](double size) { return 0.5 * near * (d + size); }, d, visit);
   }
 
   /// calls `visit(entry)` for each bubble that may be near to one of size `d`, or of less, which lies within a
@@ -102,25 +102,26 @@ public:
   template <class Visitor>
   void for_each_near_some(double x, double y, double distance, double d, Visitor visit) const
   {
+    const auto radius = [=](double size) { return slack * (distance + 0.5 * m_reach * (d + size)); };
     const auto visit_entry = [&visit](const Entry& e, double) {
       visit(e);
       return true;
     };
-    for_each_in(Query<Wider_radius>{x, y, Wider_radius{distance, m_reach, d}}, d + 2 * distance / m_reach, visit_entry);
+    for_each_in(x, y, radius, d + 2 * distance / m_reach, visit_entry);
   }
 
   /// calls `visit(entry, squared distance)` for all within a distance from (x, y)
   template <class Visitor>
   bool for_each_within(double x, double y, double distance, Visitor visit) const
   {
-    return for_each_in(Query<Distance>{x, y, Distance{distance}}, 2 * distance / m_reach, visit);
+    return for_each_in(x, y, [=](double) { return distance; }, 2 * distance / m_reach, visit);
   }
 
   /// the same for those of size `least` or more whose distance from (x, y) is less than `near` times their size
   template <class Visitor>
   bool for_each_large(double x, double y, double least, double near, Visitor visit) const
   {
-    return for_each_in(Query<Large_radius>{x, y, Large_radius{near, least}}, 0, visit);
+    return for_each_in(x, y, [=](double size) { return size < least ? 0 : near * size; }, 0, visit);
   }
 
   /// whether no bubble is near to one of size `d` at (x, y)
@@ -138,51 +139,19 @@ private:
   using Cell = Cell_blocks_2::Cell;
   using Block = Cell_blocks_2::Block;
 
-  /// within which distance bubbles of a size count
-  struct Mean_radius
-  {
-    double near, d;
-    double operator()(double size) const { return 0.5 * near * (d + size); }
-  };
-
-  struct Wider_radius
-  {
-    double more, near, d;
-    double operator()(double size) const { return slack * (more + 0.5 * near * (d + size)); }
-  };
-
-  struct Distance
-  {
-    double distance;
-    double operator()(double) const { return distance; }
-  };
-
-  struct Large_radius
-  {
-    double near, least;
-    double operator()(double size) const { return size < least ? 0 : near * size; }
-  };
-
-  template <class Radius>
-  struct Query
-  {
-    double x, y;
-    Radius radius;
-  };
-
-  /// `d`: about the size of a bubble that sees so far
+  /// `radius(size)`: within which distance bubbles of a size count; `d`: about the size of a bubble that sees so far
   template <class Radius, class Visitor>
-  bool for_each_in(const Query<Radius>& q, double d, Visitor& visit) const
+  bool for_each_in(double x, double y, const Radius& radius, double d, const Visitor& visit) const
   {
     if (m_bubbles.empty())
       return true;
     const double largest = m_cells.largest();
-    if (q.radius(largest) == 0)
+    if (radius(largest) == 0)
       return true;
     if (d > 4 * largest && is_wider_than_all(d))
-      return visit_all(q, visit);
-    return m_cells.for_each_root(q.x, q.y, slack * q.radius(largest),
-                                 [&](Index root) { return visit_block(root, q, visit); });
+      return visit_all(x, y, radius, visit);
+    return m_cells.for_each_root(x, y, slack * radius(largest),
+                                 [&](Index root) { return visit_block(root, x, y, radius, visit); });
   }
 
   // covers the rounding of cell coordinates, so that no bubble in reach is missed
@@ -222,32 +191,32 @@ private:
   }
 
   template <class Radius, class Visitor>
-  bool visit_all(const Query<Radius>& q, Visitor& visit) const
+  bool visit_all(double x, double y, const Radius& radius, const Visitor& visit) const
   {
     for (const Entry& e : m_bubbles)
-      if (e.id != no_index && !visit_if_near(e, q, visit))
+      if (e.id != no_index && !visit_if_near(e, x, y, radius, visit))
         return false;
     return true;
   }
 
   template <class Radius, class Visitor>
-  bool visit_if_near(const Entry& e, const Query<Radius>& q, Visitor& visit) const
+  bool visit_if_near(const Entry& e, double x, double y, const Radius& radius, const Visitor& visit) const
   {
-    const double dx = e.x - q.x, dy = e.y - q.y, reach = q.radius(e.d);
+    const double dx = e.x - x, dy = e.y - y, reach = radius(e.d);
     const double squared = dx * dx + dy * dy;
     return !(squared < reach * reach) || visit(e, squared);
   }
 
   template <class Radius, class Visitor>
-  bool visit_block(Index block, const Query<Radius>& q, Visitor& visit) const
+  bool visit_block(Index block, double x, double y, const Radius& radius, const Visitor& visit) const
   {
     const Block& b = m_cells[block];
-    if (q.radius(b.largest) == 0) // all are too small
+    if (radius(b.largest) == 0) // all are too small
       return true;
-    const std::uint64_t near = m_cells.cells_near(b, q.x, q.y, slack * q.radius(b.largest));
+    const std::uint64_t near = m_cells.cells_near(b, x, y, slack * radius(b.largest));
     for (std::uint64_t bits = b.occupied & near; bits != 0; bits &= bits - 1)
       for (Index k = b.first[static_cast<std::size_t>(lowest_bit(bits))]; k != no_index; k = m_bubbles[k].next)
-        if (!visit_if_near(m_bubbles[k], q, visit))
+        if (!visit_if_near(m_bubbles[k], x, y, radius, visit))
           return false;
     const std::uint64_t below = b.descendants & near;
     if (below == 0)
@@ -255,7 +224,7 @@ private:
     constexpr std::uint64_t quarter = 0x0F0F0F0Fu;
     for (int k = 0; k < 4; ++k)
       if ((below & (quarter << ((k & 1) * 4 + (k >> 1) * 32))) != 0 &&
-          !visit_block(b.children[static_cast<std::size_t>(k)], q, visit))
+          !visit_block(b.children[static_cast<std::size_t>(k)], x, y, radius, visit))
         return false;
     return true;
   }

@@ -37,7 +37,7 @@ inline int lowest_bit(std::uint64_t bits)
 #endif
 }
 
-/// 2 to the power of `exponent`
+/// 2 to the power of `exponent`. By bits, like the next: calls of the library show in the time of a search.
 inline double power_of_two(int exponent)
 {
   if (exponent < -1022 || exponent > 1023)
@@ -61,10 +61,10 @@ inline int exponent_above(double value)
   return mantissa == 0.5 ? exponent - 1 : exponent;
 }
 
-/// Square cells in levels, the side doubling from level to level, in blocks of 8 x 8, with a bit for each cell that holds
-/// something and for each that has smaller ones inside, so that a query finds the cells that it must look into with a few
-/// operations on whole blocks. A block points to the four of the next lower level inside it; only those of the highest
-/// level are hashed.
+/// Square cells in levels, the side doubling from level to level, in blocks of 8 x 8, with a bit for each cell that
+/// holds something and for each that has smaller ones inside, so that a query finds the cells that it must look into
+/// with a few operations on whole blocks. A block points to the four of the next lower level inside it; only those of
+/// the highest level are hashed.
 class Cell_blocks_2
 {
 public:
@@ -76,7 +76,8 @@ public:
     bool operator==(const Cell& c) const { return ix == c.ix && iy == c.iy && level == c.level; }
   };
 
-  /// 8 x 8 cells of a level. Whoever puts something into a cell, or takes it out, sets its bit of `occupied`, and `first`.
+  /// 8 x 8 cells of a level. Whoever puts something into a cell, or takes it out, sets its bit of `occupied`, and
+  /// `first`.
   struct Block
   {
     std::uint64_t occupied = 0;    ///< a bit for each cell: whether it holds anything
@@ -115,8 +116,8 @@ public:
   /// of the side of the cells of the highest level
   double least_inverse() const { return inverse_side(m_highest); }
 
-  /// The block of a cell in which something of size `d` lies or will lie. It is made if it is not there; and those around
-  /// it know of it then.
+  /// The block of a cell in which something of size `d` lies or will lie. It is made if it is not there; and those
+  /// around it know of it then.
   Block& block_for(const Cell& cell, double d)
   {
     if (m_roots.empty())
@@ -138,14 +139,16 @@ public:
     return find_or_add_block(cell, [](Block&, int) {});
   }
 
-  /// calls `visit(block)` for all blocks of the highest level that are nearer to (x, y) than `distance` in x and y, until it
-  /// returns false; returns whether it never did
+  /// calls `visit(block)` for all blocks of the highest level that are nearer to (x, y) than `distance` in x and y,
+  /// until it returns false; returns whether it never did
   template <class Visit>
   bool for_each_root(double x, double y, double distance, const Visit& visit) const
   {
     const double inverse = least_inverse();
-    const Cell low = block_index(Cell{index_at(x - distance - m_x0, inverse), index_at(y - distance - m_y0, inverse), 0}),
-               high = block_index(Cell{index_at(x + distance - m_x0, inverse), index_at(y + distance - m_y0, inverse), 0});
+    const auto block_at = [&](double dx, double dy) {
+      return block_index(Cell{index_at(x + dx - m_x0, inverse), index_at(y + dy - m_y0, inverse), 0});
+    };
+    const Cell low = block_at(-distance, -distance), high = block_at(distance, distance);
     for (std::int64_t iy = low.iy; iy <= high.iy; ++iy)
       for (std::int64_t ix = low.ix; ix <= high.ix; ++ix) {
         const Index root = m_table[slot_of(ix, iy)];

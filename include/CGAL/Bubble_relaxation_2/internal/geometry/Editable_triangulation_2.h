@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// What bubbles and triangles of a mesh were before they were changed, so that all changes can be undone. In a mesh that
-/// is good almost everywhere few are changed, and this takes far less than a copy.
+/// What bubbles and triangles of a mesh were before they were changed, so that all changes can be undone. In a mesh
+/// that is good almost everywhere few are changed, and this takes far less than a copy.
 class Undo_log_2
 {
 public:

@@ -22,11 +22,12 @@ namespace internal {
 
 /// Triangles in arrays: triangle `t` has the vertices `vertices[t]` in counterclockwise order, which are indices of
 /// points or of bubbles, and across the edge opposite to its vertex `i` lies `neighbors[t][i]`, `no_index` beyond the
-/// convex hull.
+/// convex hull. `inside[t]` tells whether it belongs to the domain, where that is known.
 struct Triangles_2
 {
   std::vector<std::array<Index, 3>> vertices;
   std::vector<std::array<Index, 3>> neighbors;
+  std::vector<char> inside;
 
   std::size_t number_of_triangles() const { return vertices.size(); }
 
@@ -36,16 +37,15 @@ struct Triangles_2
   }
 };
 
-/// Calls `visit(t, i)` for edges of the domain, each as the side `i` of the first of the triangles of the domain that have
-/// it: for those of which it is one of the triangles from `first` to `last`, without.
+/// Calls `visit(t, i)` for edges of the domain, each as the side `i` of the first of the triangles of the domain that
+/// have it: for those of which it is one of the triangles from `first` to `last`, without.
 template <class Visitor>
-void for_each_edge(const Triangles_2& tr, const std::vector<char>& inside, std::size_t first, std::size_t last,
-                   const Visitor& visit)
+void for_each_edge(const Triangles_2& tr, std::size_t first, std::size_t last, const Visitor& visit)
 {
   for (std::size_t k = first; k < last; ++k)
-    for (int i = 0; i < 3 && inside[k]; ++i) {
+    for (int i = 0; i < 3 && tr.inside[k]; ++i) {
       const Index t = static_cast<Index>(k), n = tr.neighbors[k][i];
-      if (n == no_index || !inside[n] || n > t)
+      if (n == no_index || !tr.inside[n] || n > t)
         visit(t, i);
     }
 }

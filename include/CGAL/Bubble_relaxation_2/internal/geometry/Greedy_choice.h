@@ -22,8 +22,8 @@ namespace internal {
 
 /// Chooses among candidates the best first, and none that touches a better one that was chosen: the one rule for all
 /// that is inserted, deleted, coloured or operated on. What becomes of a candidate depends on better ones only, its
-/// rivals, and is decided when theirs is. So several ranks that each decide on their own candidates, and tell each other
-/// what was decided, choose what one of them alone would, see `decide_together()`.
+/// rivals, and is decided when theirs is. So several ranks that each decide on their own candidates, and tell each
+/// other what was decided, choose what one of them alone would, see `decide_together()`.
 class Greedy_choice
 {
 public:
@@ -39,8 +39,8 @@ public:
     m_candidates.clear();
   }
 
-  /// The next candidate to be decided on here, none better than those that were added before; returns its place among
-  /// them.
+  /// The next candidate to be decided on here, none better than those that were added before; returns its position
+  /// among them.
   std::size_t add(Index candidate)
   {
     const std::size_t k = m_candidates.size();
@@ -53,16 +53,17 @@ public:
 
   const std::vector<Index>& candidates() const { return m_candidates; }
 
-  /// The better ones in the way of the candidate in a place, whoever decides on them. To be filled in; twice is no harm.
-  Rivals& rivals(std::size_t place) { return m_rivals[place]; }
+  /// The better ones in the way of the candidate at a position, whoever decides on them. To be filled in; twice is no
+  /// harm.
+  Rivals& rivals(std::size_t position) { return m_rivals[position]; }
 
   /// of all things: what was decided here, and what others told
   std::vector<char>& states() { return m_states; }
 
   bool is_chosen(Index candidate) const { return m_states[candidate] >= CHOSEN; }
 
-  /// Decides on all that can be decided on now: those with a rival that is chosen are refused, and of those whose rivals
-  /// are all refused `is_worth_it(candidate)` is asked once. Returns whether any is still undecided.
+  /// Decides on all that can be decided on now: those with a rival that is chosen are refused, and of those whose
+  /// rivals are all refused `is_worth_it(candidate)` is asked once. Returns whether any is still undecided.
   template <class Predicate>
   bool decide(const Predicate& is_worth_it)
   {

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Small sorted sets of indices, many of them in one array. A set that is appended has room for one more index; one that
-/// grows larger than its room is moved to the end of the array, and leaves a gap.
+/// Small sorted sets of indices, many of them in one array. A set that is appended has room for one more index; one
+/// that grows larger than its room is moved to the end of the array, and leaves a gap.
 class Index_sets
 {
 public:

@@ -31,37 +31,41 @@ struct Domain_edge_2
   bool inside_right;
 };
 
-/// The triangles of a constrained Delaunay triangulation, with the index of the edge behind each constrained side and
-/// the domain marked.
+/// The triangles of a constrained Delaunay triangulation with the domain marked.
 struct Marked_triangles_2 : Triangles_2
 {
-  std::vector<std::array<Index, 3>> edges; ///< per triangle and side: index of the edge or `no_index`
-  std::vector<char> inside;                ///< per triangle: whether it belongs to the domain
+  std::vector<std::array<Index, 3>> edges; ///< per triangle and side: index of the edge behind it or `no_index`
 };
 
 /// The same with the points.
-struct Marked_triangulation_2
+struct Marked_triangulation_2 : Flat_triangulation_2
 {
-  Flat_triangulation_2 tr;
-  std::vector<std::array<Index, 3>> edges; ///< per triangle and side: index of the edge or `no_index`
-  std::vector<char> inside;                ///< per triangle: whether it belongs to the domain
+  std::vector<std::array<Index, 3>> edges; ///< per triangle and side: index of the edge behind it or `no_index`
 };
 
 /// What `mark_triangulation()` found wrong with its edges.
 enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE };
 
 /// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
-/// edge gets the side's mark, and marks spread until the next edge.
+/// edge gets the side's mark, and marks spread until the next edge. `sides`: per triangle, what edge is behind each
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
-                                 Marked_triangles_2& result);
+                                 Triangles_2& result, std::vector<std::array<Index, 3>>& sides);
 
-/// the same, with the points
-CGAL_BUBBLE_RELAXATION_2_INLINE
-Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
-                                 Marked_triangulation_2& result);
+inline Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
+                                        Marked_triangles_2& result)
+{
+  return mark_triangulation(points, edges, result, result.edges);
+}
 
-/// What `Marked_triangulation_2::edges` says of sides on edges of the domain while defects are treated: unlike an index,
+inline Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
+                                        Marked_triangulation_2& result)
+{
+  result.points = points;
+  return mark_triangulation(points, edges, result, result.edges);
+}
+
+/// What `Marked_triangles_2::edges` says of sides on edges of the domain while defects are treated: unlike an index,
 /// it stays what it is when vertices on edges come and go, and all ranks understand it.
 enum Edge_label : Index { OUTLINE = 0, INNER = 1 };
 
@@ -79,6 +83,33 @@ inline void label_edges(Marked_triangles_2& m)
     for (int i = 0; i < 3; ++i)
       if (m.edges[t][i] != no_index)
         m.edges[t][i] = edge_label(m, static_cast<Index>(t), i);
+}
+
+/// Forgets all triangles but those for which `is_kept(t)` holds; returns the new numbers, `no_index` for the others.
+template <class Is_kept>
+std::vector<Index> keep_triangles(Marked_triangles_2& m, const Is_kept& is_kept)
+{
+  std::vector<Index> number(m.number_of_triangles(), no_index);
+  Index left = 0;
+  for (std::size_t t = 0; t < number.size(); ++t)
+    if (is_kept(t))
+      number[t] = left++;
+  for (std::size_t t = 0; t < number.size(); ++t) {
+    if (number[t] == no_index)
+      continue;
+    m.vertices[number[t]] = m.vertices[t];
+    m.edges[number[t]] = m.edges[t];
+    m.inside[number[t]] = m.inside[t];
+    for (int i = 0; i < 3; ++i) {
+      const Index n = m.neighbors[t][i];
+      m.neighbors[number[t]][i] = n == no_index ? no_index : number[n];
+    }
+  }
+  m.vertices.resize(static_cast<std::size_t>(left));
+  m.neighbors.resize(static_cast<std::size_t>(left));
+  m.edges.resize(static_cast<std::size_t>(left));
+  m.inside.resize(static_cast<std::size_t>(left));
+  return number;
 }
 
 /// Bubbles and the triangles between them, whose vertices are indices of bubbles.

@@ -76,7 +76,9 @@ public:
   {
     forget_vertices(m_mesh.bubbles.indices_left());
     m_mesh.bubbles.forget_gone();
-    forget_triangles();
+    const std::vector<Index> number = keep_triangles(m_triangles, [this](std::size_t t) { return !m_is_gone[t]; });
+    for (Index& t : m_made)
+      t = number[t];
     Editable_triangulation_2 mesh(m_mesh);
     for (Index t : m_made)
       mesh.restore_delaunay_around(t);

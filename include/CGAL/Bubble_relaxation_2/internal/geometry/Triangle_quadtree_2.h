@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// A quadtree that has something for each place: what is in the leaf there. Queries change nothing: they are the same in
-/// any order and from any thread, and threads do not wait for each other.
+/// A quadtree that has something for each place: what is in the leaf there. Queries change nothing: they are the same
+/// in any order and from any thread, and threads do not wait for each other.
 template <class Leaf>
 class Quadtree_2
 {
@@ -41,8 +41,8 @@ public:
     }
   };
 
-  /// `fill(square, things, leaf, divide)` either puts something into the leaf or calls `divide(part)`, where `part(k)` are
-  /// the things for the quarter `k` of the square.
+  /// `fill(square, things, leaf, divide)` either puts something into the leaf or calls `divide(part)`, where `part(k)`
+  /// are the things for the quarter `k` of the square.
   template <class Things, class Fill>
   Quadtree_2(const Square& root, const Things& things, const Fill& fill) : m_root(root)
   {

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -16,8 +17,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -124,14 +127,25 @@ private:
   }
 };
 
+/// \throws std::invalid_argument if a point of the user's triangulation is not finite
+inline void check_coordinates(const std::vector<Point>& points)
+{
+  for (const Point& p : points)
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
+                                  in_words(p.x(), p.y()) + ", which must be finite");
+}
+
 /// whether the point of a vertex, given by its address, is lexicographically before that of another one
 using Is_before = bool (*)(const void*, const void*);
 
 /// The numbers of a triangulation's vertices in the lexicographic order of their points.
 /// \param is_before `nullptr` if it is enough to compare the points as they are rounded to double; those in one place
 /// come in the order of their numbers then
+/// \throws std::invalid_argument if a point is not finite
 inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, Is_before is_before)
 {
+  check_coordinates(copy.tr.points);
   std::vector<std::pair<Point, Index>> sorted;
   sorted.reserve(copy.tr.points.size());
   for (const Point& p : copy.tr.points)
@@ -147,13 +161,13 @@ inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, 
   return order;
 }
 
-/// the place of each number in an order of them
+/// the position of each number in an order of them
 inline std::vector<Index> inverse(const std::vector<Index>& order)
 {
-  std::vector<Index> place(order.size());
+  std::vector<Index> position(order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
-    place[order[k]] = static_cast<Index>(k);
-  return place;
+    position[order[k]] = static_cast<Index>(k);
+  return position;
 }
 
 /// A triangulation with the vertices in the order of their points and the triangles in the order of their vertices,
@@ -180,14 +194,16 @@ struct Sorted_triangulation_2
               [](const Turned_triangle& a, const Turned_triangle& b) { return a.vertices < b.vertices; });
     for (const Turned_triangle& c : turned)
       triangles.push_back(c.triangle);
-    const std::vector<Index> place = inverse(triangles);
+    const std::vector<Index> position = inverse(triangles);
     for (const Turned_triangle& c : turned) {
       const auto neighbor = [&](int i) {
         const Index n = t.neighbors[c.triangle][i];
-        return n == no_index ? no_index : place[n];
+        return n == no_index ? no_index : position[n];
       };
       tr.vertices.push_back(c.vertices);
       tr.neighbors.push_back({neighbor(c.first), neighbor(ccw(c.first)), neighbor(cw(c.first))});
+      if (!t.inside.empty())
+        tr.inside.push_back(t.inside[c.triangle]);
     }
   }
 

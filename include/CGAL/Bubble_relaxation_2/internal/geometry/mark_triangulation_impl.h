@@ -15,8 +15,8 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,8 +37,9 @@ class Marking_2
   using Face_handle = Cdt::Face_handle;
 
 public:
-  Marking_2(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges, Marked_triangles_2& result)
-    : m_points(points), m_edges(edges), m_result(result)
+  Marking_2(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges, Triangles_2& result,
+            std::vector<std::array<Index, 3>>& sides)
+    : m_points(points), m_edges(edges), m_result(result), m_sides(sides)
   {}
 
   Marking_error operator()()
@@ -84,7 +85,7 @@ private:
     const std::size_t n = m_cdt.number_of_faces();
     m_result.vertices.resize(n);
     m_result.neighbors.resize(n);
-    m_result.edges.assign(n, {no_index, no_index, no_index});
+    m_sides.assign(n, {no_index, no_index, no_index});
     m_result.inside.assign(n, 0);
     m_seen.assign(n, 0);
     Index number = 0;
@@ -117,13 +118,13 @@ private:
 
   bool has_edge(Index t, int i) const
   {
-    return t != no_index && m_result.edges[t][i] != no_index;
+    return t != no_index && m_sides[t][i] != no_index;
   }
 
   void enter_side(Index t, int i, Index edge_index, bool inside)
   {
     if (t != no_index)
-      m_result.edges[t][i] = edge_index;
+      m_sides[t][i] = edge_index;
     mark(t, inside);
   }
 
@@ -142,14 +143,15 @@ private:
       const Index t = m_stack.back();
       m_stack.pop_back();
       for (int i = 0; i < 3; ++i)
-        if (m_result.edges[t][i] == no_index)
+        if (m_sides[t][i] == no_index)
           mark(m_result.neighbors[t][i], m_result.inside[t] != 0);
     }
   }
 
   const std::vector<Point>& m_points;
   const std::vector<Domain_edge_2>& m_edges;
-  Marked_triangles_2& m_result;
+  Triangles_2& m_result;
+  std::vector<std::array<Index, 3>>& m_sides; // of the triangles: the edges behind them
   Cdt m_cdt;
   std::vector<Vertex_handle> m_handles; // by index of the point
   std::vector<char> m_seen;             // triangles that have their mark
@@ -158,23 +160,9 @@ private:
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
-                                 Marked_triangles_2& result)
+                                 Triangles_2& result, std::vector<std::array<Index, 3>>& sides)
 {
-  return Marking_2(points, edges, result)();
-}
-
-CGAL_BUBBLE_RELAXATION_2_INLINE
-Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
-                                 Marked_triangulation_2& result)
-{
-  Marked_triangles_2 triangles;
-  const Marking_error error = mark_triangulation(points, edges, triangles);
-  result.tr.points = points;
-  result.tr.vertices = std::move(triangles.vertices);
-  result.tr.neighbors = std::move(triangles.neighbors);
-  result.edges = std::move(triangles.edges);
-  result.inside = std::move(triangles.inside);
-  return error;
+  return Marking_2(points, edges, result, sides)();
 }
 
 } // namespace internal

@@ -53,8 +53,8 @@ public:
 
   /// without links
   Crystal_2(const Domain_2& domain, Bubbles_2& bubbles, const Threads& threads)
-    : m_threads(threads), m_bubbles(bubbles), m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
-                                    4 * bubbles.size())
+    : m_threads(threads), m_bubbles(bubbles),
+      m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 4 * bubbles.size())
   {
     m_direction.assign(bubbles.size(), Direction{1, 0});
     for (std::size_t i = 0; i < bubbles.size(); ++i)
@@ -118,7 +118,13 @@ public:
   }
 
   /// where a bubble settles among those that it is linked to
-  Point settled(std::size_t i) const { return internal::settled(m_bubbles, i, m_links[i]); }
+  Point settled(std::size_t i) const
+  {
+    return internal::settled(m_bubbles.point(i), m_bubbles.d[i], [&](const auto& add) {
+      for (Index j : m_links[i])
+        add(m_bubbles.x[j], m_bubbles.y[j], m_bubbles.d[j]);
+    });
+  }
 
   void set_point(std::size_t i, const Point& p)
   {

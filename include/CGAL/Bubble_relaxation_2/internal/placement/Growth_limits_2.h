@@ -32,45 +32,34 @@ inline Direction turned(const Direction& u)
 /// Bubbles nearer than this, in units of their mean size, are neighbours.
 constexpr double largest_distance_of_neighbors = 1.3;
 
-/// A step of Newton's method for springs between a bubble and its neighbours.
-class Spring_step_2
+/// Calls `visit(dx, dy, distance, wanted distance)` if bubbles at (x, y) and (x2, y2) are neighbours, with the way from
+/// the second to the first.
+template <class Visitor>
+void visit_if_neighbors(double x, double y, double d, double x2, double y2, double d2, const Visitor& visit)
 {
-public:
-  Spring_step_2(const Point& p, double d) : m_x(p.x()), m_y(p.y()), m_d(d) {}
+  const double dx = x - x2, dy = y - y2, squared = dx * dx + dy * dy;
+  const double wanted = 0.5 * (d + d2), reach = largest_distance_of_neighbors * wanted;
+  if (squared > 0 && squared <= reach * reach)
+    visit(dx, dy, std::sqrt(squared), wanted);
+}
 
-  /// another bubble, a neighbour or not
-  void add(double x, double y, double d)
-  {
-    const double dx = m_x - x, dy = m_y - y, squared = dx * dx + dy * dy;
-    const double wanted = 0.5 * (m_d + d), reach = largest_distance_of_neighbors * wanted;
-    if (!(squared > 0 && squared <= reach * reach))
-      return;
-    const double stretch = wanted / std::sqrt(squared) - 1;
-    m_number += 1;
-    m_sum_x += stretch * dx;
-    m_sum_y += stretch * dy;
-  }
-
-  Point target() const
-  {
-    // springs in all directions are half as stiff as in one
-    const double compliance = 1 / (std::max)(1., 0.5 * m_number);
-    return Point(m_x + compliance * m_sum_x, m_y + compliance * m_sum_y);
-  }
-
-private:
-  double m_x, m_y, m_d;
-  double m_sum_x = 0, m_sum_y = 0, m_number = 0;
-};
-
-/// The place of bubble `i` after such a step, among the bubbles `others`.
-template <class Indices>
-Point settled(const Bubbles_2& b, std::size_t i, const Indices& others)
+/// Where a bubble of size `d` goes from `p` in a step of Newton's method for springs between it and its neighbours.
+/// `for_each(add)`: calls `add(x, y, d)` for other bubbles, neighbours or not
+template <class For_each>
+Point settled(const Point& p, double d, const For_each& for_each)
 {
-  Spring_step_2 step(b.point(i), b.d[i]);
-  for (Index j : others)
-    step.add(b.x[j], b.y[j], b.d[j]);
-  return step.target();
+  double sum_x = 0, sum_y = 0, number = 0;
+  for_each([&](double x2, double y2, double d2) {
+    visit_if_neighbors(p.x(), p.y(), d, x2, y2, d2, [&](double dx, double dy, double distance, double wanted) {
+      const double stretch = wanted / distance - 1;
+      number += 1;
+      sum_x += stretch * dx;
+      sum_y += stretch * dy;
+    });
+  });
+  // springs in all directions are half as stiff as in one
+  const double compliance = 1 / (std::max)(1., 0.5 * number);
+  return Point(p.x() + compliance * sum_x, p.y() + compliance * sum_y);
 }
 
 /// The bubbles around a place where another may go, gathered once for all questions about it.
@@ -122,12 +111,12 @@ public:
   /// them.
   Point settle(Point p, double d, int steps) const
   {
-    for (int k = 0; k < steps; ++k) {
-      Spring_step_2 step(p, d);
+    const auto for_each = [this](const auto& add) {
       for (const Bubble& b : m_bubbles)
-        step.add(b.x, b.y, b.d);
-      p = step.target();
-    }
+        add(b.x, b.y, b.d);
+    };
+    for (int k = 0; k < steps; ++k)
+      p = settled(p, d, for_each);
     return p;
   }
 
@@ -166,12 +155,8 @@ private:
   template <class Visitor>
   void for_each_neighbor(double x, double y, double d, const Visitor& visit) const
   {
-    for (const Bubble& b : m_bubbles) {
-      const double dx = x - b.x, dy = y - b.y, squared = dx * dx + dy * dy;
-      const double wanted = 0.5 * (d + b.d), reach = largest_distance_of_neighbors * wanted;
-      if (squared > 0 && squared <= reach * reach)
-        visit(dx, dy, std::sqrt(squared), wanted);
-    }
+    for (const Bubble& b : m_bubbles)
+      visit_if_neighbors(x, y, d, b.x, b.y, b.d, visit);
   }
 
   boost::container::small_vector<Bubble, 24> m_bubbles;

@@ -66,13 +66,13 @@ public:
   /// an edge gets that of the edge.
   void add(const Bubbles_2& bubbles, std::size_t i, double key, Direction& direction)
   {
-    const Index index = static_cast<Index>(i), place = bubbles.host[i];
+    const Index index = static_cast<Index>(i), host = bubbles.host[i];
     if (bubbles.is_on_edge(i))
-      m_queue.push(Growth_proposer{key, index, direction = m_domain.direction(place)});
-    else if (bubbles.is_in_face(i) || place == no_index)
+      m_queue.push(Growth_proposer{key, index, direction = m_domain.direction(host)});
+    else if (bubbles.is_in_face(i) || host == no_index)
       m_queue.push(Growth_proposer{key, index, direction});
     else
-      for (Index e : m_edges_of_corner[place])
+      for (Index e : m_edges_of_corner[host])
         m_queue.push(Growth_proposer{key, index, m_domain.direction(e)});
   }
 
@@ -123,8 +123,8 @@ class Growth_proposals_2
 public:
   Growth_proposals_2(const Domain_2& domain, const Sizes_2& sizing, const Crystal_2& crystal,
                      const Growth_front_2& front, Lattice_direction lattice, const Team& team, const Threads& threads)
-    : m_team(team), m_threads(threads), m_domain(domain), m_sizing(sizing), m_crystal(crystal), m_bubbles(crystal.bubbles()), m_front(front),
-      m_lattice(lattice)
+    : m_team(team), m_threads(threads), m_domain(domain), m_sizing(sizing), m_crystal(crystal),
+      m_bubbles(crystal.bubbles()), m_front(front), m_lattice(lattice)
   {}
 
   /// adds the proposals of those of a generation that this rank owns
@@ -253,15 +253,15 @@ private:
   /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, else `no_index`
   Index visible_triangle(std::size_t i, const Point& p) const
   {
-    const Index place = m_bubbles.host[i];
+    const Index host = m_bubbles.host[i];
     if (m_bubbles.is_on_edge(i))
-      return m_domain.walk_from_edge(place, m_bubbles.point(i), p);
-    if (m_bubbles.is_in_face(i) || place == no_index) {
-      const Index start = place != no_index ? place : m_domain.locate(m_bubbles.point(i), 0);
+      return m_domain.walk_from_edge(host, m_bubbles.point(i), p);
+    if (m_bubbles.is_in_face(i) || host == no_index) {
+      const Index start = host != no_index ? host : m_domain.locate(m_bubbles.point(i), 0);
       const Walk_end end = m_domain.walk(start, m_bubbles.point(i), p);
       return end.is_blocked() ? no_index : end.triangle;
     }
-    for (Index e : m_front.edges_of_corner(place)) {
+    for (Index e : m_front.edges_of_corner(host)) {
       const Index triangle = m_domain.walk_from_edge(e, m_bubbles.point(i), p);
       if (triangle != no_index)
         return triangle;

@@ -49,26 +49,6 @@ inline double position_on_edge(const Domain_2& domain, Index e, const Point& p)
   return ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy);
 }
 
-/// Bubbles where the vertices of an existing mesh split an edge.
-inline void place_on_splits(const Domain_2& domain, Index e, const std::vector<Point>& splits, const Sizes_2& sizing,
-                     Bubbles_2& bubbles)
-{
-  for (const Point& p : splits)
-    bubbles.add(p, sizing(p), Bubbles_2::EDGE, e, position_on_edge(domain, e, p));
-}
-
-/// Bubbles where the vertices of an existing mesh split an edge, unless d asks for another number.
-inline void keep_on_edge(const Domain_2& domain, Index e, const std::vector<Point>& splits, const Sizes_2& sizing,
-                  Bubbles_2& bubbles)
-{
-  const double parts =
-    (std::max)(1., std::round(integrate_edge(domain, e, sizing).total()));
-  if (static_cast<double>(splits.size()) + 1 != parts)
-    place_on_edge(domain, e, sizing, bubbles);
-  else
-    place_on_splits(domain, e, splits, sizing, bubbles);
-}
-
 /// What becomes of the vertices of an existing mesh on edges.
 enum class On_edges { PLACE_ANEW, KEEP_THE_RIGHT_NUMBER, KEEP };
 
@@ -79,25 +59,37 @@ inline Bubbles_2 place_on_outline(const Domain_2& domain, const Given_mesh_2& me
   place_on_vertices(domain, mesh.pinned, sizing, bubbles);
   for (std::size_t k = 0; k < domain.edges().size(); ++k) {
     const Index e = static_cast<Index>(k);
-    if (way == On_edges::PLACE_ANEW)
-      place_on_edge(domain, e, sizing, bubbles);
-    else if (way == On_edges::KEEP)
-      place_on_splits(domain, e, mesh.on_edge[k], sizing, bubbles);
+    const std::vector<Point>& splits = mesh.on_edge[k];
+    if (way == On_edges::KEEP || (way == On_edges::KEEP_THE_RIGHT_NUMBER &&
+                                  double(splits.size()) + 1 == integrate_edge(domain, e, sizing).parts()))
+      for (const Point& p : splits)
+        bubbles.add(p, sizing(p), Bubbles_2::EDGE, e, position_on_edge(domain, e, p));
     else
-      keep_on_edge(domain, e, mesh.on_edge[k], sizing, bubbles);
+      place_on_edge(domain, e, sizing, bubbles);
   }
   return bubbles;
 }
 
-/// Bubbles where the free vertices of an existing mesh are.
-inline void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& sizing, Bubbles_2& bubbles)
+/// Bubbles where the free vertices of an existing mesh are. `is_kept(k, d)`: whether the `k`-th one is good for a size
+template <class Is_kept>
+void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& sizing, const Is_kept& is_kept,
+                   Bubbles_2& bubbles)
 {
   Index hint = 0;
-  for (const Point& p : given.free) {
-    const Index triangle = domain.place_inside(p, hint);
-    if (triangle != no_index) // else rounded out of the domain
-      bubbles.add(p, sizing(p), Bubbles_2::FACE, triangle);
+  for (std::size_t k = 0; k < given.free.size(); ++k) {
+    const Point& p = given.free[k];
+    const Index triangle = domain.host_of(p, hint);
+    if (triangle == no_index) // rounded out of the domain
+      continue;
+    const double d = sizing(p);
+    if (is_kept(k, d))
+      bubbles.add(p, d, Bubbles_2::FACE, triangle);
   }
+}
+
+inline void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& sizing, Bubbles_2& bubbles)
+{
+  keep_in_faces(domain, given, sizing, [](std::size_t, double) { return true; }, bubbles);
 }
 
 /// Bubbles where the free vertices of an existing mesh are, as far as it is about as fine there as d
@@ -106,18 +98,12 @@ inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, co
                            const Threads& threads)
 {
   std::vector<double> directions(bubbles.size(), 0);
-  Index hint = 0;
-  for (std::size_t k = 0; k < given.free.size(); ++k) {
-    const Point& p = given.free[k];
-    const Index triangle = domain.place_inside(p, hint);
-    if (triangle == no_index)
-      continue;
-    const double d = sizing(p);
-    if (!given.around[k].fits(d))
-      continue;
-    bubbles.add(p, d, Bubbles_2::FACE, triangle);
-    directions.push_back(given.around[k].direction);
-  }
+  const auto is_kept = [&](std::size_t k, double d) {
+    if (given.around[k].fits(d))
+      directions.push_back(given.around[k].direction);
+    return given.around[k].fits(d);
+  };
+  keep_in_faces(domain, given, sizing, is_kept, bubbles);
   Team alone;
   grow_from_all(domain, sizing, directions, bubbles, alone, threads);
 }

@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_limits_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_proposals_2.h>
@@ -114,10 +114,10 @@ private:
   /// of proposals too near to each other the one that fits best is to be accepted
   void choose(std::size_t number_of_ours)
   {
-    m_places.clear();
+    m_holes.clear();
     for (const Growth_proposal_2& p : m_proposals)
-      m_places.push_back(Hole_2{p.misfit, p.x, p.y, p.d, p.triangle});
-    m_choice(m_places, number_of_ours, Growth_limits_2::least_distance, m_team, m_threads,
+      m_holes.push_back(Hole_2{p.misfit, p.x, p.y, p.d, p.triangle});
+    m_choice(m_holes, number_of_ours, Growth_limits_2::least_distance, m_team, m_threads,
              [this](const Hole_2& p) { return m_crystal.is_free(p.x, p.y, p.d); });
   }
 
@@ -163,13 +163,13 @@ private:
   Crystal_2 m_crystal;
   Growth_front_2 m_front;
   Growth_proposals_2 m_propose;
-  Place_choice_2 m_choice;
+  Hole_choice_2 m_choice;
   // of the present generation
   std::vector<Growth_proposer> m_generation;
   std::vector<Growth_proposal_2> m_proposals;
-  std::vector<Hole_2> m_places;         // theirs
+  std::vector<Hole_2> m_holes;          // where they are
   std::vector<Growth_proposal_2> m_new; // bubbles
-  std::vector<Point> m_settled;         // their places
+  std::vector<Point> m_settled;         // where they go
 };
 
 /// The ways to fill the faces.
@@ -199,8 +199,8 @@ inline bool touches_edge(const Domain_2& domain, const Bubbles_2& b, std::size_t
 
 /// Initial bubbles of the faces as a single crystal as far as possible: it grows from the longest edge
 /// and meets the others where they are; what it does not reach is filled from the others then.
-inline void grow_single_crystal(const Domain_2& domain, const Sizes_2& sizing, Growth way, Bubbles_2& bubbles, Team& team,
-                                const Threads& threads)
+inline void grow_single_crystal(const Domain_2& domain, const Sizes_2& sizing, Growth way, Bubbles_2& bubbles,
+                                Team& team, const Threads& threads)
 {
   const Lattice_direction lattice =
     way == Growth::SINGLE_STRAIGHT ? Lattice_direction::KEEPS : Lattice_direction::BENDS;
@@ -252,8 +252,8 @@ inline Bubbles_2 enlarge(const Domain_2& domain, const Bubbles_2& b, double fact
     if (!buckets.is_free(b.x[i], b.y[i], d))
       continue;
     buckets.insert(static_cast<Index>(large.size()), b.x[i], b.y[i], d);
-    large.add(b.point(i), d, static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.host[i], b.s[i],
-              b.pin[i]);
+    large.add(b, i);
+    large.d.back() = d;
   }
   return large;
 }

@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
 
 #include <algorithm>
@@ -58,17 +58,14 @@ public:
   Population_change operator()(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
                                const std::vector<Index>& touched)
   {
-    const auto mesh =
-      Local_triangulation_2::make(bubbles, neighbors, m_team.share_touched(bubbles, touched), m_threads);
+    const Local_triangulation_2 mesh(bubbles, neighbors, m_team.share_touched(bubbles, touched), m_threads);
     m_change = Population_change();
     m_is_deleted.assign(bubbles.size(), 0);
     delete_crowded(bubbles, mesh);
     insert_in_holes(bubbles, mesh);
     insert_on_edges(bubbles, neighbors);
     m_team.share(m_is_deleted);
-    for (std::size_t i = 0; i < m_is_deleted.size(); ++i)
-      if (m_is_deleted[i])
-        m_change.deleted.push_back(static_cast<Index>(i));
+    m_change.deleted = marked(m_is_deleted);
     sort_in_space(m_domain, m_change.inserted, m_threads);
     m_team.number(m_change.inserted);
     return std::move(m_change);

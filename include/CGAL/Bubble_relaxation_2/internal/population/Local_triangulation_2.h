@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -188,12 +189,11 @@ class Local_triangulation_2
 public:
   using Triangle = std::array<Index, 3>; ///< bubbles, counterclockwise
 
-  static Local_triangulation_2 make(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-                                    const std::vector<Index>& touched, const Threads& threads)
+  Local_triangulation_2(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, std::vector<Index> touched,
+                        const Threads& threads)
+    : m_touched(std::move(touched))
   {
-    Local_triangulation_2 result(touched);
-    result.wrap(bubbles, neighbors, threads);
-    return result;
+    wrap(bubbles, neighbors, threads);
   }
 
   /// Beside holes wider than this, in sizes, all bubbles are looked at that are nearer than the radius of neighbour
@@ -216,8 +216,6 @@ public:
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
 private:
-  explicit Local_triangulation_2(const std::vector<Index>& touched) : m_touched(touched) {}
-
   /// The forces end at 1.5 d, and pairs farther apart than that may be missing in the sets: circles up to this
   /// diameter are known to be empty. For others the neighbours' neighbours are looked at as well, which reach around
   /// a hole of up to `widest_hole`.
@@ -280,9 +278,9 @@ private:
     return is_within(widest_hole);
   }
 
-  /// Whether it is clear without a star that no circle is wider than `widest_hole`. One through the bubble with diameter
-  /// w contains all that is nearer than w cos(a) in directions up to an angle a from its centre. If of 16 sectors no
-  /// four in a row are empty of neighbours, one is in a direction up to 56.25 degrees from each other one.
+  /// Whether it is clear without a star that no circle is wider than `widest_hole`. One through the bubble with
+  /// diameter w contains all that is nearer than w cos(a) in directions up to an angle a from its centre. If of 16
+  /// sectors no four in a row are empty of neighbours, one is in a direction up to 56.25 degrees from each other one.
   static bool is_surrounded(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i)
   {
     constexpr double cosine = 0.555, tangent_of_sector = 0.41421356;

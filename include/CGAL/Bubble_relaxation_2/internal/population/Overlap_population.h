@@ -17,7 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Place_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +59,7 @@ public:
     m_team.share(ratio);
     const std::vector<char> is_deleted = delete_overlapping(b, neighbors, ratio);
     Population_change change;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (is_deleted[i])
-        change.deleted.push_back(static_cast<Index>(i));
+    change.deleted = marked(is_deleted);
     insert_beside_lonely(b, neighbors, ratio, is_deleted, change.inserted);
     sort_in_space(m_domain, change.inserted);
     m_team.number(change.inserted);

@@ -273,13 +273,11 @@ private:
 };
 
 /// Adds vertices of a domain.
-/// \param inside of each triangle whether it is in the domain
 /// \param is_constrained `is_constrained(t, i)`: whether the side `i` of the triangle is
 /// \param is_counted of a vertex whether it is to be added
 template <class Is_constrained, class Is_counted>
-void add_vertices(const Triangles_2& tr, const std::vector<char>& inside, std::size_t number_of_vertices,
-                  const Is_constrained& is_constrained, const Is_counted& is_counted,
-                  Mesh_quality_accumulator_2& accumulator)
+void add_vertices(const Triangles_2& tr, std::size_t number_of_vertices, const Is_constrained& is_constrained,
+                  const Is_counted& is_counted, Mesh_quality_accumulator_2& accumulator)
 {
   std::vector<char> is_in_domain(number_of_vertices, 0), is_interior(number_of_vertices, 1);
   std::vector<std::size_t> degrees(number_of_vertices, 0);
@@ -287,7 +285,7 @@ void add_vertices(const Triangles_2& tr, const std::vector<char>& inside, std::s
     const std::array<Index, 3>& v = tr.vertices[t];
     for (int i = 0; i < 3; ++i) {
       ++degrees[v[i]];
-      if (inside[t])
+      if (tr.inside[t])
         is_in_domain[v[i]] = 1;
       if (is_constrained(static_cast<Index>(t), i)) // all ways out of the domain lead across constraints
         is_interior[v[ccw(i)]] = is_interior[v[cw(i)]] = 0;

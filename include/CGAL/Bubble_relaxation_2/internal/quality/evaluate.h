@@ -55,7 +55,7 @@ template <class Visitor>
 void for_each_own_edge(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last, const Visitor& visit)
 {
   const Marked_triangles_2& tr = mesh.triangles;
-  for_each_edge(tr, tr.inside, first, last, [&](Index t, int i) {
+  for_each_edge(tr, first, last, [&](Index t, int i) {
     const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)];
     if (mesh.bubbles.is_ours((std::min)(a, b)))
       visit(a, b);
@@ -150,7 +150,7 @@ inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& 
 {
   const Marked_triangles_2& tr = mesh.triangles;
   add_vertices(
-    tr, tr.inside, mesh.bubbles.size(), [&](Index t, int i) { return tr.edges[t][i] != no_index; },
+    tr, mesh.bubbles.size(), [&](Index t, int i) { return tr.edges[t][i] != no_index; },
     [&](std::size_t v) { return mesh.bubbles.is_ours(v); }, accumulator);
 }
 

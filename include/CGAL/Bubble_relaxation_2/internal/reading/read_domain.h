@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/Constraint_graph_2.h>
 
-#include <CGAL/Unique_hash_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -36,74 +35,6 @@ struct Has_constraint_hierarchy : std::false_type {};
 template <class Cdt>
 struct Has_constraint_hierarchy<Cdt, std::void_t<typename Cdt::Constraint_hierarchy_tag>>
   : std::is_same<typename Cdt::Constraint_hierarchy_tag, Tag_true> {};
-
-/// Whether constraints know the hierarchy that they belong to (CGAL 6.1).
-template <class Constraint_id, class = void>
-struct Knows_its_hierarchy : std::false_type {};
-
-template <class Constraint_id>
-struct Knows_its_hierarchy<
-  Constraint_id,
-  std::void_t<decltype(std::declval<Constraint_id>().vl_with_info_pointer()->hierarchy_ptr)>>
-  : std::true_type
-{};
-
-/// The same constraint in a copy of a triangulation: the set of constraints has another order there, but
-/// the lists of contexts of a piece have the same. `copied` maps vertices to their copies.
-template <class Cdt, class Vertex_map>
-auto constraint_in_copy(const Cdt& cdt, const Cdt& copy, typename Cdt::Constraint_id id,
-                        const Vertex_map& copied)
-{
-  auto v = cdt.vertices_in_constraint_begin(id);
-  const auto first = *v, second = *++v;
-  auto in_copy = copy.contexts_begin(copied[first], copied[second]);
-  for (auto c = cdt.contexts_begin(first, second); !((*c).id() == id); ++c)
-    ++in_copy;
-  return (*in_copy).id();
-}
-
-/// Which vertices of a polyline were given by the user is not copied by CGAL 5.5.
-template <class Cdt>
-void copy_input_flags(const Cdt& cdt, Cdt& copy)
-{
-  using Vertex_handle = typename Cdt::Vertex_handle;
-  Unique_hash_map<Vertex_handle, Vertex_handle> copied;
-  auto w = copy.finite_vertices_begin();
-  for (Vertex_handle v : cdt.finite_vertex_handles())
-    copied[v] = w++; // a copy has the same order
-  for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
-    auto to = copy.vertices_in_constraint_begin(constraint_in_copy(cdt, copy, *c, copied));
-    for (auto from = cdt.vertices_in_constraint_begin(*c); from != cdt.vertices_in_constraint_end(*c);
-         ++from, ++to)
-      to.input() = from.input();
-  }
-}
-
-/// Makes `copy`, which is empty, a copy of `cdt` that may be swapped with it.
-template <class Cdt>
-void copy_to_swap(Cdt& cdt, Cdt& copy)
-{
-  if constexpr (Has_constraint_hierarchy<Cdt>::value) {
-    // swap() takes along what orders the map of the constraints' pieces, and that refers to a
-    // triangulation: it must be the one that lives on
-    copy.hierarchy_ref() = std::decay_t<decltype(copy.hierarchy_ref())>(&cdt);
-    copy.copy_triangulation(cdt);
-    copy_input_flags(cdt, copy);
-  } else {
-    copy.copy_triangulation(cdt);
-  }
-}
-
-/// Gives `cdt` the content of its copy.
-template <class Cdt>
-void swap_with_copy(Cdt& cdt, Cdt& copy)
-{
-  cdt.swap(copy);
-  if constexpr (Has_constraint_hierarchy<Cdt>::value)
-    if constexpr (Knows_its_hierarchy<typename Cdt::Constraint_id>::value)
-      for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c)
-        (*c).vl_with_info_pointer()->hierarchy_ptr = &cdt.hierarchy_ref();
-}
 
 /// The vertices of a user's triangulation in the lexicographic order of their points. In what is read they have the
 /// numbers of this order, since the order in which they were inserted must not matter.
@@ -151,7 +82,7 @@ private:
   std::vector<Point> points(const std::vector<Index>& vertices) const;
 
   /// sorts along a Hilbert curve, so that a search from one vertex to the next is short; returns the points
-  std::vector<Point> sort_by_place(std::vector<Index>& vertices) const;
+  std::vector<Point> sort_along_curve(std::vector<Index>& vertices) const;
 
   /// The neighbours of `v`, counterclockwise from the first one on: a sum depends on the order of its terms.
   void find_ring(const Flat_triangulation_2& tr, Index triangle, Index v, std::vector<Index>& ring) const;

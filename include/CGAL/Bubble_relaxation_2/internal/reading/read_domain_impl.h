@@ -9,13 +9,11 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_IMPL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_IMPL_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -26,19 +24,9 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// \throws std::invalid_argument if a point of the user's triangulation is not finite
-inline void check_coordinates(const std::vector<Point>& points)
-{
-  for (const Point& p : points)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
-      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
-                                  in_words(p.x(), p.y()) + ", which must be finite");
-}
-
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sorted_vertices_2::Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before)
 {
-  check_coordinates(copy.tr.points);
   const std::vector<Index> order = lexicographic_order(copy, is_before);
   number = inverse(order);
   points.reserve(order.size());
@@ -103,8 +91,8 @@ void Read_domain_2::build()
   for (std::size_t v = 0; v < is_fixed.size(); ++v)
     if (m_is_of_domain[v] && !graph->contains(static_cast<Index>(v)))
       (m_is_pinned[v] ? pinned : free).push_back(static_cast<Index>(v));
-  given.pinned = sort_by_place(pinned);
-  given.free = sort_by_place(free);
+  given.pinned = sort_along_curve(pinned);
+  given.free = sort_along_curve(free);
   for (const Constraint_graph_2::Chain& c : graph->chains())
     given.on_edge.push_back(points(c.splits));
 }
@@ -143,7 +131,7 @@ std::vector<Point> Read_domain_2::points(const std::vector<Index>& vertices) con
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-std::vector<Point> Read_domain_2::sort_by_place(std::vector<Index>& vertices) const
+std::vector<Point> Read_domain_2::sort_along_curve(std::vector<Index>& vertices) const
 {
   std::vector<Index> order = hilbert_order(hilbert_curve(domain), points(vertices));
   for (Index& i : order)

@@ -51,7 +51,7 @@ Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks
   } else if (reading.free.empty()) { // no mesh yet
     return sizes_of_domain(reading.domain, reading.given);
   } else {
-    return sizes_of_mesh(marks, marks.inside());
+    return sizes_of_mesh(marks);
   }
 }
 
@@ -76,7 +76,8 @@ private:
   Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
     : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
       sizes(sizes_to_follow(reading.domain, reading.given, wanted, options.maximum_number_of_bubbles,
-                            options.limit_by_outline && Is_given<NamedParameters, internal_np::sizing_function_t>::value))
+                            options.limit_by_outline &&
+                              Is_given<NamedParameters, internal_np::sizing_function_t>::value))
   {
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept

@@ -30,14 +30,7 @@ public:
   const std::vector<Index>& indices() const { return m_indices; }
 
   /// all bubbles that were active since the last call of `forget_touched()`, by increasing indices
-  std::vector<Index> touched() const
-  {
-    std::vector<Index> result;
-    for (std::size_t i = 0; i < m_is_touched.size(); ++i)
-      if (m_is_touched[i])
-        result.push_back(static_cast<Index>(i));
-    return result;
-  }
+  std::vector<Index> touched() const { return marked(m_is_touched); }
 
   void forget_touched()
   {
@@ -57,12 +50,9 @@ public:
   void rouse_all(const Bubbles_2& bubbles)
   {
     make_room(bubbles);
-    m_indices.clear();
-    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
       m_is_active[i] = is_movable(bubbles, i);
-      if (m_is_active[i])
-        m_indices.push_back(static_cast<Index>(i));
-    }
+    m_indices = marked(m_is_active);
     m_is_roused = true;
   }
 
@@ -85,9 +75,8 @@ public:
     for (Index i : m_indices)
       if (!bubbles.is_ours(i))
         m_is_active[i] = 0;
-    m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(),
-                                   [&bubbles](Index i) { return !bubbles.is_ours(i); }),
-                    m_indices.end());
+    const auto is_other = [&bubbles](Index i) { return !bubbles.is_ours(i); };
+    m_indices.erase(std::remove_if(m_indices.begin(), m_indices.end(), is_other), m_indices.end());
   }
 
   /// bubbles that other ranks own took part in this step too, after the last of `indices()`
@@ -106,10 +95,7 @@ public:
     m_is_touched = is_touched;
     m_is_roused = is_roused;
     m_moves.assign(is_active.size(), 0);
-    m_indices.clear();
-    for (std::size_t i = 0; i < is_active.size(); ++i)
-      if (is_active[i])
-        m_indices.push_back(static_cast<Index>(i));
+    m_indices = marked(is_active);
   }
 
   bool is_roused() const { return m_is_roused; }

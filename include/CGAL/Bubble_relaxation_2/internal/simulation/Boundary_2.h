@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
@@ -36,15 +35,7 @@ public:
   /// bubbles through each other.
   static constexpr double longest_step = 0.3;
 
-  explicit Boundary_2(const Domain_2& domain) : m_domain(domain)
-  {
-    m_directions.reserve(domain.edges().size());
-    m_lengths.reserve(domain.edges().size());
-    for (std::size_t e = 0; e < domain.edges().size(); ++e) {
-      m_directions.push_back(domain.direction(static_cast<Index>(e)));
-      m_lengths.push_back(domain.length(static_cast<Index>(e)));
-    }
-  }
+  explicit Boundary_2(const Domain_2& domain) : m_domain(domain) {}
 
   const Domain_2& domain() const { return m_domain; }
 
@@ -55,7 +46,7 @@ public:
       return f;
     if (bubbles.is_corner(i))
       return Force{0, 0};
-    const Direction& u = m_directions[bubbles.host[i]];
+    const Direction& u = m_domain.direction(bubbles.host[i]);
     const double along = f.x * u.x + f.y * u.y;
     return Force{along * u.x, along * u.y};
   }
@@ -83,8 +74,8 @@ public:
 private:
   void slide(Bubbles_2& bubbles, std::size_t i, double dx, double dy) const
   {
-    const Direction& u = m_directions[bubbles.host[i]];
-    const double length = m_lengths[bubbles.host[i]];
+    const Direction& u = m_domain.direction(bubbles.host[i]);
+    const double length = m_domain.length(bubbles.host[i]);
     const double wanted = bubbles.s[i] + (dx * u.x + dy * u.y) / length;
     // half a bubble from the ends, but never more than a third of the edge
     const double margin = (std::min)(0.5 * bubbles.d[i] / length, 1. / 3);
@@ -106,7 +97,7 @@ private:
       return false;
     }
     const Index e = m_domain.edge(end.triangle, end.edge);
-    const Direction& u = m_directions[e];
+    const Direction& u = m_domain.direction(e);
     const Point& a = m_domain.source(e);
     const double along = (target.x() - a.x()) * u.x + (target.y() - a.y()) * u.y;
     const double side =
@@ -130,8 +121,6 @@ private:
   }
 
   const Domain_2& m_domain;
-  std::vector<Direction> m_directions; // of the edges
-  std::vector<double> m_lengths;
 };
 
 } // namespace internal

@@ -254,8 +254,7 @@ public:
     const Index first = static_cast<Index>(m_bubbles.size());
     for (std::size_t k = 0; k < in.size(); ++k) {
       const Index i = static_cast<Index>(m_bubbles.size());
-      m_bubbles.add(in.point(k), in.d[k], static_cast<Bubbles_2::Dimension>(in.dimension[k]),
-                    in.host[k], in.s[k]);
+      m_bubbles.add(in, k);
       if (!in.id.empty()) {
         m_bubbles.id.push_back(in.id[k]);
         m_bubbles.owner.push_back(m_bubbles.rank);

@@ -225,7 +225,7 @@ private:
       for (int i = 0; i < 3; ++i) {
         if (!mesh.inside[t])
           continue;
-        const auto& v = mesh.tr.vertices[t];
+        const auto& v = mesh.vertices[t];
         if (mesh.edges[t][i] == no_index)
           add_distance(nodes, v[ccw(i)], v[cw(i)], field);
         else if (!is_in_corner(mesh, static_cast<Index>(t), i, nodes))
@@ -277,7 +277,7 @@ private:
   {
     if (m_wanted == nullptr)
       return false;
-    const auto& v = mesh.tr.vertices[t];
+    const auto& v = mesh.vertices[t];
     const std::array<Index, 2> opposite = ends_of_edge(nodes, v[ccw(i)], v[cw(i)]);
     for (Index end : ends(nodes, v[i]))
       if (end == opposite[0] || end == opposite[1])
@@ -305,7 +305,7 @@ private:
   void add_width(const Marked_triangulation_2& mesh, Index t, int i, double least,
                  const Sizes_2& field)
   {
-    const Point &p = mesh.tr.point(t, i), &a = mesh.tr.point(t, ccw(i)), &b = mesh.tr.point(t, cw(i));
+    const Point &p = mesh.point(t, i), &a = mesh.point(t, ccw(i)), &b = mesh.point(t, cw(i));
     const Kernel::Vector_2 u = b - a;
     const double s = ((p - a) * u) / (u * u);
     // along a constraint there is no width

@@ -179,7 +179,7 @@ private:
   {
     ++number_of_insertions;
     has_changed_outline = has_changed_outline || b.is_on_edge(k);
-    mesh.bubbles.add(b.point(k), b.d[k], static_cast<Bubbles_2::Dimension>(b.dimension[k]), b.host[k], b.s[k]);
+    mesh.bubbles.add(b, k);
     return static_cast<Index>(mesh.bubbles.size() - 1);
   }
 

@@ -45,8 +45,8 @@ public:
   const Bubbles_2& bubbles() const { return m_bubbles; }
   const std::vector<Domain_edge_2>& edges() const { return m_edges; } ///< between bubbles of the patch
 
-  /// what the mesh has in `edges` for a side where it goes on beyond the patch, between two bubbles of the patch; `other`
-  /// for all other sides
+  /// what the mesh has in `edges` for a side where it goes on beyond the patch, between two bubbles of the patch;
+  /// `other` for all other sides
   Index edge_on_rim(Index source, Index target, Index other) const
   {
     const auto side = m_rim.find({source, target});
@@ -105,10 +105,8 @@ private:
       m_indices.insert(m_indices.end(), m.vertices[t].begin(), m.vertices[t].end());
     std::sort(m_indices.begin(), m_indices.end());
     m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
-    const Bubbles_2& b = m_all_bubbles;
     for (Index i : m_indices)
-      m_bubbles.add(b.point(i), b.d[i], static_cast<Bubbles_2::Dimension>(b.dimension[i]), b.host[i],
-                    b.s[i], b.pin[i]);
+      m_bubbles.add(m_all_bubbles, i);
     // on the rim: where the domain goes on
     for (Index t : m_triangles)
       for (int i = 0; i < 3; ++i) {
@@ -235,7 +233,6 @@ private:
     return sum / 3;
   }
 
-
   void try_without(Index v)
   {
     const Index removed = m_patch.local(v);
@@ -339,12 +336,8 @@ private:
 
   void try_patch(Bubbles_2 bubbles, std::vector<Domain_edge_2> edges)
   {
-    std::vector<Index> number(bubbles.size(), no_index), original;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (!bubbles.is_gone(i)) {
-        number[i] = static_cast<Index>(original.size());
-        original.push_back(static_cast<Index>(i));
-      }
+    const std::vector<Index> number = bubbles.indices_left();
+    std::vector<Index> original = bubbles.left();
     bubbles.forget_gone();
     for (Domain_edge_2& e : edges) {
       e.source = number[e.source];

@@ -99,15 +99,6 @@ private:
     return marked(marks);
   }
 
-  static std::vector<Index> marked(const std::vector<char>& marks)
-  {
-    std::vector<Index> result;
-    for (std::size_t v = 0; v < marks.size(); ++v)
-      if (marks[v])
-        result.push_back(static_cast<Index>(v));
-    return result;
-  }
-
   /// tries to move the candidates: neighbours one after the other, others at the same time
   std::vector<Index> move(Editable_triangulation_2& mesh, const std::vector<Index>& candidates)
   {
@@ -137,8 +128,8 @@ private:
     return result;
   }
 
-  /// Sets of candidates without neighbours among them: each candidate gets into the first set that none of its neighbours
-  /// with a smaller index is in. Where neighbours are in all sets there may be, it gets into none.
+  /// Sets of candidates without neighbours among them: each candidate gets into the first set that none of its
+  /// neighbours with a smaller index is in. Where neighbours are in all sets there may be, it gets into none.
   std::vector<std::vector<Index>> independent_sets(const Editable_triangulation_2& mesh,
                                                    const std::vector<Index>& candidates)
   {

@@ -57,82 +57,47 @@ inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Mark
   return true;
 }
 
+/// Makes triangles neighbours that have the same constrained side and do not know of each other.
+inline void link_across_edges(Marked_triangles_2& m)
+{
+  std::map<std::pair<Index, Index>, std::pair<Index, int>> sides; // from vertex to vertex
+  for (std::size_t t = 0; t < m.inside.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const auto& v = m.vertices[t];
+      if (m.edges[t][i] == no_index || m.neighbors[t][i] != no_index)
+        continue;
+      const auto other = sides.find({v[cw(i)], v[ccw(i)]});
+      if (other == sides.end()) {
+        sides[{v[ccw(i)], v[cw(i)]}] = {static_cast<Index>(t), i};
+        continue;
+      }
+      m.neighbors[t][i] = other->second.first;
+      m.neighbors[other->second.first][other->second.second] = static_cast<Index>(t);
+    }
+}
+
 /// Makes the triangles outside of the domain anew. They depend on its outline only, since nothing sees through
 /// the edges; so they need not be looked at while vertices move, which they would forbid where roundings alone
-/// make a bend of a slanted edge.
-class Outside_2
+/// make a bend of a slanted edge. Returns whether they could be made; if not, the mesh is as it was.
+inline bool rebuild_outside(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
-public:
-  Outside_2(const Domain_2& domain, Bubble_mesh_2& mesh)
-    : m_domain(domain), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles)
-  {}
-
-  /// returns whether it could be made; if not, the mesh is as it was
-  bool rebuild()
-  {
-    if (!triangulate_outline(m_domain, m_bubbles, m_outline))
-      return false;
-    Marked_triangles_2 result;
-    const std::vector<Index> inside = take(m_mesh, 1, result), outside = take(m_outline, 0, result);
-    link(m_mesh, inside, result);
-    link(m_outline, outside, result);
-    link_across_edges(result);
-    m_mesh = std::move(result);
-    return true;
-  }
-
-private:
-  /// adds the triangles of one mark; returns their new numbers
-  static std::vector<Index> take(const Marked_triangles_2& from, char mark, Marked_triangles_2& result)
-  {
-    std::vector<Index> number(from.inside.size(), no_index);
-    for (std::size_t t = 0; t < from.inside.size(); ++t)
-      if ((from.inside[t] != 0) == (mark != 0)) {
-        number[t] = static_cast<Index>(result.inside.size());
-        result.vertices.push_back(from.vertices[t]);
-        result.neighbors.push_back({no_index, no_index, no_index});
-        result.edges.push_back(from.edges[t]);
-        result.inside.push_back(mark);
-      }
-    return number;
-  }
-
-  /// neighbours with the same mark
-  static void link(const Marked_triangles_2& from, const std::vector<Index>& number,
-                   Marked_triangles_2& result)
-  {
-    for (std::size_t t = 0; t < number.size(); ++t)
-      for (int i = 0; i < 3 && number[t] != no_index; ++i) {
-        const Index n = from.neighbors[t][i];
-        if (n != no_index)
-          result.neighbors[number[t]][i] = number[n];
-      }
-  }
-
-  /// neighbours across the edges of the domain, one of them outside
-  static void link_across_edges(Marked_triangles_2& result)
-  {
-    std::map<std::pair<Index, Index>, std::pair<Index, int>> sides; // from vertex to vertex
-    for (std::size_t t = 0; t < result.inside.size(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        const auto& v = result.vertices[t];
-        if (result.edges[t][i] == no_index || result.neighbors[t][i] != no_index)
-          continue;
-        const auto other = sides.find({v[cw(i)], v[ccw(i)]});
-        if (other == sides.end()) {
-          sides[{v[ccw(i)], v[cw(i)]}] = {static_cast<Index>(t), i};
-          continue;
-        }
-        result.neighbors[t][i] = other->second.first;
-        result.neighbors[other->second.first][other->second.second] = static_cast<Index>(t);
-      }
-  }
-
-  const Domain_2& m_domain;
-  const Bubbles_2& m_bubbles;
-  Marked_triangles_2& m_mesh;
-  Marked_triangles_2 m_outline;
-};
+  Marked_triangles_2 outside;
+  if (!triangulate_outline(domain, mesh.bubbles, outside))
+    return false;
+  Marked_triangles_2& m = mesh.triangles;
+  keep_triangles(m, [&m](std::size_t t) { return m.inside[t] != 0; });
+  keep_triangles(outside, [&outside](std::size_t t) { return outside.inside[t] == 0; });
+  const Index first = static_cast<Index>(m.number_of_triangles());
+  for (auto& neighbors : outside.neighbors)
+    for (Index& n : neighbors)
+      n = n == no_index ? no_index : first + n;
+  m.vertices.insert(m.vertices.end(), outside.vertices.begin(), outside.vertices.end());
+  m.neighbors.insert(m.neighbors.end(), outside.neighbors.begin(), outside.neighbors.end());
+  m.edges.insert(m.edges.end(), outside.edges.begin(), outside.edges.end());
+  m.inside.insert(m.inside.end(), outside.inside.begin(), outside.inside.end());
+  link_across_edges(m);
+  return true;
+}
 
 /// What the treatment of defects did to a mesh: vertices that were moved, inserted and deleted.
 struct Treatment_counts
@@ -175,7 +140,7 @@ inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
   // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
   if (smallest_now < smallest ||
-      (moves_outline && !Outside_2(domain, mesh).rebuild())) {
+      (moves_outline && !rebuild_outside(domain, mesh))) {
     treat.undo();
     return 0;
   }
@@ -198,7 +163,7 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
     if (changed.bubbles.size() == 0)
       break;
     // rounding can make a mess of a change; then what was there is good
-    if (surgery.has_changed_outline && !Outside_2(domain, changed).rebuild())
+    if (surgery.has_changed_outline && !rebuild_outside(domain, changed))
       break;
     double smallest_now = smallest_quality(changed, threads);
     const std::size_t moved = smooth_defects(domain, threads, changed, smallest_now);

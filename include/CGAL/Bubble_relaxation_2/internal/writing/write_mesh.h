@@ -318,31 +318,6 @@ void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mes
   Write_back_2<Cdt>(cdt, reading, mesh.bubbles)();
 }
 
-/// Gives a triangulation its former content back unless it is told that all went well. The content is
-/// that of a copy, so handles and identifiers of constraints do not outlive it.
-template <class Cdt>
-class Restore_on_throw
-{
-public:
-  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt.geom_traits())
-  {
-    copy_to_swap(m_cdt, m_backup);
-  }
-
-  ~Restore_on_throw()
-  {
-    if (!m_all_went_well)
-      swap_with_copy(m_cdt, m_backup);
-  }
-
-  void all_went_well() { m_all_went_well = true; }
-
-private:
-  Cdt& m_cdt;
-  Cdt m_backup;
-  bool m_all_went_well = false;
-};
-
 } // namespace internal
 } // namespace Bubble_relaxation_2
 } // namespace CGAL

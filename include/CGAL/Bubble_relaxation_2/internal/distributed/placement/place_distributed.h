@@ -54,7 +54,7 @@ inline void keep_given(const Domain_2& domain, const Starting_points_2& given, c
 {
   Index hint = 0;
   for (const Starting_points_2::Free& f : given.free()) {
-    const Index triangle = domain.place_inside(f.point, hint);
+    const Index triangle = domain.host_of(f.point, hint);
     if (triangle == no_index) // rounded out of the domain
       continue;
     placed.bubbles.add(f.point, sizing(f.point), Bubbles_2::FACE, triangle);
@@ -82,7 +82,7 @@ inline void adapt_given(const Domain_2& domain, const Starting_points_2& given, 
   Index hint = 0;
   for (std::size_t k = 0; k < stars.size(); ++k) {
     const Starting_points_2::Free& f = given.free()[k];
-    const Index triangle = domain.place_inside(f.point, hint);
+    const Index triangle = domain.host_of(f.point, hint);
     if (triangle == no_index)
       continue;
     const double d = sizing(f.point);

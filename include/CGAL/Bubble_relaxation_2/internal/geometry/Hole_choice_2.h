@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_PLACE_CHOICE_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_PLACE_CHOICE_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_HOLE_CHOICE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_HOLE_CHOICE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
@@ -24,35 +24,36 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Chooses places for bubbles, the best first, as long as they do not come too near to a better one that was chosen.
-class Place_choice_2
+/// Chooses holes that get a bubble, the best first, as long as they do not come too near to a better one that was
+/// chosen.
+class Hole_choice_2
 {
 public:
-  /// `number_of_ours`: as many are decided on here, the first ones, the others by other ranks. Two places nearer than
-  /// `reach` times their mean size stand in each other's way; those for which `is_possible(place)` does not hold are not
+  /// `number_of_ours`: as many are decided on here, the first ones, the others by other ranks. Two holes nearer than
+  /// `reach` times their mean size stand in each other's way; those for which `is_possible(hole)` does not hold are not
   /// chosen.
   template <class Is_possible>
-  void operator()(const std::vector<Hole_2>& places, std::size_t number_of_ours, double reach, Team& team,
+  void operator()(const std::vector<Hole_2>& holes, std::size_t number_of_ours, double reach, Team& team,
                   const Threads& threads, const Is_possible& is_possible)
   {
-    const std::size_t n = places.size();
+    const std::size_t n = holes.size();
     m_order.resize(n);
     std::iota(m_order.begin(), m_order.end(), Index(0));
-    sort_indices(m_order, [&places](Index a, Index b) { return places[a] < places[b]; });
+    sort_indices(m_order, [&holes](Index a, Index b) { return holes[a] < holes[b]; });
     m_is_possible.resize(n);
     parallel_for(
-      threads, n, [&](std::size_t k) { m_is_possible[k] = is_possible(places[k]); }, grain);
+      threads, n, [&](std::size_t k) { m_is_possible[k] = is_possible(holes[k]); }, grain);
     m_choice.start(n);
     for (Index k : m_order)
       if (m_is_possible[k] && static_cast<std::size_t>(k) < number_of_ours)
         m_choice.add(k);
-    find_rivals(places, reach, threads);
+    find_rivals(holes, reach, threads);
     decide_together(
       team, [this] { return m_choice.decide([](Index) { return true; }); },
       [&] { team.share_choice(m_choice.states()); });
   }
 
-  /// calls `visit(place)` for all that were chosen, those of other ranks too, the best first
+  /// calls `visit(hole)` for all that were chosen, those of other ranks too, the best first
   template <class Visitor>
   void for_each_chosen(const Visitor& visit) const
   {
@@ -64,21 +65,21 @@ public:
 private:
   static constexpr std::size_t grain = 64;
 
-  void find_rivals(const std::vector<Hole_2>& places, double reach, const Threads& threads)
+  void find_rivals(const std::vector<Hole_2>& holes, double reach, const Threads& threads)
   {
-    if (places.empty())
+    if (holes.empty())
       return;
-    Bubble_buckets_2 near(reach, places[0].d, places[0].x, places[0].y, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k)
+    Bubble_buckets_2 near(reach, holes[0].d, holes[0].x, holes[0].y, holes.size());
+    for (std::size_t k = 0; k < holes.size(); ++k)
       if (m_is_possible[k])
-        near.insert(static_cast<Index>(k), places[k].x, places[k].y, places[k].d);
+        near.insert(static_cast<Index>(k), holes[k].x, holes[k].y, holes[k].d);
     const std::vector<Index>& ours = m_choice.candidates();
     parallel_for(
       threads, ours.size(),
       [&](std::size_t k) {
-        const Hole_2& place = places[ours[k]];
-        near.for_each_near(place.x, place.y, place.d, [&](Index r, double, double) {
-          if (places[r] < place)
+        const Hole_2& hole = holes[ours[k]];
+        near.for_each_near(hole.x, hole.y, hole.d, [&](Index r, double, double) {
+          if (holes[r] < hole)
             m_choice.rivals(k).push_back(r);
           return true;
         });
@@ -98,7 +99,7 @@ void fill_holes(std::vector<Hole_2>& holes, double reach, Team& team, const Thre
                 const Is_possible& is_possible, Bubbles_2& bubbles)
 {
   const std::size_t number_of_ours = team.share_holes(holes, reach);
-  Place_choice_2 choose;
+  Hole_choice_2 choose;
   choose(holes, number_of_ours, reach, team, threads, is_possible);
   choose.for_each_chosen([&](Index k) {
     const Hole_2& h = holes[k];
@@ -111,4 +112,4 @@ void fill_holes(std::vector<Hole_2>& holes, double reach, Team& team, const Thre
 } // namespace Bubble_relaxation_2
 } // namespace CGAL
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_PLACE_CHOICE_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_HOLE_CHOICE_2_H

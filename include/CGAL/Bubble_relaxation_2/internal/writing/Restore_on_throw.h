@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
+
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
+
+#include <CGAL/Unique_hash_map.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// Whether constraints know the hierarchy that they belong to (CGAL 6.1).
+template <class Constraint_id, class = void>
+struct Knows_its_hierarchy : std::false_type {};
+
+template <class Constraint_id>
+struct Knows_its_hierarchy<
+  Constraint_id,
+  std::void_t<decltype(std::declval<Constraint_id>().vl_with_info_pointer()->hierarchy_ptr)>>
+  : std::true_type
+{};
+
+/// The same constraint in a copy of a triangulation: the set of constraints has another order there, but
+/// the lists of contexts of a piece have the same. `copied` maps vertices to their copies.
+template <class Cdt, class Vertex_map>
+auto constraint_in_copy(const Cdt& cdt, const Cdt& copy, typename Cdt::Constraint_id id,
+                        const Vertex_map& copied)
+{
+  auto v = cdt.vertices_in_constraint_begin(id);
+  const auto first = *v, second = *++v;
+  auto in_copy = copy.contexts_begin(copied[first], copied[second]);
+  for (auto c = cdt.contexts_begin(first, second); !((*c).id() == id); ++c)
+    ++in_copy;
+  return (*in_copy).id();
+}
+
+/// Which vertices of a polyline were given by the user is not copied by CGAL 5.5.
+template <class Cdt>
+void copy_input_flags(const Cdt& cdt, Cdt& copy)
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  Unique_hash_map<Vertex_handle, Vertex_handle> copied;
+  auto w = copy.finite_vertices_begin();
+  for (Vertex_handle v : cdt.finite_vertex_handles())
+    copied[v] = w++; // a copy has the same order
+  for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+    auto to = copy.vertices_in_constraint_begin(constraint_in_copy(cdt, copy, *c, copied));
+    for (auto from = cdt.vertices_in_constraint_begin(*c); from != cdt.vertices_in_constraint_end(*c);
+         ++from, ++to)
+      to.input() = from.input();
+  }
+}
+
+/// Gives a triangulation its former content back unless it is told that all went well. The content is
+/// that of a copy, so handles and identifiers of constraints do not outlive it.
+template <class Cdt>
+class Restore_on_throw
+{
+public:
+  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt.geom_traits())
+  {
+    // swap() takes along what orders the map of the constraints' pieces, and that refers to a
+    // triangulation: it must be the one that lives on
+    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      m_backup.hierarchy_ref() = std::decay_t<decltype(m_backup.hierarchy_ref())>(&cdt);
+    m_backup.copy_triangulation(cdt);
+    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      copy_input_flags(cdt, m_backup);
+  }
+
+  ~Restore_on_throw()
+  {
+    if (m_all_went_well)
+      return;
+    m_cdt.swap(m_backup);
+    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      if constexpr (Knows_its_hierarchy<typename Cdt::Constraint_id>::value)
+        for (auto c = m_cdt.constraints_begin(); c != m_cdt.constraints_end(); ++c)
+          (*c).vl_with_info_pointer()->hierarchy_ptr = &m_cdt.hierarchy_ref();
+  }
+
+  void all_went_well() { m_all_went_well = true; }
+
+private:
+  Cdt& m_cdt;
+  Cdt m_backup;
+  bool m_all_went_well = false;
+};
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
