@@ -18,8 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Distributed {
+namespace CGAL::Distributed {
 
 /*!
 \ingroup PkgBubbleRelaxation2Ref
@@ -64,7 +63,6 @@ struct Relaxation_2
   /// @}
 };
 
-} // namespace Distributed
-} // namespace CGAL
+} // namespace CGAL::Distributed
 
 #endif // CGAL_DISTRIBUTED_RELAXATION_2_H

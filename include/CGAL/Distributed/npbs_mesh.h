@@ -21,8 +21,7 @@
 
 #include <mpi.h>
 
-namespace CGAL {
-namespace Distributed {
+namespace CGAL::Distributed {
 
 /*!
 \ingroup PkgBubbleRelaxation2Ref
@@ -90,7 +89,6 @@ auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
   return result;
 }
 
-} // namespace Distributed
-} // namespace CGAL
+} // namespace CGAL::Distributed
 
 #endif // CGAL_DISTRIBUTED_NPBS_MESH_H

@@ -19,8 +19,7 @@
 
 #include <mpi.h>
 
-namespace CGAL {
-namespace Distributed {
+namespace CGAL::Distributed {
 
 /*!
 \ingroup PkgBubbleRelaxation2Functions
@@ -158,7 +157,6 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
   return result;
 }
 
-} // namespace Distributed
-} // namespace CGAL
+} // namespace CGAL::Distributed
 
 #endif // CGAL_DISTRIBUTED_NPBS_RELAX_H

@@ -27,8 +27,7 @@
 #include <limits>
 #include <memory>
 
-namespace CGAL {
-namespace Distributed {
+namespace CGAL::Distributed {
 
 /*!
 \ingroup PkgBubbleRelaxation2Functions
@@ -132,7 +131,6 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm);
 }
 
-} // namespace Distributed
-} // namespace CGAL
+} // namespace CGAL::Distributed
 
 #endif // CGAL_DISTRIBUTED_TRIANGULATE_H

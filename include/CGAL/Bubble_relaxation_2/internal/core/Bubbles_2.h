@@ -18,9 +18,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Sorts a sequence whose first elements are sorted, so many of them: mostly few came after these.
 template <class T, class Is_before = std::less<T>>
@@ -220,8 +218,6 @@ struct Bubble_memory_2
   char is_active, is_touched;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_BUBBLES_2_H

@@ -16,9 +16,7 @@
 #include <functional>
 #include <utility>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Adds the time of its life to a phase of the report.
 class Phase_timer
@@ -78,8 +76,6 @@ private:
   bool m_is_cancelled = false;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PROGRESS_H

@@ -20,9 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 constexpr std::size_t default_number_of_iterations = 30;
 constexpr std::size_t default_number_of_rounds = 10;
@@ -79,8 +77,6 @@ inline void check_not_negative(const char* name, double value)
     throw_invalid_parameter(name, value, "finite and not negative");
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_RELAXATION_OPTIONS_H

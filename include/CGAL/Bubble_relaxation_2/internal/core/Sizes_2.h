@@ -16,9 +16,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The wanted distance d(x, y) as the stages see it: a value that is copied like a pointer. The type of what stands
 /// behind it, the user's function or a field of this package, is forgotten once, at the door; d is asked so rarely that
@@ -55,8 +53,6 @@ inline Sizes_2 scaled(const Sizes_2& sizes, double factor)
   return result;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_SIZES_2_H

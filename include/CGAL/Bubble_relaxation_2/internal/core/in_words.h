@@ -14,9 +14,7 @@
 #include <cmath>
 #include <string>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A number as messages tell it: with as few digits as it takes to give back the very same number.
 inline std::string in_words(double value)
@@ -34,8 +32,6 @@ inline std::string in_words(double x, double y)
   return "(" + in_words(x) + ", " + in_words(y) + ")";
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_IN_WORDS_H

@@ -21,9 +21,7 @@
 #include <tbb/parallel_for.h>
 #endif
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Who runs the loops of the stages: one thread, or several. A value that the entry points make of the user's
 /// `concurrency_tag`, so that the stages are compiled once, whether or not a program is linked with TBB.
@@ -112,8 +110,6 @@ void parallel_sort(const Threads& threads, std::vector<T>& values, const Less& l
       1);
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PARALLEL_FOR_H

@@ -22,9 +22,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A count given as any number. A negative one would turn into a huge unsigned one silently, and what a
 /// floating-point number that is no integer turns into is not defined.
@@ -135,8 +133,6 @@ Relaxation_options read_options(const NamedParameters& np)
   return o;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_READ_OPTIONS_H

@@ -26,9 +26,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INLINE inline
 #endif
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 using Kernel = Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
@@ -88,8 +86,6 @@ inline void sort_indices(std::vector<Index>& indices, const std::function<bool(I
   std::sort(indices.begin(), indices.end(), std::cref(less));
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The domain as the simulation sees it: corners, straight edges between them, and the constrained
 /// triangulation of both, in which exact walks decide whether a bubble stays inside.
@@ -187,8 +185,6 @@ inline Hilbert_curve_2 hilbert_curve(const Domain_2& domain)
   return Hilbert_curve_2(domain.bbox(), std::abs(along.y()) > std::abs(along.x()));
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_2_H

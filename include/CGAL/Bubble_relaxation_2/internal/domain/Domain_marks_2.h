@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 template <class Face, class = void>
 struct Has_domain_mark : std::false_type {};
@@ -159,9 +157,7 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2_impl.h>

@@ -18,9 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
 void Marked_copy_2::mark_by_seeds(const std::vector<Index>& seeds, bool seeds_are_in_domain)
@@ -130,8 +128,6 @@ void Marked_copy_2::flood(std::vector<char>& is_reached, std::vector<Index>& rea
         reach(tr.neighbors[reached[k]][i], is_reached, reached);
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_IMPL_H

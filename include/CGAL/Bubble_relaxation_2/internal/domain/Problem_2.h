@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// How an existing mesh looks around a vertex.
 struct Mesh_star_2
@@ -70,8 +68,6 @@ struct Problem_2
   Sizes_2 sizes;  ///< that the simulation follows: smaller where the outline asks for it
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_PROBLEM_2_H

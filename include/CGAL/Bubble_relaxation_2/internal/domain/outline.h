@@ -20,9 +20,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The bubbles on each edge of the domain in the order from source to target, without the ends.
 inline std::vector<std::vector<Index>> bubbles_on_edges(const Domain_2& domain, const Bubbles_2& b)
@@ -117,8 +115,6 @@ inline void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles, const Thre
   bubbles.select(hilbert_order(hilbert_curve(domain), points, threads));
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_OUTLINE_H

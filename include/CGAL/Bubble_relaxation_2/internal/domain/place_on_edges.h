@@ -17,9 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The integral of ds/d along an edge as a piecewise linear function of s in [0,1].
 struct Edge_integral
@@ -86,8 +84,6 @@ inline void place_on_edge(const Domain_2& domain, Index e, const Sizes_2& sizing
   }
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_PLACE_ON_EDGES_H

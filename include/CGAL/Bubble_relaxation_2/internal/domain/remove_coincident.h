@@ -18,9 +18,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Finds bubbles on an edge whose order along it is lost in rounding, or would be: told of all from source to
 /// target, one after the other.
@@ -99,8 +97,6 @@ inline void remove_coincident(const Domain_2& domain, Bubbles_2& b)
   b.forget_gone();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_REMOVE_COINCIDENT_H

@@ -22,9 +22,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 // What lies between reading and writing, without the user's types: it is compiled once.
 
@@ -56,9 +54,7 @@ CGAL_BUBBLE_RELAXATION_2_INLINE
 void find_neighbors(const Bubbles_2& bubbles, double radius, const Threads& threads, std::vector<std::size_t>& offsets,
                     std::vector<std::int32_t>& neighbors);
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine_impl.h>

@@ -20,9 +20,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh)
@@ -77,8 +75,6 @@ void find_neighbors(const Bubbles_2& bubbles, double radius, const Threads& thre
   }
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_IMPL_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A triangulation of a domain that is refined until sizes whose growth is limited are nearly linear in its
 /// triangles. In each turn all edges are cut for which this does not hold, and the triangulation is made
@@ -257,8 +255,6 @@ private:
   std::unordered_map<Point, double, Hash> m_known;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H

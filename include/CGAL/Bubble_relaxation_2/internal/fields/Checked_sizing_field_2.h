@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 [[noreturn]] inline void throw_invalid_size(double x, double y, double d)
 {
@@ -85,8 +83,6 @@ Checked_sizing_field_2<User_point, Sizing_function> checked_sizing_field(Sizing_
   return Checked_sizing_field_2<User_point, Sizing_function>(std::forward<Sizing_function>(f));
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_CHECKED_SIZING_FIELD_2_H

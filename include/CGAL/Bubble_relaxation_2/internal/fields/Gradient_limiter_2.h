@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The least value at `q` that a value which grows by `g` per unit of length brings there from the segment
 /// between `a` and `b`, between which it is linear: the front of a plane wave.
@@ -204,8 +202,6 @@ private:
   std::vector<Index> m_triangles;   // of the domain around each vertex
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_GRADIENT_LIMITER_2_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Values at the vertices of a triangulation, linear in the triangles of its domain. Outside it is the value
 /// in the nearest point of the domain, and beyond the convex hull that in the nearest point of the hull.
@@ -204,8 +202,6 @@ inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& m
   return Interpolated_field_2(std::move(sorted.tr), std::move(sizes));
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_INTERPOLATED_FIELD_2_H

@@ -17,9 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The buckets of Fig. 4 of the paper for bubbles of any mixture of sizes: square cells in levels, the
 /// side doubling from level to level. A bubble lies in the level whose side just exceeds its reach, so
@@ -234,8 +232,6 @@ private:
   Cell_blocks_2 m_cells; // with the first bubbles of linked lists
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_BUBBLE_BUCKETS_2_H

@@ -19,9 +19,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The index of the lowest bit that is set. \pre one is
 inline int lowest_bit(std::uint64_t bits)
@@ -281,8 +279,6 @@ private:
   int m_highest = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_CELL_BLOCKS_2_H

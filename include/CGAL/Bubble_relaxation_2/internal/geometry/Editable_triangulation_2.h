@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// What bubbles and triangles of a mesh were before they were changed, so that all changes can be undone. In a mesh
 /// that is good almost everywhere few are changed, and this takes far less than a copy.
@@ -271,8 +269,6 @@ private:
   std::vector<Index> m_flipped;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EDITABLE_TRIANGULATION_2_H

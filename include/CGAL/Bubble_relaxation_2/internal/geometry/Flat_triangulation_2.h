@@ -16,9 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Triangles in arrays: triangle `t` has the vertices `vertices[t]` in counterclockwise order, which are indices of
 /// points or of bubbles, and across the edge opposite to its vertex `i` lies `neighbors[t][i]`, `no_index` beyond the
@@ -136,8 +134,6 @@ inline Index locate(const Flat_triangulation_2& tr, Index t, const Point& q)
   return end.is_blocked() ? no_index : end.triangle;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLAT_TRIANGULATION_2_H

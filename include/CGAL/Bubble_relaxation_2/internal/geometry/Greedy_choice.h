@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Chooses among candidates the best first, and none that touches a better one that was chosen: the one rule for all
 /// that is inserted, deleted, coloured or operated on. What becomes of a candidate depends on better ones only, its
@@ -122,8 +120,6 @@ void decide_together(const Ranks& all, const Decide& decide, const Share& share)
   }
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_GREEDY_CHOICE_H

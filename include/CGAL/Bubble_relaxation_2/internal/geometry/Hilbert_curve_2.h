@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Hilbert's curve through a square that contains a box, in cells of 2^-32 of its side. The key of a point
 /// tells how far along the curve its cell lies. Unlike the order of `hilbert_sort()` it depends on no other
@@ -105,8 +103,6 @@ inline std::vector<Index> hilbert_order(const Hilbert_curve_2& curve, const std:
   return result;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_HILBERT_CURVE_2_H

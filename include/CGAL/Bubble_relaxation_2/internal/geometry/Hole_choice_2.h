@@ -20,9 +20,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Chooses holes that get a bubble, the best first, as long as they do not come too near to a better one that was
 /// chosen.
@@ -108,8 +106,6 @@ void fill_holes(std::vector<Hole_2>& holes, double reach, Team& team, const Thre
   });
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_HOLE_CHOICE_2_H

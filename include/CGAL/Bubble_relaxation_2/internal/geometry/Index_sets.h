@@ -16,9 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Small sorted sets of indices, many of them in one array. A set that is appended has room for one more index; one
 /// that grows larger than its room is moved to the end of the array, and leaves a gap.
@@ -122,8 +120,6 @@ private:
   std::vector<Index> m_pool;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_INDEX_SETS_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A straight edge of the domain between two corners. Bubbles slide on it. `inside_left` and
 /// `inside_right` tell whether the domain lies on these sides, seen from source to target.
@@ -121,9 +119,7 @@ struct Bubble_mesh_2
   Point point(Index t, int i) const { return bubbles.point(static_cast<std::size_t>(triangles.vertices[t][i])); }
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
 #include <CGAL/Bubble_relaxation_2/internal/geometry/mark_triangulation_impl.h>

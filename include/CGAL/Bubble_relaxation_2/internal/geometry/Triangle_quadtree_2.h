@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A quadtree that has something for each place: what is in the leaf there. Queries change nothing: they are the same
 /// in any order and from any thread, and threads do not wait for each other.
@@ -132,8 +130,6 @@ private:
   Tree m_triangles;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_TRIANGLE_QUADTREE_2_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The numbers of vertices, or of faces, by their addresses. The user's types are forgotten here, so that all that
 /// is done with numbers is compiled once.
@@ -239,8 +237,6 @@ Flattened_triangulation_2<Triangulation> flatten_triangulation(const Triangulati
   return flat;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H

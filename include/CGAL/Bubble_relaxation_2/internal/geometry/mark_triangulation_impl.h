@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Makes triangles of points and of edges between them: triangulates, copies to arrays,
 /// enters the edges, and floods the marks of their sides.
@@ -165,8 +163,6 @@ Marking_error mark_triangulation(const std::vector<Point>& points, const std::ve
   return Marking_2(points, edges, result, sides)();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARK_TRIANGULATION_IMPL_H

@@ -24,9 +24,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// When a bubble of a crystal came in: with its generation, and in this in the order of its misfit and place.
 struct Growth_birth_2
@@ -191,8 +189,6 @@ private:
   Bubble_buckets_2 m_buckets;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_CRYSTAL_2_H

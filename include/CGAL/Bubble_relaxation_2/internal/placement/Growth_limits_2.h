@@ -18,9 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// turned to the left by 60 degrees
 inline Direction turned(const Direction& u)
@@ -162,8 +160,6 @@ private:
   boost::container::small_vector<Bubble, 24> m_bubbles;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_LIMITS_2_H

@@ -26,9 +26,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// a bubble of the front, and with which direction it proposes
 struct Growth_proposer
@@ -281,8 +279,6 @@ private:
   std::vector<List> m_lists;    // of each of them
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_PROPOSALS_2_H

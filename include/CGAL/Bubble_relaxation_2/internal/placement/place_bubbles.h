@@ -26,9 +26,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Bubbles on all vertices that stay: corners and pinned ones.
 inline void place_on_vertices(const Domain_2& domain, const std::vector<Point>& pinned, const Sizes_2& sizing,
@@ -146,8 +144,6 @@ inline Bubbles_2 place_bubbles(const Problem_2& p)
   return bubbles;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_BUBBLES_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Fills the faces of a domain with a crystal: each bubble of a front proposes the six places around it for
 /// neighbours at the wanted distance, aligned with the lattice around it.
@@ -310,8 +308,6 @@ inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles
     grow_single_crystal(domain, sizing, way, bubbles, team, threads);
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_FRONTAL_H

@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The initial bubbles of the faces after section 2.1.2 of the paper: a rhombus with angles of 60 and
 /// 120 degrees around the domain is cut in four until a cell is as small as d asks, and gets a bubble
@@ -135,8 +133,6 @@ private:
   double m_x0 = 0, m_y0 = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_RHOMBIC_H

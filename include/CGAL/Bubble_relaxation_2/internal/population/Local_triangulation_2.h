@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The neighbours of a bubble in the Delaunay triangulation of some bubbles around it, by wrapping: from the
 /// nearest one, which is a neighbour, to the one whose triangle has an empty circle, and so on. Computed with
@@ -321,8 +319,6 @@ private:
   std::vector<Triangle> m_triangles;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_LOCAL_TRIANGULATION_2_H

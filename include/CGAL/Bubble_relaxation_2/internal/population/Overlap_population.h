@@ -25,9 +25,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The population control of section 2.1.4 of the paper, by the overlapping ratio of Shimada and
 /// Gossard: with radii r = d/2,  alpha_i = 1/r_i sum_j (2 r_i + r_j - l_ij)  over the neighbours that
@@ -173,8 +171,6 @@ private:
   Team& m_team;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_OVERLAP_POPULATION_H

@@ -18,9 +18,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// How the bubbles' number should change, by the rule the user chose. `touched`: those that may have moved since it was
 /// asked last
@@ -38,8 +36,6 @@ inline Population_change adjust_population(const Problem_2& p, const Bubbles_2& 
   }
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_ADJUST_POPULATION_H

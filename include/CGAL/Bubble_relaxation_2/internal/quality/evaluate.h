@@ -26,9 +26,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// d at the vertices of the triangles of the domain around bubbles of this rank; others are not the business of d
 inline std::vector<double> sizes_at_vertices(const Bubble_mesh_2& mesh, const Sizes_2& sizing,
@@ -180,8 +178,6 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Thr
   report.number_of_triangles = report.quality.number_of_triangles();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H

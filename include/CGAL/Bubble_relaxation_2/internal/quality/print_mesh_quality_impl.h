@@ -18,9 +18,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 inline void print_table(std::ostream& out, const Mesh_quality_2<double>& q)
 {
@@ -75,8 +73,6 @@ void print(std::ostream& out, const Mesh_quality_2<double>& quality)
   out << text.str();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_PRINT_MESH_QUALITY_IMPL_H

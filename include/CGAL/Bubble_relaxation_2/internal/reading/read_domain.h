@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// whether a triangulation is a `Constrained_triangulation_plus_2`, which knows its constraints whole
 template <class Cdt, class = void>
@@ -143,9 +141,7 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain_impl.h>

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sorted_vertices_2::Sorted_vertices_2(const Triangulation_copy_2& copy, Is_before is_before)
@@ -154,8 +152,6 @@ void Read_domain_2::find_ring(const Flat_triangulation_2& tr, Index triangle, In
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_IMPL_H

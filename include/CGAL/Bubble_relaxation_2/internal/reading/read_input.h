@@ -23,9 +23,7 @@
 #include <CGAL/property_map.h>
 
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// whether the user pinned a vertex, as a function object
 template <class Cdt, class NamedParameters>
@@ -85,8 +83,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_INPUT_H

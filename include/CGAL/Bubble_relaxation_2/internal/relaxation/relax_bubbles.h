@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 inline void add_to_report(const Round_result& result, unsigned evaluations_per_step, Report& report)
 {
@@ -99,8 +97,6 @@ inline Bubbles_2 relax_bubbles(const Problem_2& problem, Progress& progress, Rep
   return bubbles;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_RELAXATION_RELAX_BUBBLES_H

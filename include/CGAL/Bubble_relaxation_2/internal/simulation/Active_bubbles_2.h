@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The bubbles that take part in a step: those that moved in the step before, and their neighbours. The
 /// others sleep. After some dozen steps most do, and what a step costs is what still moves.
@@ -213,8 +211,6 @@ private:
   bool m_is_roused = false;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_ACTIVE_BUBBLES_2_H

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 struct Force { double x, y; };
 
@@ -123,8 +121,6 @@ private:
   const Domain_2& m_domain;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_BOUNDARY_2_H

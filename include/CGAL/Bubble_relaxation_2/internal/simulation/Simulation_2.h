@@ -27,9 +27,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Keeps the sizes of the bubbles up to date. d is asked again only where a bubble has moved more than
 /// `tolerance` times its size since it was asked last: most bubbles soon hardly move.
@@ -393,8 +391,6 @@ private:
   std::size_t m_number_of_outrun = 0; // of all ranks
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_SIMULATION_2_H

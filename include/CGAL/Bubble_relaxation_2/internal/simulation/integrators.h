@@ -22,9 +22,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The interbubble force, eq. 2 of the paper: repulsion for w < 1, attraction for 1 < w < 1.5, nothing
 /// beyond, where w is the distance over the wanted distance.
@@ -226,8 +224,6 @@ inline std::unique_ptr<Integrator> make_integrator(const Relaxation_options& opt
   return std::make_unique<Semi_implicit_euler>(options);
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_INTEGRATORS_H

@@ -17,9 +17,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// How many bubbles the domain and the sizing field ask for: on the corners, on the edges by the integral
 /// of 1/d, in the faces by the integral of 2 / (sqrt(3) d^2), the density of the hexagonal lattice.
@@ -160,8 +158,6 @@ inline void count_bubbles(const Domain_2& domain, std::size_t maximum, const cha
   sizes.expected_number = expected;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_EXPECTED_NUMBER_OF_BUBBLES_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A triangle to be operated on. The worst comes first; among equals its vertices decide.
 struct Bad_triangle_2
@@ -206,8 +204,6 @@ private:
   const double m_bad_quality;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_DEFECT_SURGERY_2_H

@@ -23,9 +23,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 inline double quality(const Bubble_mesh_2& mesh, Index t)
 {
@@ -199,8 +197,6 @@ private:
   Undo_log_2 m_log;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H

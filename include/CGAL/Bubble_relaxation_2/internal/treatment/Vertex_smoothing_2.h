@@ -19,9 +19,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The quality of the triangles around a vertex as a function of its place, in coordinates relative to
 /// where it is now and in units of a length near to that of the edges: no lengths are too large or too small.
@@ -249,8 +247,6 @@ private:
   double m_treated_quality;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_VERTEX_SMOOTHING_2_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Makes the triangulation of the bubbles on the outline of a domain, whose vertices are numbered as the bubbles
 /// are; returns whether it can be made.
@@ -233,8 +231,6 @@ inline Bubble_mesh_2 triangulate_and_treat(const Problem_2& problem, Bubbles_2 b
   return mesh;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_TREAT_DEFECTS_H

@@ -19,9 +19,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Whether a kernel has coordinates in double and exact predicates.
 template <class Traits, class = void>
@@ -155,8 +153,6 @@ private:
   std::vector<void*> m_faces;    // of the triangles
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H

@@ -16,9 +16,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Whether constraints know the hierarchy that they belong to (CGAL 6.1).
 template <class Constraint_id, class = void>
@@ -98,8 +96,6 @@ private:
   bool m_all_went_well = false;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Writes bubbles into the triangulation that their domain was read from: old free vertices go, the
 /// constraints are split at their bubbles, the bubbles of the faces are inserted, the domain is marked.
@@ -318,8 +316,6 @@ void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mes
   Write_back_2<Cdt>(cdt, reading, mesh.bubbles)();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_MESH_H

@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Fills a set of nodes with bubbles and their neighbour sets.
 template <class Node_set>
@@ -31,8 +29,6 @@ void write_nodes(const Bubbles_2& bubbles, double neighbor_radius, const Threads
   }
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_WRITE_NODES_H

@@ -27,9 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A file that all ranks read or write together. All calls are collective; where one fails on any rank, all ranks
 /// throw `std::runtime_error`.
@@ -197,8 +195,6 @@ inline std::uint64_t hash_of_places(const Domain_2& domain, const Given_mesh_2& 
   return hash.value();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINT_FILE_2_H

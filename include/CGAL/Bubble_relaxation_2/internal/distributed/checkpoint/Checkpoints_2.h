@@ -30,9 +30,7 @@
 #include <system_error>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// what each rank counts for itself
 inline std::array<std::size_t*, 4> counts_of_rank(Report& report)
@@ -342,8 +340,6 @@ private:
   std::unique_ptr<Restart_2> m_restart;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_CHECKPOINT_CHECKPOINTS_2_H

@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// What a rank has of the one constrained Delaunay triangulation of the bubbles of all ranks. Triangles of the
 /// domain with a vertex that this rank owns are the same as on one rank; all others are only what its
@@ -111,8 +109,6 @@ inline Bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank)
   return result;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_MESH_2_H

@@ -35,9 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The question whether any point that a rank does not know lies where it would change one of its triangles:
 /// in the circumscribed disc, and not beyond a side that is a constraint. What lies beyond such a side is
@@ -179,8 +177,6 @@ private:
   std::map<int, std::unordered_set<Index>> m_sent;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H

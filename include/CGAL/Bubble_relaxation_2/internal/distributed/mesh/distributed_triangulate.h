@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Whether bubbles that follow each other are near to each other, as they are if they are numbered by the
 /// package, but perhaps not by users.
@@ -248,8 +246,6 @@ inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const 
   return Distributed_triangulation_2(domain, own, partition, comm, reach)();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H

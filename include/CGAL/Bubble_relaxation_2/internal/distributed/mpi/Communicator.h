@@ -23,9 +23,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 inline MPI_Datatype mpi_type(char) { return MPI_SIGNED_CHAR; }
 inline MPI_Datatype mpi_type(double) { return MPI_DOUBLE; }
@@ -271,8 +269,6 @@ std::vector<std::uint64_t> find_sorted(const Communicator& comm, const std::vect
   return found;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MPI_COMMUNICATOR_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Which rank owns which part of the plane: consecutive pieces of a Hilbert curve. One key for each rank but
 /// the first says all, to all ranks.
@@ -241,8 +239,6 @@ private:
   double m_x = 0, m_y = 0, m_clearance = 0; // the last one that was found
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HILBERT_PARTITION_2_H

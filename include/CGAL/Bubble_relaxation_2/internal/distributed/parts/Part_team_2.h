@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Ranks of which each works on its own part of the plane, and which choose together among places for new bubbles.
 class Part_team_2 : public Team
@@ -117,8 +115,6 @@ private:
   Messages<Index> m_holes_sent, m_holes_received; // in one order on both sides
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_PART_TEAM_2_H

@@ -17,9 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// a bubble on its way from one rank to another
 struct Bubble_record_2
@@ -119,8 +117,6 @@ inline std::vector<Bubble_record_2> gather_outline(Communicator& comm, const Bub
   return gather_records(comm, own);
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_BUBBLE_RECORDS_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Which ranks have which bubble of a crystal that grows: the one in whose part it came in owns it, and those
 /// whose parts are near have it too.
@@ -118,8 +116,6 @@ private:
   Lists_of_few<int> m_others; // that have a bubble of ours
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_HOLDERS_2_H

@@ -29,9 +29,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A bubble of a face that is there before the growth begins, and its place among all such.
 struct Growth_seed_2
@@ -360,8 +358,6 @@ private:
   Messages<Index> m_proposals_sent, m_proposals_received, m_new_sent, m_new_received; // in one order on both sides
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H

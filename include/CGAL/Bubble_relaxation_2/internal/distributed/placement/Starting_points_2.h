@@ -27,9 +27,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The bubbles to start from, which are given as points on any ranks; or, if no rank has any, as the vertices of
 /// the domain's triangulation, which all ranks have. All ranks get those on the outline and the pinned ones, and
@@ -185,8 +183,6 @@ private:
   std::vector<Free> m_free;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_STARTING_POINTS_2_H

@@ -24,9 +24,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// What the values of all ranks are like, for statistics that are the same as if one rank had them all. All
 /// members are collective. See `Team`.
@@ -107,8 +105,6 @@ inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& 
   gradient.tell(report, Values_of_all_ranks(comm));
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_QUALITY_EVALUATE_DISTRIBUTED_H

@@ -23,9 +23,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Finds bubbles as `Neighbor_sets_2` does, but where they are now and not by references.
 class Position_index_2
@@ -344,8 +342,6 @@ inline void share_sets(Communicator& comm, const Halo_2& halo, const Bubbles_2& 
   }
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_GHOST_UPDATES_2_H

@@ -24,9 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// What one rank of a simulation holds of others and sends to them. The control of the population and reductions
 /// do not count.
@@ -373,8 +371,6 @@ private:
   std::size_t m_number_of_changes = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H

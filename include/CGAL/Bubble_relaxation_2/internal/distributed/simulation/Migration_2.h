@@ -26,9 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The way of simulated bubbles to the ranks that own their places, and the parts of the ranks, which are cut anew when
 /// one has too many.
@@ -131,8 +129,6 @@ private:
   std::unique_ptr<Hilbert_partition_2> m_partition;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_MIGRATION_2_H

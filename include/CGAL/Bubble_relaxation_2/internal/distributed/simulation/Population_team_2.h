@@ -28,9 +28,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// where a bubble is that asks for others around it, by its reference, and as how large
 struct Wide_hole_side_2
@@ -156,8 +154,6 @@ private:
   std::int64_t m_next_number = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_POPULATION_TEAM_2_H

@@ -27,9 +27,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The ranks that simulate bubbles together: each moves its own, and is told of others' before the next step.
 class Simulation_team_2 : public Team
@@ -361,8 +359,6 @@ private:
   std::vector<Index> m_outgrown; // of those that moved since the halo was looked after
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATION_TEAM_2_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Collective. Replaces distinct numbers below `end`, of which each rank has some, by 0, 1, … in their order. Each rank
 /// counts those of an interval of numbers, which are mostly its own. \pre they ascend
@@ -127,8 +125,6 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
                                std::move(bubbles));
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATE_DISTRIBUTED_H

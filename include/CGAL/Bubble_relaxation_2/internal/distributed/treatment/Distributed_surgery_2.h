@@ -24,9 +24,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// an operation on the triangles around a bad one
 struct Ranked_operation_2
@@ -224,8 +222,6 @@ private:
   std::size_t m_number_of_places = 0; // of operations of all ranks
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_DISTRIBUTED_SURGERY_2_H

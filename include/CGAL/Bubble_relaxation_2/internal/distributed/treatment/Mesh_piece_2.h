@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A rank's triangles of the domain and others' triangles around them: only such as the mesh of all ranks has, so
 /// that they stay a part of it while all ranks tell each other how they move the vertices. Where the domain goes
@@ -326,8 +324,6 @@ private:
   std::vector<Index> m_place; // of each bubble that was there or came
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_MESH_PIECE_2_H

@@ -22,9 +22,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// a bubble of a patch after an operation, `GONE` if it was deleted
 struct Changed_bubble_2
@@ -211,8 +209,6 @@ private:
   std::int64_t m_end = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_PIECE_STITCHING_2_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A rank that treats the defects of its own part of the mesh as if it were alone, see `Team`. It may as long as
 /// two things hold; else it has come too near to others.
@@ -204,8 +202,6 @@ private:
   bool m_knows_too_little = false, m_has_failed = false;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREATMENT_TEAM_2_H

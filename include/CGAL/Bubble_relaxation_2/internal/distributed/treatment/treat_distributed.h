@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. While all defects are far from
 /// other ranks, each works on its own part of the mesh. Else it works on a piece that is wider than its own triangles;
@@ -300,8 +298,6 @@ inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubb
   return mesh;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREAT_DISTRIBUTED_H

@@ -35,9 +35,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Collective. Puts in what the values of all ranks are together.
 template <class Sent, class T, std::size_t n>
@@ -111,8 +109,6 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   return Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type>(report);
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_RELAX_BY_ALL_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The bubbles of a rank, in the order of their numbers, and after them those of other ranks that are neighbours of
 /// one of them, and perhaps some more.
@@ -201,8 +199,6 @@ void write_neighbors(const Bubbles_with_ghosts_2& bubbles, Relaxation& relaxatio
   write_ghosts(known, is_neighbor, relaxation);
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_NEIGHBORS_H

@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// `name.pvtu` without its end
 inline std::string pvtu_stem(const std::string& path)
@@ -170,8 +168,6 @@ void write_file(const std::string& path, const Write& write)
     throw std::runtime_error("Bubble_relaxation_2: the file " + path + " cannot be written");
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_PVTU_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Variationally consistent integration (Chen, Hillman and Rueter, Int. J. Numer. Meth. Engng. 95, 2013): the
 /// gradients of test functions psi_i, and only these, are corrected such that
@@ -167,8 +165,6 @@ private:
   std::vector<std::array<double, 5>> m_coefficients; // of each node
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_CONSISTENT_GRADIENTS_2_H

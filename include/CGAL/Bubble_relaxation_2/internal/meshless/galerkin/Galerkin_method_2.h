@@ -28,9 +28,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// returns the nodes' coefficients, none if the callback stopped it
 inline std::vector<double> solve_galerkin(const Galerkin_discretization_2& d, const Galerkin_problem& problem,
@@ -110,8 +108,6 @@ inline Element_free_Galerkin_error_2 error_of_solution(const Galerkin_discretiza
   return {std::sqrt(values), std::sqrt(values + gradients)};
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_METHOD_2_H

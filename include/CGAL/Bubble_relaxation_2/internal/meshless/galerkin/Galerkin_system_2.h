@@ -31,9 +31,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// `Poisson_problem_2`, whatever the kernel
 struct Galerkin_problem
@@ -389,8 +387,6 @@ private:
   double m_total = 0, m_total_size = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_GALERKIN_SYSTEM_2_H

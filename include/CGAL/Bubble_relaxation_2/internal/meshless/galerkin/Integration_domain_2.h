@@ -24,9 +24,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A straight piece of the boundary, with the domain on its left.
 struct Boundary_edge_2
@@ -126,8 +124,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_INTEGRATION_DOMAIN_2_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Functions for Lagrange's multipliers on the boundary: hats, linear between points that lie evenly on the
 /// pieces between corners, in units of the size of the nodes. A piece as long as s sizes has at most 2 s / 3 of
@@ -168,8 +166,6 @@ private:
   std::size_t m_size = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_MULTIPLIER_SPACE_2_H

@@ -11,9 +11,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 // Matrices in few types: every type of an expression takes long to compile.
 
@@ -48,8 +46,6 @@ inline Eigen::MatrixXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::Vect
   return a.transpose() * b;
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_WEIGHTED_SUMS_H

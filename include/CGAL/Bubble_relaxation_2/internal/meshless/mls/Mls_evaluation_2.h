@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// calls `f(i)` for all i in [0, n), perhaps by several threads
 using Parallel_loop = std::function<void(std::size_t n, const std::function<void(std::size_t)>& f)>;
@@ -309,8 +307,6 @@ private:
   Mls_options m_options;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_MLS_EVALUATION_2_H

@@ -20,9 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// \file
 /// Weights of moving least squares as functions of q, the distance from the node in units of its support
@@ -326,8 +324,6 @@ private:
   double m_unit = 0; // of the pseudo-inverse, times that of the nodes; 0: that is not used
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_MOMENT_MATRIX_2_H

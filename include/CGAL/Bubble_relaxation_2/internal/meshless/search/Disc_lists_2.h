@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Square cells, each with the list of all discs that meet it, in ascending order: a point is in no other disc
 /// than those of its cell's list. Cells are about as wide as a radius, however radii vary: those of a regular grid
@@ -316,8 +314,6 @@ inline Disc_lists_2::Disc_lists_2(const std::vector<Influence_disc_2>& discs)
     Builder(discs, *this).build();
 }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_SEARCH_DISC_LISTS_2_H

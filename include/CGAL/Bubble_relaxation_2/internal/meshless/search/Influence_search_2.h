@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// \throws std::invalid_argument if a coordinate of a point that is asked for is not finite
 inline void check_point(double x, double y)
@@ -214,8 +212,6 @@ private:
   Influence_search_2::State m_state;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_SEARCH_INFLUENCE_SEARCH_2_H

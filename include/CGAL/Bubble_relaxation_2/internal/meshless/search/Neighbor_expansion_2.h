@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The search of section 3.2 of the paper: from the nearest node over neighbour sets, as far as nodes are near
 /// enough.
@@ -303,8 +301,6 @@ private:
   std::size_t m_number_of_obstructed = 0;
 };
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
-} // namespace CGAL
+} // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_SEARCH_NEIGHBOR_EXPANSION_2_H
