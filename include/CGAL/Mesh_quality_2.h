@@ -194,13 +194,12 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
   return Mesh_quality_2<FT>(accumulator.statistics());
 }
 
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace Bubble_relaxation_2::internal {
 
-void print(std::ostream& out, const Mesh_quality_2<double>& quality);
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void print_mesh_quality(std::ostream& out, const Mesh_quality_2<double>& quality);
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
+} // namespace Bubble_relaxation_2::internal
 
 /*!
 \ingroup PkgBubbleRelaxation2Functions
@@ -210,7 +209,7 @@ void print(std::ostream& out, const Mesh_quality_2<double>& quality);
 template <class FT>
 std::ostream& operator<<(std::ostream& out, const Mesh_quality_2<FT>& quality)
 {
-  Bubble_relaxation_2::internal::print(out, Mesh_quality_2<double>(quality));
+  Bubble_relaxation_2::internal::print_mesh_quality(out, Mesh_quality_2<double>(quality));
   return out;
 }
 

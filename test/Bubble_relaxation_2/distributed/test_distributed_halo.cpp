@@ -13,7 +13,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
 
 #include <gtest/gtest.h>
 

@@ -92,7 +92,7 @@ struct Bubbles_2
     pin.push_back(pinned);
   }
 
-  /// adds a copy of another one, at rest
+  /// adds a copy of another one, at rest and without its id and owner
   void add(const Bubbles_2& from, std::size_t i)
   {
     add(from.point(i), from.d[i], static_cast<Dimension>(from.dimension[i]), from.host[i], from.s[i], from.pin[i]);

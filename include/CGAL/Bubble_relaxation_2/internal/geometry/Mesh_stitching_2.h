@@ -74,9 +74,7 @@ public:
   {
     forget_vertices(m_mesh.bubbles.indices_left());
     m_mesh.bubbles.forget_gone();
-    const std::vector<Index> number = keep_triangles(m_triangles, [this](std::size_t t) { return !m_is_gone[t]; });
-    for (Index& t : m_made)
-      t = number[t];
+    forget_triangles();
     Editable_triangulation_2 mesh(m_mesh);
     for (Index t : m_made)
       mesh.restore_delaunay_around(t);
@@ -86,27 +84,8 @@ public:
   /// Forgets the triangles that were replaced: part of `finish()`, or instead of it.
   void forget_triangles()
   {
-    std::vector<Index> number(m_is_gone.size(), no_index);
-    Index left = 0;
-    for (std::size_t t = 0; t < m_is_gone.size(); ++t)
-      if (!m_is_gone[t])
-        number[t] = left++;
-    for (std::size_t t = 0; t < m_is_gone.size(); ++t) {
-      if (m_is_gone[t])
-        continue;
-      m_triangles.vertices[number[t]] = m_triangles.vertices[t];
-      m_triangles.edges[number[t]] = m_triangles.edges[t];
-      m_triangles.inside[number[t]] = m_triangles.inside[t];
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m_triangles.neighbors[t][i];
-        m_triangles.neighbors[number[t]][i] = n == no_index ? no_index : number[n];
-      }
-    }
-    m_triangles.vertices.resize(static_cast<std::size_t>(left));
-    m_triangles.neighbors.resize(static_cast<std::size_t>(left));
-    m_triangles.edges.resize(static_cast<std::size_t>(left));
-    m_triangles.inside.resize(static_cast<std::size_t>(left));
-    m_is_gone.assign(static_cast<std::size_t>(left), 0);
+    const std::vector<Index> number = keep_triangles(m_triangles, [this](std::size_t t) { return !m_is_gone[t]; });
+    m_is_gone.assign(m_triangles.number_of_triangles(), 0);
     for (Index& t : m_made)
       t = number[t];
   }

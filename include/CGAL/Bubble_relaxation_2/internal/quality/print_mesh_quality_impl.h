@@ -64,7 +64,7 @@ inline void print_histogram(std::ostream& out, const Mesh_quality_2<double>& q)
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-void print(std::ostream& out, const Mesh_quality_2<double>& quality)
+void print_mesh_quality(std::ostream& out, const Mesh_quality_2<double>& quality)
 {
   std::ostringstream text; // the user's stream keeps its format
   print_table(text, quality);

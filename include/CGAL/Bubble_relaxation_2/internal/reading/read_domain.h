@@ -63,7 +63,7 @@ public:
 
 protected:
   Read_domain_2(const Marked_copy_2& copy, Is_before is_before);
-  ~Read_domain_2();
+  ~Read_domain_2(); // not here: the compiled core has what it takes
 
   /// once it is known which vertices are pinned or given, and which edges are of one constraint only
   void build();

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {

@@ -77,6 +77,9 @@ public:
       copy_input_flags(cdt, m_backup);
   }
 
+  Restore_on_throw(const Restore_on_throw&) = delete;
+  Restore_on_throw& operator=(const Restore_on_throw&) = delete;
+
   ~Restore_on_throw()
   {
     if (m_all_went_well)

@@ -178,7 +178,7 @@ std::vector<T> gather_records(const Communicator& comm, const std::vector<T>& ow
   const std::int64_t bytes = static_cast<std::int64_t>(own.size() * sizeof(T)), all_bytes = comm.sum(bytes);
   if (all_bytes > (std::numeric_limits<int>::max)())
     comm.throw_on_all(
-      std::length_error("Bubble_relaxation_2: the bubbles on the edges of the domain have more than 2^31 bytes"));
+      std::length_error("Bubble_relaxation_2: what all ranks tell each other at once has more than 2^31 bytes"));
   const int size = static_cast<int>(bytes);
   std::vector<int> sizes(static_cast<std::size_t>(comm.size())), offsets(sizes.size(), 0);
   check_mpi(MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, comm.handle()));
