@@ -27,8 +27,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
