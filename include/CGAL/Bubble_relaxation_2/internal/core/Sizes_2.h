@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <utility>
 
@@ -24,19 +23,29 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Sizes_2
 {
 public:
-  using Field = std::function<double(double, double)>;
-
   /// `field(x, y)`: the size there; it may refer to what outlives this
-  explicit Sizes_2(Field field) : m_field(std::make_shared<const Field>(std::move(field))) {}
+  template <class Field>
+  explicit Sizes_2(Field field)
+    : Sizes_2(
+        new Field(std::move(field)), [](const void* f) { delete static_cast<const Field*>(f); },
+        [](const void* f, double x, double y) -> double { return (*static_cast<const Field*>(f))(x, y); })
+  {}
 
-  double operator()(double x, double y) const { return (*m_field)(x, y); }
+  double operator()(double x, double y) const { return m_call(m_field.get(), x, y); }
   double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
 
   /// how many bubbles these sizes ask for in the domain, when it was counted
   double expected_number = 0;
 
 private:
-  std::shared_ptr<const Field> m_field;
+  using Destroy = void (*)(const void*);
+  using Call = double (*)(const void*, double, double);
+
+  // the pointer's own classes are the same for all fields: they are compiled once
+  Sizes_2(const void* field, Destroy destroy, Call call) : m_field(field, destroy), m_call(call) {}
+
+  std::shared_ptr<const void> m_field;
+  Call m_call;
 };
 
 /// the smaller of two in each place

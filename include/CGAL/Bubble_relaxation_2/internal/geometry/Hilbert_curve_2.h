@@ -21,6 +21,58 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
+/// How Hilbert's curve goes through the quarters of a square, and of these, several levels at once. The curve in a
+/// square lies in one of four ways: with columns and rows exchanged (1), and then both mirrored (2), or not.
+class Hilbert_steps
+{
+public:
+  static constexpr int levels = 4; ///< at once
+
+  /// the place of a small square along the curve in the large one, and how the curve lies in it
+  struct Step
+  {
+    std::uint8_t key, orientation;
+  };
+
+  constexpr Hilbert_steps() : m_steps()
+  {
+    for (unsigned orientation = 0; orientation < 4; ++orientation)
+      for (unsigned x = 0; x < side; ++x)
+        for (unsigned y = 0; y < side; ++y)
+          m_steps[orientation][x][y] = all_levels(orientation, x, y);
+  }
+
+  /// in column `x` and row `y`, of which the lowest bits count
+  constexpr Step operator()(unsigned orientation, std::uint32_t x, std::uint32_t y) const
+  {
+    return m_steps[orientation][x % side][y % side];
+  }
+
+  static constexpr Step one_level(unsigned orientation, unsigned x, unsigned y)
+  {
+    const unsigned mirror = orientation >> 1;
+    const unsigned right = (orientation & 1 ? y : x) ^ mirror, up = (orientation & 1 ? x : y) ^ mirror;
+    // the curve in the lower quarters is mirrored at a diagonal
+    const unsigned next = up == 0 ? orientation ^ (1 | right << 1) : orientation;
+    return Step{static_cast<std::uint8_t>((3 * right) ^ up), static_cast<std::uint8_t>(next)};
+  }
+
+private:
+  static constexpr unsigned side = 1u << levels;
+
+  static constexpr Step all_levels(unsigned orientation, unsigned x, unsigned y)
+  {
+    Step result{0, static_cast<std::uint8_t>(orientation)};
+    for (int level = levels - 1; level >= 0; --level) {
+      const Step s = one_level(result.orientation, x >> level & 1, y >> level & 1);
+      result = Step{static_cast<std::uint8_t>(result.key << 2 | s.key), s.orientation};
+    }
+    return result;
+  }
+
+  Step m_steps[4][side][side];
+};
+
 /// Hilbert's curve through a square that contains a box, in cells of 2^-32 of its side. The key of a point
 /// tells how far along the curve its cell lies. Unlike the order of `hilbert_sort()` it depends on no other
 /// point, so parts of a set can be ordered apart from each other.
@@ -47,20 +99,24 @@ public:
   std::uint32_t column(double x) const { return coordinate(x - m_x0); } ///< of a point; beside, the nearest
   std::uint32_t row(double y) const { return coordinate(y - m_y0); }
 
-  /// The key of the cell in a column and a row of 2^`depth` of them, among cells of its size: quarter by quarter. In a
-  /// quarter the curve lies as in the whole, or with columns and rows exchanged, and then perhaps both mirrored.
+  /// the key of the cell in a column and a row of 2^`depth` of them, among cells of its size
   Key key_of_cell(std::uint32_t x, std::uint32_t y, int depth) const
   {
-    std::uint32_t are_exchanged = m_is_upright, are_mirrored = 0;
+    constexpr int at_once = Hilbert_steps::levels;
+    static constexpr Hilbert_steps steps;
+    unsigned orientation = m_is_upright;
     Key key = 0;
-    for (int level = depth - 1; level >= 0; --level) {
-      const std::uint32_t column = x >> level & 1, row = y >> level & 1;
-      // without a branch, which nobody could foresee
-      const std::uint32_t change = ((column ^ row) & are_exchanged) ^ are_mirrored;
-      const std::uint32_t right = column ^ change, up = row ^ change, is_lower = up ^ 1;
-      key = key << 2 | ((3 * right) ^ up);
-      are_exchanged ^= is_lower; // the curve in the lower quarters is mirrored at a diagonal
-      are_mirrored ^= is_lower & right;
+    int level = depth;
+    for (; level % at_once != 0; --level) {
+      const Hilbert_steps::Step s = Hilbert_steps::one_level(orientation, x >> (level - 1) & 1, y >> (level - 1) & 1);
+      key = key << 2 | s.key;
+      orientation = s.orientation;
+    }
+    while (level > 0) {
+      level -= at_once;
+      const Hilbert_steps::Step s = steps(orientation, x >> level, y >> level);
+      key = key << 2 * at_once | s.key;
+      orientation = s.orientation;
     }
     return key;
   }
