@@ -16,7 +16,7 @@
 #include <CGAL/Distributed/triangulate.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/Point_replacement_2.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>

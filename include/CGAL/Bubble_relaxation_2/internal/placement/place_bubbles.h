@@ -23,7 +23,6 @@
 
 #include <CGAL/Bubble_relaxation_enums.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -97,9 +96,10 @@ inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, co
 {
   std::vector<double> directions(bubbles.size(), 0);
   const auto is_kept = [&](std::size_t k, double d) {
-    if (given.around[k].fits(d))
+    const bool is_fitting = given.around[k].fits(d);
+    if (is_fitting)
       directions.push_back(given.around[k].direction);
-    return given.around[k].fits(d);
+    return is_fitting;
   };
   keep_in_faces(domain, given, sizing, is_kept, bubbles);
   Team alone;

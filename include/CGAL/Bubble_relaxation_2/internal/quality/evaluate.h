@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>

@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {

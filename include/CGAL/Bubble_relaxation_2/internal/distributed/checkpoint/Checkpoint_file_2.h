@@ -162,9 +162,7 @@ struct Checkpoint_header_2
   std::uint64_t own_hash() const
   {
     Hash_of_numbers hash;
-    const unsigned char* const first = reinterpret_cast<const unsigned char*>(this);
-    std::for_each(first, reinterpret_cast<const unsigned char*>(&hash_of_header),
-                  [&hash](unsigned char byte) { hash.add(byte); });
+    hash.add_bytes(this, offsetof(Checkpoint_header_2, hash_of_header));
     return hash.value();
   }
 };
@@ -178,7 +176,7 @@ inline std::uint64_t hash_of(const Bubble_state_2& record, std::int64_t position
 {
   Hash_of_numbers hash;
   hash.add(position);
-  hash.add(record); // all its bytes
+  hash.add_bytes(&record, sizeof record);
   return hash.value();
 }
 

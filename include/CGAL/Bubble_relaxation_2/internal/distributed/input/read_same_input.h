@@ -21,12 +21,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -38,16 +38,21 @@ public:
   template <class T>
   void add(T number)
   {
-    unsigned char bytes[sizeof(T)];
-    std::memcpy(bytes, &number, sizeof(T));
-    for (unsigned char byte : bytes)
-      m_hash = (m_hash ^ byte) * 1099511628211u;
+    static_assert(std::is_arithmetic<T>::value, "what has gaps has not the same bytes everywhere");
+    add_bytes(&number, sizeof(T));
   }
 
   void add(const Point& p)
   {
     add(p.x());
     add(p.y());
+  }
+
+  /// of something without gaps
+  void add_bytes(const void* first, std::size_t n)
+  {
+    for (const unsigned char *byte = static_cast<const unsigned char*>(first), *end = byte + n; byte != end; ++byte)
+      m_hash = (m_hash ^ *byte) * 1099511628211u;
   }
 
   std::uint64_t value() const { return m_hash; }

@@ -10,8 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_MESH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 

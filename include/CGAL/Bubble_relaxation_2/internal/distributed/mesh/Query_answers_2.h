@@ -9,10 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>

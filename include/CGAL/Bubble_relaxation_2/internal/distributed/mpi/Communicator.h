@@ -12,6 +12,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -139,10 +140,11 @@ public:
       const std::lock_guard<std::mutex> lock(m_mutex);
       if (!m_failure)
         m_failure = std::current_exception();
+      m_has_failed = true;
     }
   }
 
-  bool has_failed() const { return m_failure != nullptr; }
+  bool has_failed() const { return m_has_failed; }
 
   /// Collective. If any rank keeps a failure, all ranks throw that of the first of them.
   void agree()
@@ -192,6 +194,7 @@ private:
     if (m_rank == rank)
       kind = describe(text);
     m_failure = nullptr;
+    m_has_failed = false;
     std::int32_t header[2] = {kind, static_cast<std::int32_t>(text.size())};
     check_mpi(MPI_Bcast(header, 2, MPI_INT32_T, rank, m_comm));
     text.resize(static_cast<std::size_t>(header[1]));
@@ -241,6 +244,7 @@ private:
   int m_tag = 0;
   mutable bool m_has_agreed = false;
   std::exception_ptr m_failure;
+  std::atomic<bool> m_has_failed{false}; // other threads may ask
   std::mutex m_mutex;
 };
 

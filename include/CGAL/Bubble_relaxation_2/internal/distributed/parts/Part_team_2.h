@@ -26,9 +26,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Part_team_2 : public Team
 {
 public:
-  explicit Part_team_2(Communicator& comm, const Hilbert_partition_2* partition = nullptr)
-    : m_comm(comm), m_partition(partition)
-  {}
+  Part_team_2(Communicator& comm, const Hilbert_partition_2& partition) : Part_team_2(comm, &partition) {}
 
   bool is_alone() const override { return false; }
   bool any(bool here) const override { return m_comm.any(here); }
@@ -71,6 +69,9 @@ public:
   }
 
 protected:
+  /// `partition`: `nullptr` until it is known, before anything is asked
+  Part_team_2(Communicator& comm, const Hilbert_partition_2* partition) : m_comm(comm), m_partition(partition) {}
+
   Communicator& m_comm;
   const Hilbert_partition_2* m_partition; ///< who owns what
 

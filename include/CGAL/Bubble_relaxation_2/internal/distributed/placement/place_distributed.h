@@ -98,7 +98,7 @@ inline void place_rhombic_by_all(Communicator& comm, const Domain_2& domain,
 {
   const Hilbert_partition_2 partition = partition_of_common(
     hilbert_curve(domain), large_bubbles(domain, sizing, placed.bubbles), comm.size());
-  Part_team_2 team(comm, &partition); // each makes those whose centres are in its part
+  Part_team_2 team(comm, partition); // each makes those whose centres are in its part
   Rhombic_placement(domain, sizing, placed.bubbles, team)();
   placed.is_ours.resize(placed.bubbles.size(), 1);
 }

@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>

@@ -96,13 +96,14 @@ public:
       if (operation.is_chosen)
         insertions[operation.place] = operation.number_of_insertions();
     m_comm.reduce_each(insertions, MPI_SUM);
+    number_of_insertions = std::accumulate(insertions.begin(), insertions.end(), std::int64_t(0));
+    std::exclusive_scan(insertions.begin(), insertions.end(), insertions.begin(), end);
     Patch_change_2 own;
     m_comm.agree_after([&] {
       for (const Ranked_operation_2& operation : m_operations)
         if (operation.is_chosen) // numbers are as if all operations were made by one rank
-          describe(operation, std::accumulate(insertions.begin(), insertions.begin() + operation.place, end), own);
+          describe(operation, insertions[operation.place], own);
     });
-    number_of_insertions = std::accumulate(insertions.begin(), insertions.end(), std::int64_t(0));
     number_of_deletions = m_comm.sum(number_of_deletions);
     return changes_known_here(m_comm, m_known, own);
   }

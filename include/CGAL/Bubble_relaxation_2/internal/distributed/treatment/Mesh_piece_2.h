@@ -17,7 +17,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>

@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>

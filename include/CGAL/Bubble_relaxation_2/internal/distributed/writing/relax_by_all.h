@@ -15,12 +15,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/Point_replacement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 
@@ -60,8 +60,8 @@ inline void find_slowest(const Communicator& comm, Bubble_relaxation_seconds& s)
 struct Relaxed_part_2
 {
   Distributed_mesh_2& mesh;             ///< with the sizes of its own bubbles, and old ones of others
-  const Bubbles_2& bubbles;    ///< its own, in the order of their numbers
-  const Hilbert_partition_2& partition; ///< from which they may have moved a little
+  const Bubbles_2& bubbles;             ///< its own, in the order of their numbers
+  const Hilbert_partition_2& partition; ///< that they need not be at home in any more
   const Relaxation_options& options;
   Communicator& comm;
 };
