@@ -38,7 +38,8 @@ public:
   template <class T>
   void add(T number)
   {
-    static_assert(std::is_arithmetic<T>::value, "what has gaps has not the same bytes everywhere");
+    static_assert(std::is_arithmetic<T>::value || std::is_enum<T>::value,
+                  "what has gaps has not the same bytes everywhere");
     add_bytes(&number, sizeof(T));
   }
 
