@@ -68,10 +68,6 @@ struct Bubbles_2
   bool is_gone(std::size_t i) const { return dimension[i] == GONE; }
   bool can_move(std::size_t i) const { return is_on_edge(i) || is_in_face(i); }
 
-  /// What counts as rest, as a share of the tolerance: bubbles on edges have few neighbours to push them,
-  /// and two rows that face each other part slowly.
-  double share_of_tolerance(std::size_t i) const { return is_on_edge(i) ? 0.05 : 1.; }
-
   /// makes room for `n` more
   void make_room_for(std::size_t n)
   {

@@ -58,6 +58,8 @@ struct Given_mesh_2
   std::vector<Mesh_star_2> around; ///< of the free ones, if that was asked for
 };
 
+class Cut_domain_2;
+
 /// What is to be done, without the user's types. It refers to what was read.
 struct Problem_2
 {
@@ -66,6 +68,7 @@ struct Problem_2
   const Relaxation_options& options;
   Sizes_2 wanted; ///< by the user
   Sizes_2 sizes;  ///< that the simulation follows: smaller where the outline asks for it
+  const Cut_domain_2* cut = nullptr; ///< if `domain` is the one of it, with which the result is to be joined
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

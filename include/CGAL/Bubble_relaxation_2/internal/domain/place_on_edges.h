@@ -27,8 +27,13 @@ struct Edge_integral
 
   double total() const { return sum.back(); }
 
-  /// into how many of about 1 it is cut
-  double parts() const { return (std::max)(1., std::round(total())); }
+  /// Into how many of about 1 it is cut. Nothing changes that later, so the parts are to be longer than 1 by no larger
+  /// factor than they would be shorter with one more.
+  double parts() const
+  {
+    const double less = (std::max)(1., std::floor(total()));
+    return total() * total() > less * (less + 1) ? less + 1 : less;
+  }
 
   /// where the integral reaches `value`
   double invert(double value) const
@@ -72,9 +77,19 @@ inline Edge_integral integrate_edge(const Domain_2& domain, Index e, const Sizes
   return integral;
 }
 
+/// where on an edge, between 0 and 1, a point of it lies
+inline double position_on_edge(const Domain_2& domain, Index e, const Point& p)
+{
+  const Point &a = domain.source(e), &b = domain.target(e);
+  const double dx = b.x() - a.x(), dy = b.y() - a.y();
+  return ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy);
+}
+
 /// Places bubbles on an edge so that they cut it in equal parts of the integral of ds/d.
 inline void place_on_edge(const Domain_2& domain, Index e, const Sizes_2& sizing, Bubbles_2& bubbles)
 {
+  if (!domain.edges()[e].takes_bubbles)
+    return;
   const Edge_integral integral = integrate_edge(domain, e, sizing);
   const double parts = integral.parts();
   for (double k = 1; k < parts; ++k) {

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -20,6 +21,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -34,11 +36,19 @@ Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh);
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given);
 
-/// Counts the bubbles that `wanted` sizes ask for, and makes them smaller where the outline asks for it, if it may.
-/// \throws std::length_error if they ask for too many bubbles
+/// What the simulation follows and where it is made.
+struct Limits_of_outline_2
+{
+  Sizes_2 sizes;                           ///< the wanted ones, and smaller ones where the outline asks for it
+  std::shared_ptr<const Cut_domain_2> cut; ///< the domain without its sharp corners, if it has any
+};
+
+/// Counts the bubbles that `wanted` sizes ask for, and makes sizes smaller and cuts corners off where the outline asks for
+/// it, if it may; then `given` becomes what is given for the domain that is left.
+/// \throws std::length_error if sizes ask for too many bubbles
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Sizes_2 sizes_to_follow(const Domain_2& domain, const Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
-                        bool limit_by_outline);
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
+                                     bool may_limit);
 
 /// the bubbles after placement, simulation and treatment
 CGAL_BUBBLE_RELAXATION_2_INLINE

@@ -31,15 +31,29 @@ Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh)
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given)
 {
-  return Sizes_2(Outline_field_2(Outline_sizes_2(domain, given)(), domain.bbox()));
+  return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox()));
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Sizes_2 sizes_to_follow(const Domain_2& domain, const Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
-                        bool limit_by_outline)
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
+                                     bool may_limit)
 {
+  constexpr int turns = 2, turns_beyond_circles = 3;
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
-  return limit_by_outline ? limited_by_outline(domain, given, wanted, maximum) : wanted;
+  if (!may_limit)
+    return {wanted, nullptr};
+  std::vector<Size_source_2> sources = Outline_sizes_2(domain, given, wanted, {})(turns);
+  auto cut = std::make_shared<const Cut_domain_2>(domain, limited_sizes(wanted, sources, domain));
+  if (cut->is_cut())
+    cut->cut(given);
+  else
+    cut = nullptr;
+  const Domain_2& rest = cut ? cut->domain() : domain;
+  sources = Outline_sizes_2(rest, given, wanted, std::move(sources))(turns_beyond_circles);
+  Sizes_2 sizes = limited_sizes(wanted, sources, rest);
+  if (!sources.empty())
+    count_bubbles(rest, maximum, "the sizing function and the fine parts of the outline (limit_by_outline)", sizes);
+  return {sizes, cut};
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
@@ -51,6 +65,8 @@ Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& repor
   // the simulation does not ask d again for every little displacement
   parallel_for(problem.options.threads, bubbles.size(),
                [&](std::size_t i) { bubbles.d[i] = problem.sizes(bubbles.x[i], bubbles.y[i]); });
+  if (problem.cut != nullptr)
+    problem.cut->join(bubbles);
   return bubbles;
 }
 
@@ -58,6 +74,8 @@ CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& report)
 {
   Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, progress, report), report);
+  if (problem.cut != nullptr)
+    problem.cut->join(mesh);
   evaluate(mesh, problem.wanted, problem.options.threads, report);
   return mesh;
 }

@@ -19,7 +19,7 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A straight edge of the domain between two corners. Bubbles slide on it. `inside_left` and
+/// A straight edge of the domain between two corners. Bubbles slide on it, unless it takes none. `inside_left` and
 /// `inside_right` tell whether the domain lies on these sides, seen from source to target.
 struct Domain_edge_2
 {
@@ -27,6 +27,7 @@ struct Domain_edge_2
   Index target;
   bool inside_left;
   bool inside_right;
+  bool takes_bubbles = true;
 };
 
 /// The triangles of a constrained Delaunay triangulation with the domain marked.

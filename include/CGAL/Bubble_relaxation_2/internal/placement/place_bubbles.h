@@ -38,14 +38,6 @@ inline void place_on_vertices(const Domain_2& domain, const std::vector<Point>& 
     bubbles.add(pinned[i], sizing(pinned[i]), Bubbles_2::CORNER, no_index, 0, static_cast<Index>(i));
 }
 
-/// where on an edge, between 0 and 1, a point of it lies
-inline double position_on_edge(const Domain_2& domain, Index e, const Point& p)
-{
-  const Point &a = domain.source(e), &b = domain.target(e);
-  const double dx = b.x() - a.x(), dy = b.y() - a.y();
-  return ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy);
-}
-
 /// What becomes of the vertices of an existing mesh on edges.
 enum class On_edges { PLACE_ANEW, KEEP_THE_RIGHT_NUMBER, KEEP };
 

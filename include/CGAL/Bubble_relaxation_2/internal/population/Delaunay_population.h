@@ -29,9 +29,14 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The population control by the triangulation of the bubbles: a hole shows as a large empty circle
+/// Whether bubbles are inserted or deleted. First holes are filled, then crowds are thinned out: a place that gets a bubble
+/// and loses it in turns would never come to rest.
+enum class Population_step { INSERTION, DELETION };
+
+/// The population control of faces by the triangulation of the bubbles: a hole shows as a large empty circle
 /// and gets a bubble in its centre; a crowd shows as a short edge, or as a bubble with four neighbours
-/// or less, and loses one. It looks only where bubbles may have moved since it looked last.
+/// or less, and loses one. It looks only where bubbles may have moved since it looked last. Edges keep the bubbles that
+/// were placed on them, as many as their length asks for.
 class Delaunay_population
 {
 public:
@@ -42,31 +47,21 @@ public:
   /// delete bubbles of the faces with as many neighbours or less
   int ill_connected = 4;
 
-  /// insert between two bubbles of an edge that are farther apart than this times d
-  double longest_gap = 1.4;
-  /// such a bubble takes the place of bubbles of the faces that are nearer than this times d: they were
-  /// pressed into the gap
-  double cleared_radius = 0.7;
-
   Delaunay_population(const Domain_2& domain, const Sizes_2& sizing, Team& team, const Threads& threads)
     : m_domain(domain), m_sizing(sizing), m_team(team), m_threads(threads)
   {}
 
   /// `touched`: the bubbles that may have moved
   Population_change operator()(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-                               const std::vector<Index>& touched)
+                               const std::vector<Index>& touched, Population_step step)
   {
     const Local_triangulation_2 mesh(bubbles, neighbors, m_team.share_touched(bubbles, touched), m_threads);
-    m_change = Population_change();
-    m_is_deleted.assign(bubbles.size(), 0);
-    delete_crowded(bubbles, mesh);
-    insert_in_holes(bubbles, mesh);
-    insert_on_edges(bubbles, neighbors);
-    m_team.share(m_is_deleted);
-    m_change.deleted = marked(m_is_deleted);
-    sort_in_space(m_domain, m_change.inserted, m_threads);
-    m_team.number(m_change.inserted);
-    return std::move(m_change);
+    Population_change change;
+    if (step == Population_step::INSERTION)
+      change.inserted = fill_holes(bubbles, mesh);
+    else
+      change.deleted = delete_crowded(bubbles, mesh);
+    return change;
   }
 
 private:
@@ -90,7 +85,7 @@ private:
     std::vector<Index> ours;     ///< the worst first
   };
 
-  void delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
+  std::vector<Index> delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
     std::vector<Triangle> triangles;
     std::copy_if(mesh.triangles().begin(), mesh.triangles().end(), std::back_inserter(triangles),
@@ -102,8 +97,11 @@ private:
     add_crowded(b, crowded, triangles, choice);
     decide_together(
       m_team, [&] { return choice.decide([](Index) { return true; }); }, [&] { m_team.share(choice.states()); });
+    std::vector<Index> result;
     for (std::size_t i = 0; i < b.size(); ++i)
-      m_is_deleted[i] = choice.is_chosen(static_cast<Index>(i));
+      if (choice.is_chosen(static_cast<Index>(i)))
+        result.push_back(static_cast<Index>(i));
+    return result;
   }
 
   Crowded find_crowded(const Bubbles_2& b, const std::vector<Index>& touched,
@@ -126,8 +124,7 @@ private:
     Crowded result;
     result.nearest.assign(b.size(), infinity);
     for (Index i : touched)
-      if (b.is_ours(i) && ((b.is_in_face(i) && degree[i] <= ill_connected) ||
-                           (b.can_move(i) && nearest[i] < least_distance))) {
+      if (b.is_ours(i) && b.is_in_face(i) && (degree[i] <= ill_connected || nearest[i] < least_distance)) {
         result.nearest[i] = (std::min)(nearest[i], std::numeric_limits<double>::max());
         result.ours.push_back(i);
       }
@@ -160,20 +157,22 @@ private:
               choice.rivals(static_cast<std::size_t>(position[v[i]])).push_back(j);
   }
 
-  void insert_in_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)
+  Bubbles_2 fill_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
     constexpr double least_distance = 0.9; // of new bubbles, in units of their mean size
     std::vector<Hole_2> holes;
     for (const Triangle& t : mesh.triangles())
       add_hole(b, t, holes);
-    fill_holes(
-      holes, least_distance, m_team, m_threads, [](const Hole_2&) { return true; }, m_change.inserted);
+    Bubbles_2 result;
+    internal::fill_holes(
+      holes, least_distance, m_team, m_threads, [](const Hole_2&) { return true; }, result);
+    sort_in_space(m_domain, result, m_threads);
+    m_team.number(result);
+    return result;
   }
 
   void add_hole(const Bubbles_2& b, const Triangle& v, std::vector<Hole_2>& holes)
   {
-    if (m_is_deleted[v[0]] || m_is_deleted[v[1]] || m_is_deleted[v[2]])
-      return;
     const Point p = b.point(v[0]), q = b.point(v[1]), r = b.point(v[2]);
     if (is_flat(p, q, r))
       return;
@@ -203,43 +202,6 @@ private:
     return !(ux * vy - uy * vx > flat * (ux * ux + uy * uy + vx * vx + vy * vy));
   }
 
-  void insert_on_edges(const Bubbles_2& b, const Neighbor_sets_2& neighbors)
-  {
-    Outline_bubbles_2 outline = outline_bubbles(m_domain, b);
-    m_team.share_outline(m_domain, b, outline);
-    for (std::size_t e = 0; e < outline.on_edge.size(); ++e) {
-      const Domain_edge_2& edge = m_domain.edges()[e];
-      const Outline_bubble_2* u = &outline.on_corner[edge.source];
-      double s = 0;
-      for (const Outline_bubble_2& v : outline.on_edge[e]) {
-        close_gap(b, neighbors, static_cast<Index>(e), *u, v, 0.5 * (s + v.s));
-        u = &v;
-        s = v.s;
-      }
-      close_gap(b, neighbors, static_cast<Index>(e), *u, outline.on_corner[edge.target], 0.5 * (s + 1));
-    }
-  }
-
-  void close_gap(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index e, const Outline_bubble_2& u,
-                 const Outline_bubble_2& v, double s)
-  {
-    const double dx = u.x - v.x, dy = u.y - v.y;
-    if (2 * std::sqrt(dx * dx + dy * dy) / (u.d + v.d) <= longest_gap)
-      return;
-    const Point middle = m_domain.point_on_edge(e, s);
-    const double d = m_sizing(middle);
-    if (m_team.owns_place(middle))
-      m_change.inserted.add(middle, d, Bubbles_2::EDGE, e, s);
-    for (Index end : {u.index, v.index}) {
-      if (end == no_index)
-        continue; // and so are its neighbours with other ranks
-      for (const Index *j = neighbors.begin(end), *last = neighbors.end(end); j != last; ++j)
-        if (b.is_in_face(*j) && b.is_ours(*j) &&
-            CGAL::squared_distance(b.point(*j), middle) < cleared_radius * cleared_radius * d * d)
-          m_is_deleted[*j] = 1;
-    }
-  }
-
   /// Whether this rank knows both and they are not on two sides of a hole: then one does not crowd the other.
   static bool is_near(const Bubbles_2& b, Index i, Index j)
   {
@@ -257,8 +219,6 @@ private:
   const Sizes_2& m_sizing;
   Team& m_team;
   const Threads m_threads;
-  Population_change m_change;
-  std::vector<char> m_is_deleted;
   Index m_hint = 0; // a triangle of the domain near the last point
 };
 

@@ -21,16 +21,16 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// How the bubbles' number should change, by the rule the user chose. `touched`: those that may have moved since it was
-/// asked last
+/// asked last; `step`: what is to be done now, which the paper's rule does not ask
 inline Population_change adjust_population(const Problem_2& p, const Bubbles_2& bubbles,
                                            const Neighbor_sets_2& neighbors, const std::vector<Index>& touched,
-                                           Team& team)
+                                           Population_step step, Team& team)
 {
   switch (p.options.population) {
   case Bubble_population::OVERLAP_RATIO:
     return Overlap_population(p.domain, p.sizes, team)(bubbles);
   case Bubble_population::DELAUNAY:
-    return Delaunay_population(p.domain, p.sizes, team, p.options.threads)(bubbles, neighbors, touched);
+    return Delaunay_population(p.domain, p.sizes, team, p.options.threads)(bubbles, neighbors, touched, step);
   default:
     return Population_change();
   }

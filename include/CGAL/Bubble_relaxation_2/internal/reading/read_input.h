@@ -60,22 +60,28 @@ struct Input_2
   Relaxation_options options;
   Domain_reading_2<Cdt> reading;
   Sizes_2 wanted; ///< by the user
-  Sizes_2 sizes;  ///< that the simulation follows
+  Limits_of_outline_2 limits;
 
   // in braces, since options are to be checked before the triangulation
   template <class NamedParameters>
   Input_2(const Cdt& cdt, const NamedParameters& np) : Input_2{np, cdt, read_options(np), Domain_marks_2<Cdt>(cdt, np)}
   {}
 
-  Problem_2 problem() const { return Problem_2{reading.domain, reading.given, options, wanted, sizes}; }
+  Problem_2 problem() const
+  {
+    return Problem_2{limits.cut ? limits.cut->domain() : reading.domain, reading.given, options, wanted, limits.sizes,
+                     limits.cut.get()};
+  }
 
 private:
   template <class NamedParameters>
+  static constexpr bool has_sizing_function = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
+
+  template <class NamedParameters>
   Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
     : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
-      sizes(sizes_to_follow(reading.domain, reading.given, wanted, options.maximum_number_of_bubbles,
-                            options.limit_by_outline &&
-                              Is_given<NamedParameters, internal_np::sizing_function_t>::value))
+      limits(limit_by_outline(reading.domain, reading.given, wanted, options.maximum_number_of_bubbles,
+                              options.limit_by_outline && (reading.free.empty() || has_sizing_function<NamedParameters>)))
   {
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept

@@ -21,6 +21,7 @@
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -43,17 +44,26 @@ inline std::size_t count_ours(const Bubbles_2& bubbles, const std::vector<Index>
     std::count_if(those.begin(), those.end(), [&bubbles](Index i) { return bubbles.is_ours(i); }));
 }
 
+/// At first, while bubbles are inserted, a coarse rest will do. Then it is to be as fine as is asked for, and bubbles are
+/// deleted only. The few that do not come to rest then swing to and fro, which shorter steps end.
+inline void choose_step(std::size_t round, std::size_t number_of_rounds, Simulation_2& simulation)
+{
+  constexpr std::size_t coarse_rounds = 2, rounds_with_whole_steps = 5;
+  if (round >= (std::min)(coarse_rounds, number_of_rounds / 2))
+    simulation.rest_finely();
+  if (round >= rounds_with_whole_steps)
+    simulation.shorten_steps(std::ldexp(1., static_cast<int>(rounds_with_whole_steps) - static_cast<int>(round) - 1));
+}
+
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
-/// the population, and again, until the bubbles rest and their population stays. In the first half of the
-/// rounds, while it changes, a coarse rest will do.
+/// the population, and again, until the bubbles rest and their population stays.
 inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Progress& progress, Report& report)
 {
   const std::size_t number_of_rounds = problem.options.number_of_rounds;
   Simulation_2 simulation(problem, bubbles, team);
   simulation.rest_coarsely();
   for (std::size_t round = team.resume(simulation, bubbles, report); round < number_of_rounds; ++round) {
-    if (2 * round >= number_of_rounds)
-      simulation.rest_finely();
+    choose_step(round, number_of_rounds, simulation);
     progress.start_round(round);
     const Round_result result = simulation.run_round(progress, report.seconds);
     add_to_report(result, simulation.evaluations_per_step(), report);
@@ -65,8 +75,9 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Prog
     if (is_last && !result.is_at_rest)
       break;
     const Phase_timer timer(report.seconds.population);
+    const Population_step step = simulation.rests_coarsely() ? Population_step::INSERTION : Population_step::DELETION;
     const Population_change change =
-      adjust_population(problem, bubbles, simulation.neighbors(), simulation.touched(), team.population());
+      adjust_population(problem, bubbles, simulation.neighbors(), simulation.touched(), step, team.population());
     if (!team.any(!change.is_empty()) && result.is_at_rest && !simulation.rest_finely()) {
       report.stop_reason = Bubble_stop_reason::CONVERGED;
       break;

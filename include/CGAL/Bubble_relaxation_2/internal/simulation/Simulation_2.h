@@ -121,21 +121,27 @@ public:
   /// While bubbles are still inserted and deleted, rest need not be what it shall be in the end.
   void rest_coarsely()
   {
-    if (m_integrator->lets_bubbles_sleep() && m_options.population != Bubble_population::NONE)
-      m_tolerance = coarse_tolerance * m_options.displacement_tolerance;
+    if (m_options.population == Bubble_population::NONE)
+      return;
+    m_rests_coarsely = true;
+    m_tolerance = coarse_tolerance * m_options.displacement_tolerance;
   }
 
-  bool rests_coarsely() const { return m_tolerance != m_options.displacement_tolerance; }
+  bool rests_coarsely() const { return m_rests_coarsely; }
 
   /// Wakes all bubbles for the rest that is asked for; returns false if it was that already.
   bool rest_finely()
   {
-    if (!rests_coarsely())
+    if (!m_rests_coarsely)
       return false;
+    m_rests_coarsely = false;
     m_tolerance = m_options.displacement_tolerance;
     m_active.rouse_all(m_bubbles);
     return true;
   }
+
+  /// shorter steps from here on: `share` of those that the options ask for
+  void shorten_steps(double share) { m_integrator->set_time_step(share * m_options.time_step); }
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
   Neighbor_sets_2& neighbors() { return m_neighbors; }
@@ -368,7 +374,7 @@ private:
     m_flags.returned[k] = m_boundary.move(b, i, m_displacements.x[k], m_displacements.y[k]);
     m_update_size(b, i);
     const double dx = b.x[i] - x, dy = b.y[i] - y;
-    const double little = m_tolerance * b.share_of_tolerance(i) * b.d[i];
+    const double little = m_tolerance * b.d[i];
     m_flags.is_moving[k] = m_displacements.x[k] * m_displacements.x[k] +
                              m_displacements.y[k] * m_displacements.y[k] > little * little;
     m_flags.rests[k] = dx * dx + dy * dy <= little * little;
@@ -377,6 +383,7 @@ private:
 
   const Relaxation_options& m_options;
   bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
+  bool m_rests_coarsely = false;
   double m_tolerance; // a displacement of less, in units of the size, is rest
   const Boundary_2 m_boundary;
   std::unique_ptr<Integrator> m_integrator;

@@ -86,6 +86,9 @@ public:
   /// whether bubbles sleep while they and their neighbours move less than the tolerance
   virtual bool lets_bubbles_sleep() const = 0;
 
+  /// changes the time step, which is that of the options at first
+  virtual void set_time_step(double h) = 0;
+
   /// finds velocities after a step, and displacements in it
   virtual void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
                           const Boundary_2& boundary, Displacements& displacements, Team& team) = 0;
@@ -100,9 +103,17 @@ public:
   bool lets_bubbles_sleep() const override { return true; }
 
   explicit Semi_implicit_euler(const Relaxation_options& o)
-    : m_threads(o.threads), m_force{o.force_coefficient}, m_step(o.time_step),
-      m_keep((std::max)(0., 1 - o.time_step * o.damping / o.mass)), m_push(o.time_step / o.mass)
-  {}
+    : m_threads(o.threads), m_force{o.force_coefficient}, m_mass(o.mass), m_damping(o.damping)
+  {
+    set_time_step(o.time_step);
+  }
+
+  void set_time_step(double h) override
+  {
+    m_step = h;
+    m_keep = (std::max)(0., 1 - h * m_damping / m_mass);
+    m_push = h / m_mass;
+  }
 
   void operator()(Bubbles_2& b, const std::vector<Index>& active, const Neighbor_sets_2& neighbors,
                   const Boundary_2& boundary, Displacements& displacements, Team&) override
@@ -122,6 +133,7 @@ public:
 private:
   const Threads m_threads;
   Bubble_force_2 m_force;
+  const double m_mass, m_damping;
   double m_step, m_keep, m_push;
 };
 
@@ -136,6 +148,8 @@ public:
   explicit Runge_kutta_4(const Relaxation_options& o)
     : m_threads(o.threads), m_force{o.force_coefficient}, m_step(o.time_step), m_mass(o.mass), m_damping(o.damping)
   {}
+
+  void set_time_step(double h) override { m_step = h; }
 
   /// Other ranks are told where the bubbles are at the next stage. That depends on velocities only, so the forces of
   /// this stage are found meanwhile; then places of others are put in.

@@ -114,104 +114,90 @@ private:
   Tree m_sources;
 };
 
-/// Finds the sizes that the outline of a domain asks for. Without a wish of the user: at each vertex of a
-/// constraint the length of the shorter constraint beside it, and less where the domain is narrower than
-/// that. With a wish: what is smaller than the wish by so much that the triangles between would be bad, the
-/// distances of pinned vertices among it.
+inline double extent(const Domain_2& domain)
+{
+  const Bbox_2& box = domain.bbox();
+  return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+}
+
+/// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent.
+constexpr double smallest_size = 1e-6;
+
+/// At each vertex of a constraint the length of the shorter constraint beside it. `splits`: what counts as vertices of
+/// edges between their ends, if anything
+inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
+                                                  const std::vector<std::vector<Point>>* splits = nullptr)
+{
+  std::vector<Size_source_2> result;
+  for (const Point& p : domain.corners())
+    result.push_back(Size_source_2{p, extent(domain)});
+  for (std::size_t e = 0; e < domain.edges().size(); ++e) {
+    const Domain_edge_2& edge = domain.edges()[e];
+    std::size_t last = static_cast<std::size_t>(edge.source);
+    const auto add_piece_to = [&](std::size_t next) {
+      const double length = std::sqrt(CGAL::squared_distance(result[last].point, result[next].point));
+      for (std::size_t end : {last, next})
+        result[end].d = (std::min)(result[end].d, (std::max)(length, smallest_size * extent(domain)));
+      last = next;
+    };
+    if (splits != nullptr)
+      for (const Point& p : (*splits)[e]) {
+        result.push_back(Size_source_2{p, extent(domain)});
+        add_piece_to(result.size() - 1);
+      }
+    add_piece_to(static_cast<std::size_t>(edge.target));
+  }
+  return result;
+}
+
+/// what is wanted, and less where sources of sizes ask for it
+inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_source_2>& sources, const Domain_2& domain)
+{
+  return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox())));
+}
+
+/// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed there,
+/// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .8. Only in a
+/// corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
 class Outline_sizes_2
 {
 public:
-  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2* wanted = nullptr)
-    : m_domain(domain), m_given(given), m_wanted(wanted),
-      m_corner_sizes(m_domain.corners().size(), extent())
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
+                  std::vector<Size_source_2> known)
+    : m_domain(domain), m_given(given), m_wanted(wanted), m_sources(std::move(known))
   {}
 
-  std::vector<Size_source_2> operator()()
+  /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
+  /// more places
+  std::vector<Size_source_2> operator()(int turns)
   {
-    for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
-      add_edge(static_cast<Index>(e));
-    for (std::size_t c = 0; c < m_corner_sizes.size(); ++c)
-      add(m_domain.corners()[c], m_corner_sizes[c]);
-    // along a constraint that is long in comparison to the width of the domain each turn measures the
-    // width in more places
-    constexpr int turns = 4;
-    for (int turn = 0; turn < turns; ++turn) {
-      const std::size_t last = m_sources.size();
+    for (const Size_source_2& s : sizes_of_pieces(m_domain))
+      limit(s.point, s.d, m_wanted);
+    for (std::size_t last = m_sources.size() + 1; turns > 0 && m_sources.size() != last; --turns) {
+      last = m_sources.size();
       add_widths();
-      if (m_sources.size() == last)
-        break;
     }
     return std::move(m_sources);
   }
 
 private:
-  /// Without these limits a slit, or two vertices that almost coincide, would ask for bubbles without number:
-  /// the least share of the domain's extent, and of a constraint's length or of the wish.
-  static constexpr double least_size = 1e-6, least_share = 0.125, least_share_of_wish = 1. / 256;
-
-  /// A wish is granted up to this times what the outline asks for: one row of triangles in a channel is no
-  /// worse when it is lower by a fifth than it should be.
+  /// One row of triangles in a channel is no worse when it is lower by a fifth than it should be.
   static constexpr double tolerated = 1.25;
 
-  double extent() const
-  {
-    const Bbox_2& box = m_domain.bbox();
-    return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  }
+  /// Sizes that differ by less are left alone: else each turn would find many that are a little smaller.
+  static constexpr double notable = 0.9;
 
-  double asked(double d) const { return m_wanted != nullptr ? tolerated * d : d; }
-
-  void add(const Point& p, double d)
+  void limit(const Point& p, double distance, const Sizes_2& followed)
   {
-    double least = least_size * extent();
-    if (m_wanted != nullptr) {
-      const double wanted = (*m_wanted)(p);
-      if (asked(d) >= wanted)
-        return;
-      least = (std::max)(least, least_share_of_wish * wanted);
-    }
-    m_sources.push_back(Size_source_2{p, (std::max)(asked(d), least)});
-  }
-
-  /// The pieces of an edge between the vertices of the constraint. Those that only split it may slide and go
-  /// if the user has a wish.
-  void add_edge(Index e)
-  {
-    const Domain_edge_2& edge = m_domain.edges()[e];
-    std::vector<Point> path(1, m_domain.source(e));
-    if (m_wanted == nullptr)
-      path.insert(path.end(), m_given.on_edge[e].begin(), m_given.on_edge[e].end());
-    path.push_back(m_domain.target(e));
-    double last = extent();
-    for (std::size_t k = 1; k < path.size(); ++k) {
-      const double length = std::sqrt(CGAL::squared_distance(path[k - 1], path[k]));
-      if (k > 1)
-        add(path[k - 1], (std::min)(last, length));
-      else
-        limit(edge.source, length);
-      last = length;
-    }
-    limit(edge.target, last);
-  }
-
-  void limit(Index corner, double d)
-  {
-    m_corner_sizes[corner] = (std::min)(m_corner_sizes[corner], d);
-  }
-
-  /// what is wanted, and less where sources were found; there are some if there is no wish
-  Sizes_2 sizes_so_far() const
-  {
-    if (m_wanted != nullptr && m_sources.empty())
-      return *m_wanted;
-    const Sizes_2 found{Outline_field_2(m_sources, m_domain.bbox())};
-    return m_wanted != nullptr ? smaller_of(*m_wanted, found) : found;
+    const double d = tolerated * distance;
+    if (d < notable * followed(p))
+      m_sources.push_back(Size_source_2{p, (std::max)(d, smallest_size * extent(m_domain))});
   }
 
   /// divides the constraints by the sizes found so far, and measures across the triangles between them
   void add_widths()
   {
-    const Sizes_2 field = sizes_so_far();
+    const Sizes_2 field = limited_sizes(m_wanted, m_sources, m_domain);
     const Bubbles_2 nodes = nodes_on_constraints(field);
     std::vector<Point> points;
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -226,9 +212,22 @@ private:
         const auto& v = mesh.vertices[t];
         if (mesh.edges[t][i] == no_index)
           add_distance(nodes, v[ccw(i)], v[cw(i)], field);
-        else if (!is_in_corner(mesh, static_cast<Index>(t), i, nodes))
-          add_width(mesh, static_cast<Index>(t), i, least_width(nodes, v[i]), field);
+        else if (!is_in_corner(nodes, v[i], v[ccw(i)], v[cw(i)]))
+          add_width(mesh, static_cast<Index>(t), i, field);
       }
+  }
+
+  Bubbles_2 nodes_on_constraints(const Sizes_2& field) const
+  {
+    Bubbles_2 nodes;
+    for (std::size_t c = 0; c < m_domain.corners().size(); ++c)
+      nodes.add(m_domain.corners()[c], extent(m_domain), Bubbles_2::CORNER, static_cast<Index>(c));
+    for (const Point& p : m_given.pinned)
+      nodes.add(p, extent(m_domain), Bubbles_2::CORNER, no_index);
+    for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
+      place_on_edge(m_domain, static_cast<Index>(e), field, nodes);
+    remove_coincident(m_domain, nodes);
+    return nodes;
   }
 
   static bool is_pin(const Bubbles_2& nodes, Index i) { return nodes.host[i] == no_index; }
@@ -239,45 +238,15 @@ private:
     if (!nodes.is_corner(i) || !nodes.is_corner(j) || !(is_pin(nodes, i) || is_pin(nodes, j)))
       return;
     const Point p = nodes.point(i), q = nodes.point(j);
-    const double distance = std::sqrt(CGAL::squared_distance(p, q));
     for (const Point& end : {p, q})
-      if (asked(distance) < field(end))
-        add(end, distance);
+      limit(end, std::sqrt(CGAL::squared_distance(p, q)), field);
   }
 
-  Bubbles_2 nodes_on_constraints(const Sizes_2& field) const
+  /// whether a node and the side from `p` to `q` lie on two edges that meet in a corner
+  bool is_in_corner(const Bubbles_2& nodes, Index node, Index p, Index q) const
   {
-    Bubbles_2 nodes;
-    for (std::size_t c = 0; c < m_corner_sizes.size(); ++c)
-      nodes.add(m_domain.corners()[c], m_corner_sizes[c], Bubbles_2::CORNER, static_cast<Index>(c));
-    if (m_wanted != nullptr)
-      for (const Point& p : m_given.pinned)
-        nodes.add(p, extent(), Bubbles_2::CORNER, no_index);
-    for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
-      place_on_edge(m_domain, static_cast<Index>(e), field, nodes);
-    remove_coincident(m_domain, nodes);
-    return nodes;
-  }
-
-  double least_width(const Bubbles_2& nodes, Index i) const
-  {
-    if (m_wanted != nullptr)
-      return 0;
-    if (nodes.is_corner(i))
-      return least_share * m_corner_sizes[nodes.host[i]];
-    const Domain_edge_2& e = m_domain.edges()[nodes.host[i]];
-    return least_share * (std::min)(m_corner_sizes[e.source], m_corner_sizes[e.target]);
-  }
-
-  /// Whether a width is one between two edges that meet in a corner: however sharp the corner is, smaller
-  /// triangles are no better there.
-  bool is_in_corner(const Marked_triangulation_2& mesh, Index t, int i, const Bubbles_2& nodes) const
-  {
-    if (m_wanted == nullptr)
-      return false;
-    const auto& v = mesh.vertices[t];
-    const std::array<Index, 2> opposite = ends_of_edge(nodes, v[ccw(i)], v[cw(i)]);
-    for (Index end : ends(nodes, v[i]))
+    const std::array<Index, 2> opposite = ends_of_edge(nodes, p, q);
+    for (Index end : ends(nodes, node))
       if (end == opposite[0] || end == opposite[1])
         return true;
     return false;
@@ -300,8 +269,7 @@ private:
   }
 
   /// the distance of the vertex `i` of a triangle from the constraint opposite to it
-  void add_width(const Marked_triangulation_2& mesh, Index t, int i, double least,
-                 const Sizes_2& field)
+  void add_width(const Marked_triangulation_2& mesh, Index t, int i, const Sizes_2& field)
   {
     const Point &p = mesh.point(t, i), &a = mesh.point(t, ccw(i)), &b = mesh.point(t, cw(i));
     const Kernel::Vector_2 u = b - a;
@@ -310,32 +278,15 @@ private:
     if ((s <= 0 && mesh.edges[t][cw(i)] != no_index) || (s >= 1 && mesh.edges[t][ccw(i)] != no_index))
       return;
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
-    const double width = (std::max)(std::sqrt(CGAL::squared_distance(p, foot)), least);
     for (const Point& end : {p, foot})
-      if (asked(width) < field(end))
-        add(end, width);
+      limit(end, std::sqrt(CGAL::squared_distance(p, foot)), field);
   }
 
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
-  const Sizes_2* m_wanted;
-  std::vector<double> m_corner_sizes; // the shortest constraint at each
+  const Sizes_2& m_wanted;
   std::vector<Size_source_2> m_sources;
 };
-
-/// The sizes that the simulation follows: those that are wanted, and smaller ones where the outline is too fine or the
-/// domain too narrow for them. Both are counted.
-/// \throws std::length_error if they ask for too many bubbles
-inline Sizes_2 limited_by_outline(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
-                                  std::size_t maximum)
-{
-  const std::vector<Size_source_2> sources = Outline_sizes_2(domain, given, &wanted)();
-  if (sources.empty())
-    return wanted;
-  Sizes_2 result = smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox())));
-  count_bubbles(domain, maximum, "the sizing function and the fine parts of the outline (limit_by_outline)", result);
-  return result;
-}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

@@ -61,7 +61,8 @@ public:
   double integral_over_edge(Index e)
   {
     m_sum = 0;
-    add(m_domain.source(e), m_domain.target(e), 0);
+    if (m_domain.edges()[e].takes_bubbles)
+      add(m_domain.source(e), m_domain.target(e), 0);
     return m_sum;
   }
 

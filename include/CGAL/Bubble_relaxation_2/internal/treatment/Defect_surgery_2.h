@@ -99,10 +99,10 @@ public:
   std::size_t number_of_insertions = 0, number_of_deletions = 0;
   bool has_changed_outline = false; ///< then the triangles outside of the domain are still to be made
 
-  /// operates on `most` triangles at most; returns the mesh if it changed, else an empty one
-  Bubble_mesh_2 operator()(std::size_t most)
+  /// returns the mesh if it changed, else an empty one
+  Bubble_mesh_2 operator()()
   {
-    const std::vector<Operation> operations = operate(most);
+    const std::vector<Operation> operations = operate();
     if (operations.empty())
       return {};
     Bubble_mesh_2 result = m_mesh;
@@ -122,10 +122,9 @@ private:
     Patch_outcome_2 outcome;
   };
 
-  std::vector<Operation> operate(std::size_t most) const
+  std::vector<Operation> operate() const
   {
-    std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, m_bad_quality);
-    worst.resize((std::min)(most, worst.size()));
+    const std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, m_bad_quality);
     std::vector<Mesh_patch_2> patches;
     std::unordered_map<Index, std::vector<Index>> patches_of; // triangles
     Greedy_choice choice;

@@ -69,8 +69,8 @@ public:
   }
 
 private:
-  /// the vertices that move are those up to about three edges away
-  static constexpr int reach = 6;
+  /// the vertices that move are those up to about two edges away
+  static constexpr int reach = 4;
 
   bool contains(Index t) const
   {
@@ -291,7 +291,7 @@ private:
     }
     const Index u = m_triangles.vertices[t][ccw(i)], v = m_triangles.vertices[t][cw(i)];
     const Index e = common_edge(u, v);
-    if (e == no_index)
+    if (e == no_index || !m_domain.edges()[e].takes_bubbles)
       return;
     const double s = 0.5 * (position(u, e) + position(v, e));
     Bubbles_2 bubbles = m_patch.bubbles();

@@ -57,9 +57,9 @@ public:
   /// what was done on all ranks
   std::int64_t number_of_insertions = 0, number_of_deletions = 0;
 
-  /// Collective. Finds the worst triangles of all, `most` at most, and their patches; returns whether the piece is
-  /// wide enough for that on all ranks.
-  bool find_patches(double bad_quality, std::size_t most)
+  /// Collective. Finds the bad triangles of all and their patches; returns whether the piece is wide enough for that on
+  /// all ranks.
+  bool find_patches(double bad_quality)
   {
     bool is_cut_off = false;
     std::vector<Bad_triangle_2> own;
@@ -68,16 +68,13 @@ public:
       own.erase(std::remove_if(own.begin(), own.end(),
                                [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
                 own.end());
-      own.resize((std::min)(most, own.size()));
     });
     std::vector<Bad_triangle_2> worst = gather_records(m_comm, own);
     std::sort(worst.begin(), worst.end());
-    m_number_of_places = (std::min)(most, worst.size());
+    m_number_of_places = worst.size();
     m_comm.agree_after([&] {
       for (const Bad_triangle_2& bad : own) {
         const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
-        if (static_cast<std::size_t>(place) >= m_number_of_places)
-          break;
         m_operations.push_back(Ranked_operation_2{static_cast<Index>(place), bad.triangle,
                                                   Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
         is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();

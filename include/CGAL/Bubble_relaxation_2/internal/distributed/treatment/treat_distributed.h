@@ -238,7 +238,7 @@ private:
       widen(p);
     for (;; widen(p)) {
       Distributed_surgery_2 surgery(m_domain, p.piece, m_comm);
-      if (!surgery.find_patches(bad_quality, most_operations(static_cast<std::size_t>(end))))
+      if (!surgery.find_patches(bad_quality))
         continue;
       const Patch_changes_2 changes = surgery.operate(end);
       if (surgery.number_of_insertions + surgery.number_of_deletions == 0)

@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_CUT_DOMAIN_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_CUT_DOMAIN_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Sharp_corner_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+
+#include <CGAL/Kernel/global_functions_2.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// A domain without the circles around its sharp corners. What is cut off counts as outside until there is a mesh, which
+/// is joined with it again.
+class Cut_domain_2
+{
+public:
+  /// `sizes`: how large circles around corners may be
+  Cut_domain_2(const Domain_2& whole, const Sizes_2& sizes)
+    : m_whole(whole), m_points(whole.corners()), m_nodes_on_arms(whole.edges().size(), {no_index, no_index})
+  {
+    const std::vector<Sharp_corner_2> sharp = find_sharp_corners(whole, sizes);
+    for (const Sharp_corner_2& c : sharp)
+      cut_arms(c);
+    for (std::size_t e = 0; e < whole.edges().size(); ++e)
+      add_pieces(static_cast<Index>(e));
+    for (const Sharp_corner_2& c : sharp)
+      for (const Sharp_corner_2::Sector& s : c.sectors())
+        add_arc(c, s);
+    m_is_cut = !sharp.empty() && m_domain.build(std::move(m_points), std::move(m_edges)) == Marking_error::NONE;
+  }
+
+  /// Whether there was something to be cut off, and circles do not meet what is near by a rounding: else the domain is not
+  /// to be used.
+  bool is_cut() const { return m_is_cut; }
+
+  const Domain_2& domain() const { return m_domain; }
+
+  /// makes vertices that were on edges of the whole domain those on edges of this one
+  void cut(Given_mesh_2& given) const
+  {
+    std::vector<std::vector<Point>> on_edge(m_domain.edges().size());
+    for (std::size_t k = 0; k < m_pieces.size(); ++k)
+      if (m_domain.edges()[k].takes_bubbles)
+        for (const Point& p : given.on_edge[m_pieces[k].edge]) {
+          const double s = position_on_edge(m_whole, m_pieces[k].edge, p);
+          if (s > m_pieces[k].begin && s < m_pieces[k].end)
+            on_edge[k].push_back(p);
+        }
+    given.on_edge = std::move(on_edge);
+  }
+
+  /// Makes bubbles of this domain those of the whole one, and the triangles between them.
+  void join(Bubble_mesh_2& mesh) const
+  {
+    const bool is_joined = join_triangles(mesh);
+    join(mesh.bubbles);
+    if (!is_joined)
+      triangulate(m_whole, mesh);
+  }
+
+  /// The hosts of bubbles in faces, which are triangles of a domain, are not to be used any more.
+  void join(Bubbles_2& b) const
+  {
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_on_edge(i)) {
+        const Piece& piece = m_pieces[b.host[i]];
+        b.host[i] = piece.edge;
+        b.s[i] = piece.begin + b.s[i] * (piece.end - piece.begin);
+      } else if (is_on_circle(b, static_cast<Index>(i))) {
+        const Node& node = circle_node(b, static_cast<Index>(i));
+        b.dimension[i] = node.edge == no_index ? Bubbles_2::FACE : Bubbles_2::EDGE;
+        b.s[i] = node.s;
+        b.host[i] = node.edge == no_index ? 0 : node.edge;
+      }
+  }
+
+private:
+  /// a part of an edge of the whole domain, which has none where circles are
+  struct Piece { Index edge; double begin, end; };
+
+  /// a corner that is one in the cut domain only
+  struct Node
+  {
+    Index centre; ///< of its circle
+    Index edge;   ///< on which it lies, if any
+    double s;
+  };
+
+  Index add_node(const Node& node, const Point& p)
+  {
+    m_nodes.push_back(node);
+    m_points.push_back(p);
+    return static_cast<Index>(m_points.size() - 1);
+  }
+
+  void add_piece(const Domain_edge_2& edge, const Piece& piece)
+  {
+    m_edges.push_back(edge);
+    m_pieces.push_back(piece);
+  }
+
+  void cut_arms(const Sharp_corner_2& c)
+  {
+    for (const Sharp_corner_2::Arm& a : c.arms()) {
+      const double share = c.radius / m_whole.length(a.edge), s = a.is_source ? share : 1 - share;
+      node_on_arm(a) = add_node(Node{c.corner, a.edge, s}, m_whole.point_on_edge(a.edge, s));
+    }
+  }
+
+  Index& node_on_arm(const Sharp_corner_2::Arm& a) { return m_nodes_on_arms[a.edge][a.is_source ? 0 : 1]; }
+
+  void add_pieces(Index e)
+  {
+    Domain_edge_2 edge = m_whole.edges()[e];
+    double begin = 0, end = 1;
+    const auto [first, last] = m_nodes_on_arms[e];
+    if (first != no_index) {
+      begin = m_nodes[first - m_whole.corners().size()].s;
+      add_piece(Domain_edge_2{edge.source, first, false, false, false}, Piece{e, 0, begin});
+      edge.source = first;
+    }
+    if (last != no_index) {
+      end = m_nodes[last - m_whole.corners().size()].s;
+      add_piece(Domain_edge_2{last, edge.target, false, false, false}, Piece{e, end, 1});
+      edge.target = last;
+    }
+    add_piece(edge, Piece{e, begin, end});
+  }
+
+  void add_arc(const Sharp_corner_2& c, const Sharp_corner_2::Sector& sector)
+  {
+    const Sharp_corner_2::Arm& arm = c.arms()[sector.first];
+    const Point& o = m_whole.corners()[c.corner];
+    const double start = std::atan2(arm.to_other_end.y(), arm.to_other_end.x());
+    Index last = node_on_arm(arm);
+    const auto add_chord = [&](Index next) { // counterclockwise, so the corner is on its left
+      add_piece(Domain_edge_2{last, next, false, true, false}, Piece{no_index, 0, 0});
+      last = next;
+    };
+    for (double angle : c.nodes(sector))
+      add_chord(add_node(Node{c.corner, no_index, 0}, Point(o.x() + c.radius * std::cos(start + angle),
+                                                            o.y() + c.radius * std::sin(start + angle))));
+    add_chord(node_on_arm(c.arms()[sector.second]));
+  }
+
+  bool is_on_circle(const Bubbles_2& b, Index i) const
+  {
+    return b.is_corner(i) && b.host[i] >= static_cast<Index>(m_whole.corners().size());
+  }
+
+  const Node& circle_node(const Bubbles_2& b, Index i) const
+  {
+    return m_nodes[static_cast<std::size_t>(b.host[i]) - m_whole.corners().size()];
+  }
+
+  /// Opens the chords of circles to the triangles between them and the corners. Returns whether all is a constrained
+  /// Delaunay triangulation then, as it nearly always is.
+  bool join_triangles(Bubble_mesh_2& mesh) const
+  {
+    Marked_triangles_2& m = mesh.triangles;
+    for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        if (m.edges[t][i] == no_index || !is_chord(mesh.bubbles, m.vertices[t][ccw(i)], m.vertices[t][cw(i)]))
+          continue;
+        m.edges[t][i] = no_index;
+        if (m.inside[t]) // beyond the circle
+          continue;
+        const Index u = m.vertices[t][ccw(i)], opposite = m.vertices[t][i];
+        m.inside[t] = mesh.bubbles.is_corner(opposite) &&
+                      mesh.bubbles.host[opposite] == circle_node(mesh.bubbles, u).centre;
+        if (!m.inside[t] || !is_delaunay(mesh, static_cast<Index>(t), i))
+          return false;
+      }
+    return true;
+  }
+
+  bool is_chord(const Bubbles_2& b, Index u, Index v) const
+  {
+    return is_on_circle(b, u) && is_on_circle(b, v) && circle_node(b, u).centre == circle_node(b, v).centre;
+  }
+
+  static bool is_delaunay(const Bubble_mesh_2& mesh, Index t, int i)
+  {
+    const Index n = mesh.triangles.neighbors[t][i];
+    return n == no_index ||
+           CGAL::side_of_oriented_circle(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2),
+                                         mesh.point(n, mesh.triangles.index_of_neighbor(n, t))) != ON_POSITIVE_SIDE;
+  }
+
+  const Domain_2& m_whole;
+  Domain_2 m_domain;
+  bool m_is_cut = false;
+  std::vector<Point> m_points;        // until the domain is built
+  std::vector<Domain_edge_2> m_edges; // the same
+  std::vector<Piece> m_pieces;        // of each edge
+  std::vector<Node> m_nodes;          // of corners beyond those of the whole domain
+  std::vector<std::array<Index, 2>> m_nodes_on_arms; // of each edge of the whole domain, at its source and target
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_CUT_DOMAIN_2_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_SHARP_CORNER_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_SHARP_CORNER_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// A corner in which two edges of the domain meet in less than 60 degrees, surrounded by a circle. No mesh has better
+/// triangles there than the angle allows, but all others can be good, if the circle is part of the mesh: its nodes, which
+/// include one on each edge at the corner, make isosceles triangles with the corner, and the angles beyond the nodes on
+/// the edges are larger than 90 degrees.
+class Sharp_corner_2
+{
+public:
+  /// an edge at the corner
+  struct Arm
+  {
+    Index edge;
+    bool is_source;             ///< whether the corner is the source of the edge
+    Kernel::Vector_2 to_other_end;
+    double spacing = widest;    ///< of the nodes on the circle around the arm, in radii
+  };
+
+  /// what lies between an arm and the next, counterclockwise
+  struct Sector
+  {
+    std::size_t first, second;  ///< arms
+    double angle;
+  };
+
+  const Index corner;
+  double radius = 0;
+
+  Sharp_corner_2(Index c, std::vector<Arm> arms_at_corner, const Domain_2& domain)
+    : corner(c), m_arms(std::move(arms_at_corner))
+  {
+    std::sort(m_arms.begin(), m_arms.end(), [](const Arm& a, const Arm& b) {
+      return Kernel::Direction_2(a.to_other_end) < Kernel::Direction_2(b.to_other_end);
+    });
+    for (std::size_t k = 0; k < m_arms.size(); ++k)
+      add_sector(domain, k, (k + 1) % m_arms.size());
+    if (is_sharp())
+      find_spacings();
+  }
+
+  /// Whether it is one indeed. Edges that can hardly be told apart by their coordinates make none.
+  bool is_sharp() const { return m_sharpest < sharp && m_sharpest > needle; }
+
+  const std::vector<Arm>& arms() const { return m_arms; }
+
+  /// those that belong to the domain
+  const std::vector<Sector>& sectors() const { return m_sectors; }
+
+  /// Nodes on the circle in a sector: their angles from its first arm. Spacings grow away from the arms.
+  std::vector<double> nodes(const Sector& s) const
+  {
+    const double first = m_arms[s.first].spacing, second = m_arms[s.second].spacing;
+    const auto spacing = [&](double a) { return (std::min)({widest, first + growth * a, second + growth * (s.angle - a)}); };
+    Edge_integral integral{{0}, {0}}; // over angles
+    for (double a = 0; a < s.angle;) {
+      const double next = (std::min)(s.angle, a + 0.25 * spacing(a));
+      integral.s.push_back(next);
+      integral.sum.push_back(integral.sum.back() + integrate_piece(next - a, spacing(a), spacing(next)));
+      a = next;
+    }
+    std::vector<double> result;
+    const double parts = (std::max)(std::ceil(s.angle / widest_angle), std::round(integral.total()));
+    for (double k = 1; k < parts; ++k)
+      result.push_back(integral.invert(k / parts * integral.total()));
+    return result;
+  }
+
+private:
+  static constexpr double pi = 3.14159265358979323846;
+  static constexpr double sharp = pi / 3, needle = 1e-6; // angles
+  static constexpr double widest = 0.9;                  // spacing, in radii
+  static constexpr double widest_angle = 1.4;            // between two nodes
+  static constexpr double growth = 0.2;                  // of the spacing, by radian: as of sizes
+
+  void add_sector(const Domain_2& domain, std::size_t k, std::size_t next)
+  {
+    const Domain_edge_2& e = domain.edges()[m_arms[k].edge];
+    if (!(m_arms[k].is_source ? e.inside_left : e.inside_right))
+      return;
+    const Kernel::Vector_2 &u = m_arms[k].to_other_end, &v = m_arms[next].to_other_end;
+    double angle = std::atan2(u.x() * v.y() - u.y() * v.x(), u * v);
+    if (!(angle > 0))
+      angle += 2 * pi; // of the only edge in its corner with itself
+    m_sectors.push_back(Sector{k, next, angle});
+    m_sharpest = (std::min)(m_sharpest, angle);
+  }
+
+  /// in a sharp sector as wide as the chord between its arms; all around they grow no faster than elsewhere
+  void find_spacings()
+  {
+    for (const Sector& s : m_sectors)
+      if (s.angle < sharp)
+        for (std::size_t k : {s.first, s.second})
+          m_arms[k].spacing = (std::min)(m_arms[k].spacing, 2 * std::sin(0.5 * s.angle));
+    const std::size_t n = m_arms.size();
+    for (std::size_t turn = 0; turn < 2 * n; ++turn) {
+      grow(turn % n, (turn + 1) % n);
+      grow((2 * n - turn) % n, (2 * n - turn - 1) % n);
+    }
+  }
+
+  void grow(std::size_t from, std::size_t to)
+  {
+    const Kernel::Vector_2 &u = m_arms[from].to_other_end, &v = m_arms[to].to_other_end;
+    const double angle = std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u * v));
+    m_arms[to].spacing = (std::min)(m_arms[to].spacing, m_arms[from].spacing + growth * angle);
+  }
+
+  std::vector<Arm> m_arms;       // counterclockwise
+  std::vector<Sector> m_sectors; // counterclockwise
+  double m_sharpest = 2 * pi;
+};
+
+/// The sharp corners of a domain. `sizes`: their circles have half of them as radius at most
+inline std::vector<Sharp_corner_2> find_sharp_corners(const Domain_2& domain, const Sizes_2& sizes)
+{
+  std::vector<std::vector<Sharp_corner_2::Arm>> arms(domain.corners().size());
+  for (std::size_t k = 0; k < domain.edges().size(); ++k) {
+    const Index e = static_cast<Index>(k);
+    const Domain_edge_2& edge = domain.edges()[k];
+    const Kernel::Vector_2 u = domain.target(e) - domain.source(e);
+    arms[edge.source].push_back({e, true, u});
+    arms[edge.target].push_back({e, false, -u});
+  }
+  std::vector<Sharp_corner_2> result;
+  std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge
+  for (std::size_t c = 0; c < arms.size(); ++c) {
+    Sharp_corner_2 corner(static_cast<Index>(c), std::move(arms[c]), domain);
+    if (!corner.is_sharp())
+      continue;
+    for (const Sharp_corner_2::Arm& a : corner.arms())
+      ++number_at[a.edge];
+    result.push_back(std::move(corner));
+  }
+  for (Sharp_corner_2& corner : result) {
+    corner.radius = 0.5 * sizes(domain.corners()[corner.corner]);
+    for (const Sharp_corner_2::Arm& a : corner.arms()) // something is left between two circles
+      corner.radius = (std::min)(corner.radius, domain.length(a.edge) / (1 + number_at[a.edge]));
+  }
+  return result;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_SHARP_CORNER_2_H
