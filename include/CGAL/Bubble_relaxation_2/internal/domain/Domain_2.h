@@ -14,6 +14,8 @@
 
 #include <CGAL/Bbox_2.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -43,6 +45,11 @@ public:
       m_lengths.push_back(std::hypot(u.x(), u.y()));
       m_directions.push_back({u.x() / m_lengths.back(), u.y() / m_lengths.back()});
     }
+    m_by_corners.clear();
+    for (std::size_t e = 0; e < m_edges.size(); ++e)
+      m_by_corners.push_back({(std::min)(m_edges[e].source, m_edges[e].target),
+                              (std::max)(m_edges[e].source, m_edges[e].target), static_cast<Index>(e)});
+    std::sort(m_by_corners.begin(), m_by_corners.end());
     const Marking_error error = mark_triangulation(m_corners, m_edges, m_marked);
     if (error == Marking_error::NONE)
       find_sides();
@@ -63,6 +70,14 @@ public:
   const Point& target(Index e) const { return m_corners[m_edges[e].target]; }
 
   double length(Index e) const { return m_lengths[e]; }
+
+  /// the edge between two corners, or `no_index`
+  Index edge_between(Index u, Index v) const
+  {
+    const std::array<Index, 3> first{(std::min)(u, v), (std::max)(u, v), 0};
+    const auto found = std::lower_bound(m_by_corners.begin(), m_by_corners.end(), first);
+    return found != m_by_corners.end() && (*found)[0] == first[0] && (*found)[1] == first[1] ? (*found)[2] : no_index;
+  }
 
   /// from the source to the target
   const Direction& direction(Index e) const { return m_directions[e]; }
@@ -160,6 +175,7 @@ private:
   std::vector<Domain_edge_2> m_edges;
   std::vector<double> m_lengths;        // of the edges
   std::vector<Direction> m_directions;  // of the edges
+  std::vector<std::array<Index, 3>> m_by_corners; // the edges between two, in order
   Marked_triangulation_2 m_marked;
   std::vector<Side> m_left, m_right; // the triangles beside each edge
   Bbox_2 m_bbox;

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -85,34 +86,32 @@ inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, doub
   return result;
 }
 
-/// What is still bad when vertices were moved needs one vertex less or more. Operates on the worst triangles,
-/// the worst first, on patches that do not overlap, and puts what comes out in their place.
+/// What is still bad when vertices were moved needs one vertex less or more. Operates on bad triangles, the worst first,
+/// on patches that do not overlap, and puts what comes out in their place.
 class Defect_surgery_2
 {
 public:
-  /// `bad_quality`: triangles with less are operated on. \pre the edges of `mesh` are labelled.
-  Defect_surgery_2(const Domain_2& domain, const Bubble_mesh_2& mesh, double bad_quality)
-    : m_domain(domain), m_mesh(mesh), m_bad_quality(bad_quality)
-  {}
+  /// \pre the edges of `mesh` are labelled
+  Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh) : m_domain(domain), m_mesh(mesh) {}
 
-  /// what the last call did
+  /// what was done
   std::size_t number_of_insertions = 0, number_of_deletions = 0;
   bool has_changed_outline = false; ///< then the triangles outside of the domain are still to be made
 
-  /// returns the mesh if it changed, else an empty one
-  Bubble_mesh_2 operator()()
+  /// operates on triangles with less than `bad_quality`; returns whether any of them got better
+  bool operator()(double bad_quality)
   {
-    const std::vector<Operation> operations = operate();
+    const std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, bad_quality);
+    const std::vector<Operation> operations = operate(worst);
     if (operations.empty())
-      return {};
-    Bubble_mesh_2 result = m_mesh;
-    Mesh_stitching_2 stitching(result);
+      return false;
+    Mesh_stitching_2 stitching(m_mesh);
     for (const Operation& operation : operations) {
-      const std::vector<Index> number = replace_bubbles(operation, result);
+      const std::vector<Index> number = replace_bubbles(operation);
       stitching.replace(operation.patch.triangles(), operation.outcome.triangles(operation.patch, number));
     }
     stitching.finish();
-    return result;
+    return true;
   }
 
 private:
@@ -122,9 +121,8 @@ private:
     Patch_outcome_2 outcome;
   };
 
-  std::vector<Operation> operate() const
+  std::vector<Operation> operate(const std::vector<Bad_triangle_2>& worst)
   {
-    const std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, m_bad_quality);
     std::vector<Mesh_patch_2> patches;
     std::unordered_map<Index, std::vector<Index>> patches_of; // triangles
     Greedy_choice choice;
@@ -140,17 +138,22 @@ private:
     }
     std::vector<Operation> result;
     choice.decide([&](Index k) {
+      const std::size_t signature = patches[k].signature(worst[k].triangle);
+      if (m_hopeless.count(signature) != 0)
+        return false;
       Patch_operation_2 operate(m_domain, m_mesh, patches[k]);
       const bool has_helped = operate(worst[k].triangle);
       if (has_helped)
         result.push_back(Operation{std::move(patches[k]), operate.best()});
+      else
+        m_hopeless.insert(signature);
       return has_helped;
     });
     return result;
   }
 
   /// puts the bubbles of an outcome in the place of those of a patch; returns their numbers in the mesh
-  std::vector<Index> replace_bubbles(const Operation& operation, Bubble_mesh_2& mesh)
+  std::vector<Index> replace_bubbles(const Operation& operation)
   {
     const std::vector<Index>& indices = operation.patch.indices();
     const Bubbles_2& b = operation.outcome.mesh.bubbles;
@@ -159,30 +162,30 @@ private:
     for (std::size_t k = 0; k < b.size(); ++k) {
       const std::size_t original = static_cast<std::size_t>(operation.outcome.original[k]);
       if (original >= indices.size()) {
-        number.push_back(insert(b, k, mesh));
+        number.push_back(insert(b, k));
         continue;
       }
       is_left[original] = 1;
       number.push_back(indices[original]);
-      move(b, k, indices[original], mesh);
+      move(b, k, indices[original]);
     }
     for (std::size_t l = 0; l < indices.size(); ++l)
       if (!is_left[l])
-        remove(indices[l], mesh);
+        remove(indices[l]);
     return number;
   }
 
-  Index insert(const Bubbles_2& b, std::size_t k, Bubble_mesh_2& mesh)
+  Index insert(const Bubbles_2& b, std::size_t k)
   {
     ++number_of_insertions;
     has_changed_outline = has_changed_outline || b.is_on_edge(k);
-    mesh.bubbles.add(b, k);
-    return static_cast<Index>(mesh.bubbles.size() - 1);
+    m_mesh.bubbles.add(b, k);
+    return static_cast<Index>(m_mesh.bubbles.size() - 1);
   }
 
-  void move(const Bubbles_2& b, std::size_t k, Index i, Bubble_mesh_2& mesh)
+  void move(const Bubbles_2& b, std::size_t k, Index i)
   {
-    Bubbles_2& all = mesh.bubbles;
+    Bubbles_2& all = m_mesh.bubbles;
     has_changed_outline = has_changed_outline || (b.is_on_edge(k) && b.point(k) != all.point(i));
     all.x[i] = b.x[k];
     all.y[i] = b.y[k];
@@ -191,16 +194,16 @@ private:
       all.host[i] = b.host[k];
   }
 
-  void remove(Index i, Bubble_mesh_2& mesh)
+  void remove(Index i)
   {
     ++number_of_deletions;
-    has_changed_outline = has_changed_outline || mesh.bubbles.is_on_edge(i);
-    mesh.bubbles.remove(i);
+    has_changed_outline = has_changed_outline || m_mesh.bubbles.is_on_edge(i);
+    m_mesh.bubbles.remove(i);
   }
 
   const Domain_2& m_domain;
-  const Bubble_mesh_2& m_mesh;
-  const double m_bad_quality;
+  Bubble_mesh_2& m_mesh;
+  std::unordered_set<std::size_t> m_hopeless; // signatures of what could not be made better
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

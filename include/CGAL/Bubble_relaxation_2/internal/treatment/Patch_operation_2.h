@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
 
 #include <boost/container/flat_map.hpp>
+#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
@@ -56,6 +57,21 @@ public:
   {
     return static_cast<Index>(std::lower_bound(m_indices.begin(), m_indices.end(), i) -
                               m_indices.begin());
+  }
+
+  /// the same for what is the same, seen from a triangle of the patch
+  std::size_t signature(Index triangle) const
+  {
+    std::size_t result = 0;
+    const auto add = [&result](const Bubbles_2& b, std::size_t i) {
+      boost::hash_combine(result, b.x[i]);
+      boost::hash_combine(result, b.y[i]);
+    };
+    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
+      add(m_bubbles, i);
+    for (Index v : m_triangles_of_mesh.vertices[triangle])
+      add(m_all_bubbles, static_cast<std::size_t>(v));
+    return result;
   }
 
   /// whether the mesh, whose edges are labelled, ends at the patch where the domain does not
@@ -180,7 +196,8 @@ private:
 
 /// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its
 /// vertices or of the three beyond its sides, or to insert one in its middle or on a side; the patch is
-/// triangulated and its vertices are moved. The best outcome counts if the worst triangle of the patch gets better.
+/// triangulated and its vertices are moved. The best outcome counts if the worst triangle of the patch gets better, or
+/// stays as it is and the second worst gets better, and so on.
 class Patch_operation_2
 {
 public:
@@ -191,10 +208,12 @@ public:
   /// tries what could help triangle `t`; returns whether anything did
   bool operator()(Index t)
   {
-    double smallest = 1;
     for (Index n : m_patch.triangles())
-      smallest = (std::min)(smallest, quality(m_mesh, n));
-    m_smallest = smallest + least_gain;
+      add_defect(m_mesh, n, m_defects);
+    std::sort(m_defects.begin(), m_defects.end());
+    for (Index i : m_patch.indices())
+      if (m_bubbles.is_in_face(i))
+        m_hint = m_bubbles.host[i];
     const std::array<int, 3> corners = corners_in_order(t); // among equal outcomes the first counts
     m_mean_size = mean_size(t, corners);
     for (int i : corners) {
@@ -212,8 +231,29 @@ public:
   const Patch_outcome_2& best() const { return m_best; }
 
 private:
-  /// how much the smallest q of a patch must gain
+  /// how much the first q of a patch that changes must gain
   static constexpr double least_gain = 0.01;
+  /// triangles with less count as defects
+  static constexpr double good_quality = 0.9;
+
+  using Defects = std::vector<double>; // the qualities of bad triangles, the worst first
+
+  static void add_defect(const Bubble_mesh_2& mesh, Index t, Defects& defects)
+  {
+    const double q = mesh.triangles.inside[t] ? quality(mesh, t) : 1.;
+    if (q < good_quality)
+      defects.push_back(q);
+  }
+
+  static bool is_better(const Defects& after, const Defects& before, double gain)
+  {
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const double q = k < after.size() ? after[k] : 1.;
+      if (q < before[k] || q > before[k] + gain)
+        return q > before[k];
+    }
+    return false;
+  }
 
   /// from the vertex with the smallest index on
   std::array<int, 3> corners_in_order(Index t) const
@@ -273,8 +313,7 @@ private:
 
   void try_with(const Point& p, double d)
   {
-    Index hint = 0;
-    const Index triangle = m_domain.locate_inside(p, hint);
+    const Index triangle = m_domain.locate_inside(p, m_hint);
     if (triangle == no_index)
       return;
     Bubbles_2 bubbles = m_patch.bubbles();
@@ -317,13 +356,7 @@ private:
       return b.host[u];
     if (b.is_on_edge(v))
       return b.host[v];
-    for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
-      const Domain_edge_2& edge = m_domain.edges()[e];
-      if ((edge.source == b.host[u] && edge.target == b.host[v]) ||
-          (edge.source == b.host[v] && edge.target == b.host[u]))
-        return static_cast<Index>(e);
-    }
-    return no_index;
+    return m_domain.edge_between(b.host[u], b.host[v]);
   }
 
   double position(Index i, Index e) const
@@ -346,9 +379,12 @@ private:
       return;
     Team alone;
     Smoothing_sweeps_2(m_domain, mesh, alone)();
-    const double smallest = smallest_quality(mesh);
-    if (smallest > m_smallest) {
-      m_smallest = smallest;
+    Defects defects;
+    for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
+      add_defect(mesh, static_cast<Index>(t), defects);
+    std::sort(defects.begin(), defects.end());
+    if (is_better(defects, m_defects, m_is_better ? 0. : least_gain)) {
+      m_defects = std::move(defects);
       m_is_better = true;
       m_best = Patch_outcome_2{std::move(mesh), std::move(original)};
     }
@@ -361,7 +397,8 @@ private:
   const Mesh_patch_2& m_patch;
   bool m_is_better = false;
   double m_mean_size = 0;
-  double m_smallest = 0; // q of the best outcome
+  Defects m_defects; // of the best outcome
+  Index m_hint = 0;  // a triangle of the domain near by
   Patch_outcome_2 m_best;
 };
 

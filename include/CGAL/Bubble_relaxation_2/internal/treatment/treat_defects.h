@@ -120,7 +120,7 @@ struct Treatment_counts
 
 /// Triangles with less than the first are operated on at first, and so on. A triangle with more than the last is acute:
 /// 4 (sqrt 2 - 1) / 2 is the q of the right-angled triangle with two equal sides.
-constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83};
+constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
@@ -143,30 +143,25 @@ inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads
   return moved.size();
 }
 
-/// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller. All that
-/// could be better by it is tried once, since operations are dear, and what is bad some times more.
+/// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller; then vertices are
+/// moved once more.
 inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, double smallest,
                                Treatment_counts& counts)
 {
-  for (double bad_quality : bad_qualities) {
-    if (smallest >= bad_quality)
+  label_edges(mesh.triangles);
+  Bubble_mesh_2 changed = mesh;
+  Defect_surgery_2 surgery(domain, changed);
+  for (double bad_quality : bad_qualities)
+    if (!surgery(bad_quality))
       break;
-    label_edges(mesh.triangles);
-    Defect_surgery_2 surgery(domain, mesh, bad_quality);
-    Bubble_mesh_2 changed = surgery();
-    if (changed.bubbles.size() == 0)
-      break;
-    // rounding can make a mess of a change; then what was there is good
-    if (surgery.has_changed_outline && !rebuild_outside(domain, changed))
-      break;
-    double smallest_now = smallest_quality(changed, threads);
-    const std::size_t moved = smooth_defects(domain, threads, changed, smallest_now);
-    if (smallest_now < smallest)
-      break;
-    smallest = smallest_now;
-    mesh = std::move(changed);
-    counts += Treatment_counts{moved, surgery.number_of_insertions, surgery.number_of_deletions};
-  }
+  double smallest_now = smallest_quality(changed, threads);
+  // rounding can make a mess of a change; then what was there is good
+  if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < smallest ||
+      (surgery.has_changed_outline && !rebuild_outside(domain, changed)))
+    return;
+  counts += Treatment_counts{smooth_defects(domain, threads, changed, smallest_now), surgery.number_of_insertions,
+                             surgery.number_of_deletions};
+  mesh = std::move(changed);
 }
 
 /// Treats the last defects of a mesh. The smallest q never gets smaller. Sizes of bubbles that move are not
