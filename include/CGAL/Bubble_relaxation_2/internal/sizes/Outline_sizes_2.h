@@ -121,7 +121,7 @@ inline double extent(const Domain_2& domain)
 }
 
 /// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent.
-constexpr double smallest_size = 1e-6;
+constexpr double smallest_size = 1e-12;
 
 /// At each vertex of a constraint the length of the shorter constraint beside it. `splits`: what counts as vertices of
 /// edges between their ends, if anything
@@ -157,7 +157,7 @@ inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_sourc
 }
 
 /// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed there,
-/// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .8. Only in a
+/// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .9. Only in a
 /// corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
 class Outline_sizes_2
 {
@@ -181,8 +181,8 @@ public:
   }
 
 private:
-  /// One row of triangles in a channel is no worse when it is lower by a fifth than it should be.
-  static constexpr double tolerated = 1.25;
+  /// One row of triangles in a channel is hardly worse when it is a little lower than it should be.
+  static constexpr double tolerated = 1.1;
 
   /// Sizes that differ by less are left alone: else each turn would find many that are a little smaller.
   static constexpr double notable = 0.9;

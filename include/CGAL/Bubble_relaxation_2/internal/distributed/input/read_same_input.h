@@ -236,7 +236,7 @@ std::unique_ptr<Input_2<Cdt>> read_same_input(const Cdt& cdt, const NamedParamet
   check_same_options(comm, input->options);
   check_same_domain(comm, input->reading.domain);
   check_same_vertices(comm, input->reading.given);
-  check_same_sizes(comm, input->sizes.expected_number);
+  check_same_sizes(comm, input->limits.sizes.expected_number);
   comm.agree_after([&] { input->options.callback = agreed_callback(input->options.callback, comm); });
   return input;
 }
