@@ -134,7 +134,7 @@ void expect_same(Communicator& ranks, const paper::Domain& domain, const Relaxat
   bare.read(np);
   const Input& input = *bare.input;
   const Problem_2 read = input.problem(),
-                  problem{read.domain, read.given, options, read.wanted, read.sizes, read.cut};
+                  problem{read.domain, read.given, options, read.wanted, read.sizes, read.cut, read.whole};
   expect_same(ranks, problem, problem);
 }
 

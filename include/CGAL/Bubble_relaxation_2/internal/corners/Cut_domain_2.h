@@ -31,11 +31,12 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Cut_domain_2
 {
 public:
-  /// `sizes`: how large circles around corners may be
-  Cut_domain_2(const Domain_2& whole, const Sizes_2& sizes)
+  /// `sizes`: how large circles around corners may be; `growth`: by which they grow
+  Cut_domain_2(const Domain_2& whole, const Sizes_2& sizes, double growth)
     : m_whole(whole), m_points(whole.corners()), m_nodes_on_arms(whole.edges().size(), {no_index, no_index})
   {
-    const std::vector<Sharp_corner_2> sharp = find_sharp_corners(whole, sizes);
+    std::vector<Sharp_corner_2> sharp = sharp_corners(whole, growth);
+    find_circles(whole, sizes, sharp);
     for (const Sharp_corner_2& c : sharp)
       cut_arms(c);
     for (std::size_t e = 0; e < whole.edges().size(); ++e)

@@ -45,20 +45,19 @@ struct Size_source_2
 class Outline_field_2
 {
 public:
-  static constexpr double gradation = 0.2;
-
-  Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box)
-    : m_sources({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
+  /// `growth`: g
+  Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box, double growth)
+    : m_growth(growth), m_sources({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
                  0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), 0},
-                sources, Fill())
+                sources, Fill{growth})
   {}
 
   double operator()(double x, double y) const
   {
     const Sources& sources = m_sources(x, y);
-    double least = size_from(sources.front(), x, y);
+    double least = size_from(sources.front(), m_growth, x, y);
     for (const Size_source_2& s : sources)
-      least = (std::min)(least, size_from(s, x, y));
+      least = (std::min)(least, size_from(s, m_growth, x, y));
     return least;
   }
 
@@ -71,34 +70,25 @@ private:
   using Sources = std::vector<Size_source_2>;
   using Tree = Quadtree_2<Sources>;
 
-  static double size_from(const Size_source_2& s, double x, double y)
+  static double size_from(const Size_source_2& s, double growth, double x, double y)
   {
     const double dx = x - s.point.x(), dy = y - s.point.y();
-    return s.d + gradation * std::sqrt(dx * dx + dy * dy);
-  }
-
-  static const Size_source_2& nearest(const Sources& sources, double x, double y)
-  {
-    const Size_source_2* best = &sources.front();
-    for (const Size_source_2& s : sources) {
-      const double d = size_from(s, x, y), least = size_from(*best, x, y);
-      if (d < least || (d == least && s.point < best->point))
-        best = &s;
-    }
-    return *best;
+    return s.d + growth * std::sqrt(dx * dx + dy * dy);
   }
 
   struct Fill
   {
+    double growth;
+
     template <class Divide>
     void operator()(const Tree::Square& c, const Sources& sources, Sources& leaf, const Divide& divide) const
     {
       // within the cell two sources cannot change their order if they differ by more than this
-      const double slack = 2 * gradation * std::sqrt(2.) * c.half;
-      const double least = size_from(nearest(sources, c.x, c.y), c.x, c.y);
+      const double slack = 2 * growth * std::sqrt(2.) * c.half;
+      const double least = size_from(nearest(sources, c.x, c.y), growth, c.x, c.y);
       Sources kept;
       std::copy_if(sources.begin(), sources.end(), std::back_inserter(kept),
-                   [&](const Size_source_2& s) { return size_from(s, c.x, c.y) <= least + slack; });
+                   [&](const Size_source_2& s) { return size_from(s, growth, c.x, c.y) <= least + slack; });
       // far from a finely divided outline many sources stay, but d hardly changes within the cell
       const bool is_even = slack <= 0.5 * least || c.depth == deepest;
       if (kept.size() > most_sources && !is_even)
@@ -109,8 +99,20 @@ private:
       else
         leaf = std::move(kept);
     }
+
+    const Size_source_2& nearest(const Sources& sources, double x, double y) const
+    {
+      const Size_source_2* best = &sources.front();
+      for (const Size_source_2& s : sources) {
+        const double d = size_from(s, growth, x, y), least = size_from(*best, growth, x, y);
+        if (d < least || (d == least && s.point < best->point))
+          best = &s;
+      }
+      return *best;
+    }
   };
 
+  const double m_growth;
   Tree m_sources;
 };
 
@@ -151,9 +153,10 @@ inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
 }
 
 /// what is wanted, and less where sources of sizes ask for it
-inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_source_2>& sources, const Domain_2& domain)
+inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_source_2>& sources, const Domain_2& domain,
+                             double growth)
 {
-  return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox())));
+  return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox(), growth)));
 }
 
 /// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed there,
@@ -162,9 +165,9 @@ inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_sourc
 class Outline_sizes_2
 {
 public:
-  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth,
                   std::vector<Size_source_2> known)
-    : m_domain(domain), m_given(given), m_wanted(wanted), m_sources(std::move(known))
+    : m_domain(domain), m_given(given), m_wanted(wanted), m_growth(growth), m_sources(std::move(known))
   {}
 
   /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
@@ -197,7 +200,7 @@ private:
   /// divides the constraints by the sizes found so far, and measures across the triangles between them
   void add_widths()
   {
-    const Sizes_2 field = limited_sizes(m_wanted, m_sources, m_domain);
+    const Sizes_2 field = limited_sizes(m_wanted, m_sources, m_domain, m_growth);
     const Bubbles_2 nodes = nodes_on_constraints(field);
     std::vector<Point> points;
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -285,6 +288,7 @@ private:
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
   const Sizes_2& m_wanted;
+  const double m_growth;
   std::vector<Size_source_2> m_sources;
 };
 

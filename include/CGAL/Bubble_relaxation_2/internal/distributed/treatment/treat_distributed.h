@@ -293,6 +293,40 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
   mesh = std::move(given_mesh);
 }
 
+/// Collective. `refine_small_angles()` by ranks.
+inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hilbert_partition_2& partition,
+                                              Communicator& comm, Distributed_mesh_2& mesh)
+{
+  std::size_t result = 0;
+  for (int round = 0; round < most_rounds_of_refinement; ++round) {
+    std::vector<Steiner_point_2> wanted;
+    comm.agree_after([&] { wanted = wanted_points(problem, mesh, mesh.is_owned); });
+    wanted = Angle_refinement_2::independent(gather_records(comm, wanted));
+    if (wanted.empty())
+      break;
+    Bubbles_2 own;
+    comm.agree_after([&] { own = own_bubbles(mesh, comm.rank()); });
+    const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
+    comm.agree_after([&] {
+      for (std::size_t k = 0; k < wanted.size(); ++k) {
+        const Steiner_point_2& p = wanted[k];
+        if (partition.owner(p.x, p.y) != comm.rank())
+          continue;
+        Bubbles_2 one;
+        one.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
+        add_own(own, record(one, 0, end + static_cast<std::int64_t>(k)));
+      }
+    });
+    try {
+      mesh = distributed_triangulate(problem.domain, send_home(comm, partition, std::move(own)), partition, comm);
+    } catch (const std::runtime_error&) {
+      break; // on all ranks: finer than coordinates can tell
+    }
+    result += wanted.size();
+  }
+  return result;
+}
+
 /// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
 inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
@@ -308,6 +342,8 @@ inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubb
   Treatment_counts counts = treat(mesh, may_operate);
   if (keeps_given_bubbles(options))
     keep_the_better_of_all(problem, points, may_operate, comm, mesh, counts);
+  if (may_operate)
+    counts.inserted += refine_small_angles_of_all(problem, part.partition, comm, mesh);
   counts.add_to(report);
   return mesh;
 }

@@ -92,7 +92,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     Distributed_mesh_2 mesh = treat_distributed(problem, given, part, ranks, report);
     if (problem.cut != nullptr)
       mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
-    evaluate_distributed(mesh, input->wanted, ranks, report);
+    evaluate_distributed(mesh, problem, ranks, report);
     const Phase_timer writing_time(report.seconds.writing);
     Point_replacement_2<PointSet> replacement(points);
     Bubbles_2 bubbles;
