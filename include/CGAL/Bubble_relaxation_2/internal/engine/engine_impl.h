@@ -44,16 +44,17 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
   if (!may_limit)
     return {wanted, nullptr};
-  std::vector<Size_source_2> sources = Outline_sizes_2(domain, given, wanted, growth, {})(turns);
-  auto cut = std::make_shared<const Cut_domain_2>(domain, limited_sizes(wanted, sources, domain, growth), growth);
+  Limited_sizes_2 limited{wanted, {}};
+  Outline_sizes_2(domain, given, growth)(turns, limited);
+  auto cut = std::make_shared<const Cut_domain_2>(domain, limited.sizes, growth);
   if (cut->is_cut())
     cut->cut(given);
   else
     cut = nullptr;
   const Domain_2& rest = cut ? cut->domain() : domain;
-  sources = Outline_sizes_2(rest, given, wanted, growth, std::move(sources))(turns_beyond_circles);
-  Sizes_2 sizes = limited_sizes(wanted, sources, rest, growth);
-  if (!sources.empty())
+  Outline_sizes_2(rest, given, growth)(turns_beyond_circles, limited);
+  Sizes_2 sizes = limited.in_one(wanted, rest, growth);
+  if (!limited.sources.empty())
     count_bubbles(rest, maximum, "the sizing function and the fine parts of the outline (limit_by_outline)", sizes);
   return {sizes, cut};
 }

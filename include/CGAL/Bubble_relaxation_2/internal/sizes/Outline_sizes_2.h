@@ -85,10 +85,15 @@ private:
     {
       // within the cell two sources cannot change their order if they differ by more than this
       const double slack = 2 * growth * std::sqrt(2.) * c.half;
-      const double least = size_from(nearest(sources, c.x, c.y), growth, c.x, c.y);
+      std::vector<double> sizes;
+      sizes.reserve(sources.size());
+      for (const Size_source_2& s : sources)
+        sizes.push_back(size_from(s, growth, c.x, c.y));
+      const double least = *std::min_element(sizes.begin(), sizes.end());
       Sources kept;
-      std::copy_if(sources.begin(), sources.end(), std::back_inserter(kept),
-                   [&](const Size_source_2& s) { return size_from(s, growth, c.x, c.y) <= least + slack; });
+      for (std::size_t k = 0; k < sources.size(); ++k)
+        if (sizes[k] <= least + slack)
+          kept.push_back(sources[k]);
       // far from a finely divided outline many sources stay, but d hardly changes within the cell
       const bool is_even = slack <= 0.5 * least || c.depth == deepest;
       if (kept.size() > most_sources && !is_even)
@@ -103,10 +108,13 @@ private:
     const Size_source_2& nearest(const Sources& sources, double x, double y) const
     {
       const Size_source_2* best = &sources.front();
+      double least = size_from(*best, growth, x, y);
       for (const Size_source_2& s : sources) {
-        const double d = size_from(s, growth, x, y), least = size_from(*best, growth, x, y);
-        if (d < least || (d == least && s.point < best->point))
+        const double d = size_from(s, growth, x, y);
+        if (d < least || (d == least && s.point < best->point)) {
           best = &s;
+          least = d;
+        }
       }
       return *best;
     }
@@ -152,12 +160,27 @@ inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
   return result;
 }
 
-/// what is wanted, and less where sources of sizes ask for it
-inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_source_2>& sources, const Domain_2& domain,
-                             double growth)
+/// Sizes that are followed, and where the outline asks for less than is wanted.
+struct Limited_sizes_2
 {
-  return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox(), growth)));
-}
+  Sizes_2 sizes;
+  std::vector<Size_source_2> sources;
+
+  /// `growth`: how fast sizes grow away from sources
+  void add(const std::vector<Size_source_2>& more, const Domain_2& domain, double growth)
+  {
+    if (more.empty())
+      return;
+    sizes = smaller_of(sizes, Sizes_2(Outline_field_2(more, domain.bbox(), growth)));
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
+
+  /// the same with all sources in one field, which is asked faster
+  Sizes_2 in_one(const Sizes_2& wanted, const Domain_2& domain, double growth) const
+  {
+    return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox(), growth)));
+  }
+};
 
 /// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed there,
 /// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .9. Only in a
@@ -165,22 +188,24 @@ inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_sourc
 class Outline_sizes_2
 {
 public:
-  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth,
-                  std::vector<Size_source_2> known)
-    : m_domain(domain), m_given(given), m_wanted(wanted), m_growth(growth), m_sources(std::move(known))
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, double growth)
+    : m_domain(domain), m_given(given), m_growth(growth)
   {}
 
   /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
   /// more places
-  std::vector<Size_source_2> operator()(int turns)
+  void operator()(int turns, Limited_sizes_2& limited)
   {
     for (const Size_source_2& s : sizes_of_pieces(m_domain))
-      limit(s.point, s.d, m_wanted);
-    for (std::size_t last = m_sources.size() + 1; turns > 0 && m_sources.size() != last; --turns) {
-      last = m_sources.size();
-      add_widths();
+      limit(s.point, s.d, limited.sizes);
+    bool is_found = true;
+    for (int turn = 0; turn < turns && is_found; ++turn) {
+      limited.add(m_found, m_domain, m_growth);
+      m_found.clear();
+      add_widths(limited.sizes);
+      is_found = !m_found.empty();
     }
-    return std::move(m_sources);
+    limited.add(m_found, m_domain, m_growth);
   }
 
 private:
@@ -194,13 +219,12 @@ private:
   {
     const double d = tolerated * distance;
     if (d < notable * followed(p))
-      m_sources.push_back(Size_source_2{p, (std::max)(d, smallest_size * extent(m_domain))});
+      m_found.push_back(Size_source_2{p, (std::max)(d, smallest_size * extent(m_domain))});
   }
 
   /// divides the constraints by the sizes found so far, and measures across the triangles between them
-  void add_widths()
+  void add_widths(const Sizes_2& field)
   {
-    const Sizes_2 field = limited_sizes(m_wanted, m_sources, m_domain, m_growth);
     const Bubbles_2 nodes = nodes_on_constraints(field);
     std::vector<Point> points;
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -287,9 +311,8 @@ private:
 
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
-  const Sizes_2& m_wanted;
   const double m_growth;
-  std::vector<Size_source_2> m_sources;
+  std::vector<Size_source_2> m_found; // in this turn
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
