@@ -64,7 +64,7 @@ def main():
              '<rect width="990" height="510" fill="white"/>',
              '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="7" refY="3" orient="auto">'
              '<path d="M0,0 L7,3 L0,6 z" fill="#333"/></marker></defs>']
-    parts += band(0.75, "CGAL::npbs_relax() and the other entry points: each stage has one door")
+    parts += band(0.75, "CGAL::npbs_relax() and the other entry points: each stage has a door or a few")
     for name, column, row, width in FRAMES:
         parts += frame(name, column, row, width, 3.08 if name == "engine" else 2.98)
     for room in STAGES:
@@ -73,7 +73,7 @@ def main():
     parts += arrow(5, 2, 6, 1)
     for room in SHELVES:
         parts += box(*room, "#e9edd8")
-    parts += band(4.42, "tool shelves, open to all that stands above: right before left")
+    parts += band(4.42, "what stages are made of: right before left")
     parts += band(5.08, "on several ranks: the same stages, with a team that tells the others")
     for room in RANKS:
         parts += box(*room, "#f7e3cf")
