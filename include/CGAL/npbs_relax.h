@@ -178,7 +178,7 @@ those on edges lie exactly on them.
     \cgalParamDescription{where the treatment leaves a triangle with a smaller angle, in degrees, which is not that
                           between two edges of the domain, vertices are inserted as by Ruppert's refinement. That
                           ends by proof up to 20.7 degrees where sharp corners are cut off (`limit_by_outline`);
-                          beyond, it stops after 50 rounds}
+                          if it takes more than a tenth of the vertices, nothing is inserted}
     \cgalParamType{a number, 0 to 33; 0: none are inserted}
     \cgalParamDefault{28}
   \cgalParamNEnd

@@ -45,17 +45,17 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   if (!may_limit)
     return {wanted, nullptr};
   Limited_sizes_2 limited{wanted, {}};
-  Outline_sizes_2(domain, given, growth)(turns, limited);
+  Outline_sizes_2(domain, given, wanted, growth, maximum)(turns, limited);
   auto cut = std::make_shared<const Cut_domain_2>(domain, limited.sizes, growth);
   if (cut->is_cut())
     cut->cut(given);
   else
     cut = nullptr;
   const Domain_2& rest = cut ? cut->domain() : domain;
-  Outline_sizes_2(rest, given, growth)(turns_beyond_circles, limited);
+  Outline_sizes_2(rest, given, wanted, growth, maximum)(turns_beyond_circles, limited);
   Sizes_2 sizes = limited.in_one(wanted, rest, growth);
   if (!limited.sources.empty())
-    count_bubbles(rest, maximum, "the sizing function and the fine parts of the outline (limit_by_outline)", sizes);
+    count_bubbles(rest, maximum, sizes_and_outline, sizes);
   return {sizes, cut};
 }
 

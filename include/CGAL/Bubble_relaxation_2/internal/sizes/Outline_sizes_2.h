@@ -188,12 +188,15 @@ struct Limited_sizes_2
 class Outline_sizes_2
 {
 public:
-  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, double growth)
-    : m_domain(domain), m_given(given), m_growth(growth)
+  /// `maximum`: of bubbles
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth,
+                  std::size_t maximum)
+    : m_domain(domain), m_given(given), m_wanted(wanted), m_growth(growth), m_maximum(maximum)
   {}
 
   /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
   /// more places
+  /// \throws std::length_error if too many bubbles are asked for on edges alone
   void operator()(int turns, Limited_sizes_2& limited)
   {
     for (const Size_source_2& s : sizes_of_pieces(m_domain))
@@ -202,6 +205,7 @@ public:
     for (int turn = 0; turn < turns && is_found; ++turn) {
       limited.add(m_found, m_domain, m_growth);
       m_found.clear();
+      count_bubbles_on_edges(m_domain, m_maximum, limited.sizes);
       add_widths(limited.sizes);
       is_found = !m_found.empty();
     }
@@ -214,6 +218,15 @@ private:
 
   /// Sizes that differ by less are left alone: else each turn would find many that are a little smaller.
   static constexpr double notable = 0.9;
+
+  /// A crack that is narrower than this share of what is wanted has no room for triangles: its sides count as touching.
+  static constexpr double narrowest = 1e-6;
+
+  void limit_by_width(const Point& p, double width, const Sizes_2& followed)
+  {
+    if (width > narrowest * m_wanted(p))
+      limit(p, width, followed);
+  }
 
   void limit(const Point& p, double distance, const Sizes_2& followed)
   {
@@ -306,12 +319,14 @@ private:
       return;
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
     for (const Point& end : {p, foot})
-      limit(end, std::sqrt(CGAL::squared_distance(p, foot)), field);
+      limit_by_width(end, std::sqrt(CGAL::squared_distance(p, foot)), field);
   }
 
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
+  const Sizes_2& m_wanted;
   const double m_growth;
+  const std::size_t m_maximum;
   std::vector<Size_source_2> m_found; // in this turn
 };
 

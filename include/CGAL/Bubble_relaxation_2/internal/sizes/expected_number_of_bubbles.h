@@ -143,6 +143,28 @@ private:
   double m_mean_density = 0; // of the last smooth triangle
 };
 
+[[noreturn]] inline void throw_too_many_bubbles(std::size_t maximum, const char* asking, double expected)
+{
+  std::ostringstream message;
+  message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum << ": " << asking
+          << " ask for more, at least " << expected;
+  throw std::length_error(message.str());
+}
+
+constexpr const char* sizes_and_outline = "the sizing function and the fine parts of the outline (limit_by_outline)";
+
+/// \throws std::length_error if sizes that are limited by the outline ask for too many bubbles on edges alone
+inline void count_bubbles_on_edges(const Domain_2& domain, std::size_t maximum, const Sizes_2& sizes)
+{
+  const double most = static_cast<double>(maximum);
+  Expected_number_of_bubbles count(domain, sizes, most);
+  double sum = 0;
+  for (std::size_t e = 0; e < domain.edges().size() && sum <= most; ++e)
+    sum += count.integral_over_edge(static_cast<Index>(e));
+  if (sum > most)
+    throw_too_many_bubbles(maximum, sizes_and_outline, sum);
+}
+
 /// Counts how many bubbles sizes ask for in the domain: that costs calls of d, so it is done once. `asking`: what asks
 /// for them, in words for the user
 /// \throws std::length_error if they are more than the user wants to have
@@ -150,12 +172,8 @@ inline void count_bubbles(const Domain_2& domain, std::size_t maximum, const cha
 {
   const double expected =
     Expected_number_of_bubbles(domain, sizes, static_cast<double>(maximum))();
-  if (expected > static_cast<double>(maximum)) {
-    std::ostringstream message;
-    message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
-            << ": " << asking << " ask for more, at least " << expected;
-    throw std::length_error(message.str());
-  }
+  if (expected > static_cast<double>(maximum))
+    throw_too_many_bubbles(maximum, asking, expected);
   sizes.expected_number = expected;
 }
 

@@ -170,25 +170,36 @@ inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, cons
   return result;
 }
 
-constexpr int most_rounds_of_refinement = 50;
+/// Whether refinement that takes so many vertices will hardly come to an end: in a crack, for one.
+inline bool is_endless(std::size_t number_of_new_vertices, std::size_t number_of_vertices)
+{
+  return number_of_new_vertices > 100 + number_of_vertices / 10;
+}
 
-/// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so. Returns how many.
+/// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so, or none if that is endless.
+/// Returns how many.
 inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& mesh)
 {
+  Bubble_mesh_2 refined;
   std::size_t result = 0;
-  for (int round = 0; round < most_rounds_of_refinement; ++round) {
+  for (;;) {
+    const Bubble_mesh_2& last = result == 0 ? mesh : refined;
     const std::vector<Steiner_point_2> wanted =
-      Angle_refinement_2::independent(wanted_points(problem, mesh, mesh.triangles.inside));
+      Angle_refinement_2::independent(wanted_points(problem, last, last.triangles.inside));
     if (wanted.empty())
       break;
-    Bubble_mesh_2 refined{mesh.bubbles, {}};
-    for (const Steiner_point_2& p : wanted)
-      refined.bubbles.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
-    if (!try_to_triangulate(cut_edges(problem.domain, refined.bubbles), refined))
-      break; // finer than coordinates can tell
     result += wanted.size();
-    mesh = std::move(refined);
+    if (is_endless(result, mesh.bubbles.size()))
+      return 0;
+    Bubble_mesh_2 next{last.bubbles, {}};
+    for (const Steiner_point_2& p : wanted)
+      next.bubbles.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
+    if (!try_to_triangulate(cut_edges(problem.domain, next.bubbles), next))
+      return 0; // finer than coordinates can tell
+    refined = std::move(next);
   }
+  if (result > 0)
+    mesh = std::move(refined);
   return result;
 }
 

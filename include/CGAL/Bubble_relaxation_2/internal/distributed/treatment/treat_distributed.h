@@ -297,16 +297,23 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
 inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hilbert_partition_2& partition,
                                               Communicator& comm, Distributed_mesh_2& mesh)
 {
-  std::size_t result = 0;
-  for (int round = 0; round < most_rounds_of_refinement; ++round) {
+  Distributed_mesh_2 refined;
+  std::size_t result = 0, number_of_vertices = 0;
+  for (;;) {
+    const Distributed_mesh_2& last = result == 0 ? mesh : refined;
     std::vector<Steiner_point_2> wanted;
-    comm.agree_after([&] { wanted = wanted_points(problem, mesh, mesh.is_owned); });
+    comm.agree_after([&] { wanted = wanted_points(problem, last, last.is_owned); });
     wanted = Angle_refinement_2::independent(gather_records(comm, wanted));
     if (wanted.empty())
       break;
     Bubbles_2 own;
-    comm.agree_after([&] { own = own_bubbles(mesh, comm.rank()); });
+    comm.agree_after([&] { own = own_bubbles(last, comm.rank()); });
     const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
+    if (result == 0)
+      number_of_vertices = static_cast<std::size_t>(end);
+    result += wanted.size();
+    if (is_endless(result, number_of_vertices))
+      return 0;
     comm.agree_after([&] {
       for (std::size_t k = 0; k < wanted.size(); ++k) {
         const Steiner_point_2& p = wanted[k];
@@ -318,12 +325,13 @@ inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hi
       }
     });
     try {
-      mesh = distributed_triangulate(problem.domain, send_home(comm, partition, std::move(own)), partition, comm);
+      refined = distributed_triangulate(problem.domain, send_home(comm, partition, std::move(own)), partition, comm);
     } catch (const std::runtime_error&) {
-      break; // on all ranks: finer than coordinates can tell
+      return 0; // on all ranks: finer than coordinates can tell
     }
-    result += wanted.size();
   }
+  if (result > 0)
+    mesh = std::move(refined);
   return result;
 }
 

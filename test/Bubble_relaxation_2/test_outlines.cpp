@@ -1,0 +1,316 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Outlines as they come: coasts, combs, stars, and graphs with pins, all at random. However sharp their corners and narrow
+// their channels, what is not forced by a corner is good, and the simulation comes to an end.
+
+#include "domains.h"
+#include "random_seeds.h"
+#include "validation.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/npbs_relax.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using domains::CDT;
+using domains::Outline;
+using domains::Point;
+using Pins = std::set<CDT::Vertex_handle>;
+
+Pins pins_at(const CDT& cdt, const std::set<Point>& places)
+{
+  Pins result;
+  for (auto v : cdt.finite_vertex_handles())
+    if (places.count(v->point()) > 0)
+      result.insert(v);
+  return result;
+}
+
+constexpr double degrees = 57.29577951308232;
+
+double angle(const Point& at, const Point& p, const Point& q)
+{
+  const domains::K::Vector_2 u = p - at, v = q - at;
+  return degrees * std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v);
+}
+
+/// corners in which two constraints meet in less than 60 degrees
+std::set<Point> sharp_corners(const CDT& cdt)
+{
+  std::map<Point, std::vector<Point>> star;
+  for (const auto& e : cdt.constrained_edges()) {
+    const Point p = e.first->vertex(cdt.ccw(e.second))->point(), q = e.first->vertex(cdt.cw(e.second))->point();
+    star[p].push_back(q);
+    star[q].push_back(p);
+  }
+  std::set<Point> result;
+  for (const auto& [p, ends] : star)
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (angle(p, ends[i], ends[j]) < 60)
+          result.insert(p);
+  return result;
+}
+
+/// of the triangles without a vertex in a sharp corner
+struct Free_triangles
+{
+  double smallest_angle = 60, mean_quality = 0;
+
+  Free_triangles(const CDT& cdt, const std::set<Point>& sharp)
+  {
+    int number = 0;
+    for (auto f : cdt.finite_face_handles()) {
+      const auto t = cdt.triangle(f);
+      if (!f->is_in_domain() || sharp.count(t[0]) + sharp.count(t[1]) + sharp.count(t[2]) > 0)
+        continue;
+      for (int i = 0; i < 3; ++i)
+        smallest_angle = (std::min)(smallest_angle, angle(t[i], t[i + 1], t[i + 2]));
+      mean_quality += CGAL::radius_ratio_2(t[0], t[1], t[2]);
+      ++number;
+    }
+    mean_quality /= number;
+  }
+};
+
+/// a ring whose edges are broken at random places beside their middles, and again
+Outline broken_ring(std::mt19937& random, int times)
+{
+  std::uniform_real_distribution<double> shift(-0.25, 0.25);
+  Outline ring{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int k = 0; k < times; ++k) {
+    Outline next;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      const double s = shift(random), dx = q.first - p.first, dy = q.second - p.second;
+      next.push_back(p);
+      next.push_back({0.5 * (p.first + q.first) - s * dy, 0.5 * (p.second + q.second) + s * dx});
+    }
+    ring = std::move(next);
+  }
+  return ring;
+}
+
+/// one that does not cross itself
+Outline coast(unsigned seed, int times)
+{
+  for (std::mt19937 random(seed);;) {
+    const Outline ring = broken_ring(random, times);
+    std::vector<Point> points;
+    for (const auto& p : ring)
+      points.push_back(Point(p.first, p.second));
+    if (CGAL::is_simple_2(points.begin(), points.end()))
+      return ring;
+  }
+}
+
+/// a bar with teeth, whose gaps are as wide as they are or far narrower
+Outline comb(unsigned seed, int teeth)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0.01, 0.9), height(0.2, 1);
+  Outline o{{0, -0.2}, {1, -0.2}};
+  for (int k = teeth; k > 0; --k) {
+    const double right = double(k) / teeth, gap = share(random) / teeth, h = height(random);
+    o.push_back({right, 0});
+    o.push_back({right - 0.5 * (1. / teeth - gap), h});
+    o.push_back({right - (1. / teeth - gap), 0});
+  }
+  o.push_back({0, 0});
+  return o;
+}
+
+/// a star with sharp tips
+Outline star(unsigned seed, int tips)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> radius(0.7, 1), inner(0.05, 0.3);
+  Outline o;
+  for (int k = 0; k < 2 * tips; ++k) {
+    const double r = k % 2 == 0 ? radius(random) : inner(random), t = 3.14159265358979 * k / tips;
+    o.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return o;
+}
+
+/// a square with edges of a Delaunay triangulation of random points inside, the rest of which are pins
+CDT graph(unsigned seed, int points, double share_of_edges, std::set<Point>& pins)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> coordinate(0.02, 0.98), share(0, 1);
+  CGAL::Delaunay_triangulation_2<domains::K> all;
+  for (int k = 0; k < points; ++k) {
+    const double x = coordinate(random);
+    all.insert(Point(x, coordinate(random)));
+  }
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  for (auto v : all.finite_vertex_handles())
+    pins.insert(cdt.insert(v->point())->point());
+  for (auto e : all.finite_edges())
+    if (share(random) < share_of_edges) {
+      const auto u = cdt.insert(e.first->vertex(all.ccw(e.second))->point()),
+                 v = cdt.insert(e.first->vertex(all.cw(e.second))->point());
+      cdt.insert_constraint(u, v);
+      pins.erase(u->point());
+      pins.erase(v->point());
+    }
+  return cdt;
+}
+
+class Outlines : public testing::Test
+{
+protected:
+  /// meshes a domain by default, or with a constant size
+  void mesh(CDT cdt, const std::set<Point>& places, double d)
+  {
+    const Pins pins = pins_at(cdt, places);
+    const auto is_pinned = [&pins](CDT::Vertex_handle v) { return pins.count(v) > 0; };
+    const std::set<validation::Xy> fixed = validation::fixed_vertices(cdt, is_pinned);
+    const validation::Snapshot before = validation::snapshot(cdt);
+    const std::set<Point> sharp = sharp_corners(cdt);
+    const auto np = CGAL::Bubble_relaxation_parameters::vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins});
+    const auto report = d > 0 ? CGAL::npbs_relax(cdt, np.sizing_function(d)) : CGAL::npbs_relax(cdt, np);
+    validation::expect_valid_mesh(cdt);
+    validation::expect_constraints_kept(before, validation::snapshot(cdt));
+    validation::expect_vertices_kept(fixed, validation::snapshot(cdt));
+    const Free_triangles free(cdt, sharp);
+    EXPECT_GE(free.smallest_angle, 28);
+    EXPECT_GE(free.mean_quality, least_mean_quality);
+    EXPECT_EQ(report.number_of_small_angles, 0u);
+    EXPECT_LE(report.number_of_forced_triangles, 20 * sharp.size());
+    EXPECT_NEAR(report.quality.mean_length_ratio(), 1, 0.06);
+    ++m_number;
+    m_number_converged += report.converged;
+  }
+
+  void mesh(const Outline& outline)
+  {
+    for (double d : {0., 0.05})
+      mesh(domains::make({outline}), {}, d);
+  }
+
+  /// at least 95 % of all
+  ~Outlines() override { EXPECT_GE(100 * m_number_converged, 95 * m_number - 100); }
+
+  double least_mean_quality = 0.955;
+
+private:
+  int m_number = 0, m_number_converged = 0;
+};
+
+} // namespace
+
+TEST_F(Outlines, coasts)
+{
+  for (unsigned k = 0; k < 6; ++k) {
+    SCOPED_TRACE(k);
+    mesh(coast(random_seeds::seed(k), 6));
+  }
+}
+
+TEST_F(Outlines, combs)
+{
+  for (unsigned k = 0; k < 6; ++k) {
+    SCOPED_TRACE(k);
+    mesh(comb(random_seeds::seed(k), 8));
+  }
+}
+
+TEST_F(Outlines, stars)
+{
+  least_mean_quality = 0.925; // they are hardly more than tips
+  for (unsigned k = 0; k < 6; ++k) {
+    SCOPED_TRACE(k);
+    mesh(star(random_seeds::seed(k), 9));
+  }
+}
+
+TEST_F(Outlines, graphs_with_pins)
+{
+  for (unsigned k = 0; k < 6; ++k)
+    for (double d : {0., 0.05}) {
+      SCOPED_TRACE(k);
+      std::set<Point> pins;
+      const CDT cdt = graph(random_seeds::seed(k), 40, 0.15, pins);
+      mesh(cdt, pins, d);
+    }
+}
+
+TEST_F(Outlines, what_a_corner_forces_is_told)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 0.1}}});
+  const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(0.02));
+  EXPECT_EQ(report.number_of_forced_triangles, 1u);
+  EXPECT_EQ(report.number_of_small_angles, 0u);
+  EXPECT_EQ(report.forced_x, 0);
+  EXPECT_EQ(report.forced_y, 0);
+  EXPECT_NEAR(report.quality.minimum_angle(), degrees * std::atan(0.1), 1e-6);
+}
+
+TEST_F(Outlines, growth_trades_vertices_for_quality)
+{
+  std::size_t last = 0;
+  double quality = 1;
+  for (double growth : {0.2, 0.35, 0.6}) {
+    CDT cdt = domains::make({coast(random_seeds::seed(), 7)});
+    const auto np = CGAL::parameters::sizing_function(0.2).size_growth(growth);
+    const auto report = CGAL::npbs_relax(cdt, np);
+    if (last != 0) {
+      EXPECT_LT(report.number_of_vertices, 0.85 * double(last));
+      EXPECT_LT(report.quality.mean_quality(), quality);
+    }
+    last = report.number_of_vertices;
+    quality = report.quality.mean_quality();
+  }
+}
+
+TEST_F(Outlines, small_angles_are_refined)
+{
+  std::size_t number_of_refined = 0, number_of_small_angles = 0;
+  for (unsigned k = 0; k < 20; ++k) {
+    SCOPED_TRACE(k);
+    std::set<Point> places;
+    CDT coarse = graph(random_seeds::seed(k), 40, 0.3, places), fine(coarse);
+    const Pins pins = pins_at(coarse, places), pins_of_fine = pins_at(fine, places);
+    const std::set<Point> sharp = sharp_corners(coarse);
+    using Map = domains::Map_of_pins<CDT>;
+    namespace P = CGAL::Bubble_relaxation_parameters;
+    const auto without = CGAL::npbs_relax(coarse, P::vertex_is_constrained_map(Map{&pins}).minimum_angle(0.));
+    const auto with = CGAL::npbs_relax(fine, P::vertex_is_constrained_map(Map{&pins_of_fine}).minimum_angle(32.));
+    number_of_refined += with.number_of_vertices > without.number_of_vertices;
+    EXPECT_TRUE(fine.is_valid());
+    if (with.number_of_small_angles == 0)
+      EXPECT_GE(Free_triangles(fine, sharp).smallest_angle, 32 - 1e-9);
+    number_of_small_angles += with.number_of_small_angles;
+  }
+  EXPECT_GT(number_of_refined, 0u);
+  EXPECT_LE(number_of_small_angles, 2u); // beyond 20.7 degrees refinement does not always end
+}
+
+TEST_F(Outlines, obtuse_triangles_are_counted)
+{
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {0.5, 0.1}}, {{2, 0}, {3, 0}, {2.5, 0.8}}});
+  const auto quality = CGAL::mesh_quality_2(cdt);
+  EXPECT_EQ(quality.number_of_obtuse_triangles(), 1u);
+  EXPECT_FALSE(quality.is_well_centered());
+  CDT acute = domains::make({{{2, 0}, {3, 0}, {2.5, 0.8}}});
+  EXPECT_TRUE(CGAL::mesh_quality_2(acute).is_well_centered());
+}
