@@ -42,17 +42,17 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
   if (!may_limit)
     return {wanted, nullptr};
-  std::vector<Size_source_2> sources = Outline_sizes_2(domain, given, wanted, {})(turns);
+  std::vector<Size_source_2> sources = Outline_sizes_2(domain, given, wanted, maximum, {})(turns);
   auto cut = std::make_shared<const Cut_domain_2>(domain, limited_sizes(wanted, sources, domain));
   if (cut->is_cut())
     cut->cut(given);
   else
     cut = nullptr;
   const Domain_2& rest = cut ? cut->domain() : domain;
-  sources = Outline_sizes_2(rest, given, wanted, std::move(sources))(turns_beyond_circles);
+  sources = Outline_sizes_2(rest, given, wanted, maximum, std::move(sources))(turns_beyond_circles);
   Sizes_2 sizes = limited_sizes(wanted, sources, rest);
   if (!sources.empty())
-    count_bubbles(rest, maximum, "the sizing function and the fine parts of the outline (limit_by_outline)", sizes);
+    count_bubbles(rest, maximum, fine_outline, sizes);
   return {sizes, cut};
 }
 

@@ -156,19 +156,24 @@ inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_sourc
   return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox())));
 }
 
+/// what asks for too many bubbles, in words for the user, if the wanted sizes do not
+constexpr char fine_outline[] = "the sizing function and the fine parts of the outline (limit_by_outline)";
+
 /// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed there,
 /// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .8. Only in a
 /// corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
 class Outline_sizes_2
 {
 public:
-  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
+  /// `maximum`: of bubbles
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, std::size_t maximum,
                   std::vector<Size_source_2> known)
-    : m_domain(domain), m_given(given), m_wanted(wanted), m_sources(std::move(known))
+    : m_domain(domain), m_given(given), m_wanted(wanted), m_maximum(maximum), m_sources(std::move(known))
   {}
 
   /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
   /// more places
+  /// \throws std::length_error if the outline alone asks for more than `maximum` bubbles
   std::vector<Size_source_2> operator()(int turns)
   {
     for (const Size_source_2& s : sizes_of_pieces(m_domain))
@@ -224,8 +229,12 @@ private:
       nodes.add(m_domain.corners()[c], extent(m_domain), Bubbles_2::CORNER, static_cast<Index>(c));
     for (const Point& p : m_given.pinned)
       nodes.add(p, extent(m_domain), Bubbles_2::CORNER, no_index);
-    for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
+    for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
       place_on_edge(m_domain, static_cast<Index>(e), field, nodes);
+      // sizes only get smaller from here on; along a hair crack each turn would measure at ten times as many nodes
+      if (nodes.size() > m_maximum)
+        throw_too_many_bubbles(m_maximum, fine_outline, static_cast<double>(nodes.size()));
+    }
     remove_coincident(m_domain, nodes);
     return nodes;
   }
@@ -285,6 +294,7 @@ private:
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
   const Sizes_2& m_wanted;
+  std::size_t m_maximum;
   std::vector<Size_source_2> m_sources;
 };
 

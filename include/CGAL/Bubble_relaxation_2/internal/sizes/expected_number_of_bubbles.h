@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 
@@ -143,6 +144,14 @@ private:
   double m_mean_density = 0; // of the last smooth triangle
 };
 
+[[noreturn]] inline void throw_too_many_bubbles(std::size_t maximum, const char* asking, double at_least)
+{
+  std::ostringstream message;
+  message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum << ": " << asking
+          << " ask for more, at least " << at_least;
+  throw std::length_error(message.str());
+}
+
 /// Counts how many bubbles sizes ask for in the domain: that costs calls of d, so it is done once. `asking`: what asks
 /// for them, in words for the user
 /// \throws std::length_error if they are more than the user wants to have
@@ -150,12 +159,8 @@ inline void count_bubbles(const Domain_2& domain, std::size_t maximum, const cha
 {
   const double expected =
     Expected_number_of_bubbles(domain, sizes, static_cast<double>(maximum))();
-  if (expected > static_cast<double>(maximum)) {
-    std::ostringstream message;
-    message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum
-            << ": " << asking << " ask for more, at least " << expected;
-    throw std::length_error(message.str());
-  }
+  if (expected > static_cast<double>(maximum))
+    throw_too_many_bubbles(maximum, asking, expected);
   sizes.expected_number = expected;
 }
 
