@@ -26,6 +26,7 @@ constexpr std::size_t default_number_of_iterations = 30;
 constexpr std::size_t default_number_of_rounds = 10;
 constexpr std::size_t default_maximum_number_of_bubbles = 100000000;
 constexpr double default_displacement_tolerance = 0.007;
+constexpr double largest_neighbor_radius = 100; // sets have 4 times the square of it as members
 
 /// The values of the named parameters that steer the simulation, checked.
 struct Relaxation_options

@@ -92,9 +92,9 @@ inline void check_options(const Relaxation_options& o)
   check_not_negative("damping", o.damping);
   check_positive("time_step", o.time_step);
   check_not_negative("displacement_tolerance", o.displacement_tolerance);
-  if (!(o.neighbor_radius > 1.5) || !std::isfinite(o.neighbor_radius))
+  if (!(o.neighbor_radius > 1.5 && o.neighbor_radius <= largest_neighbor_radius))
     throw_invalid_parameter("neighbor_radius", o.neighbor_radius,
-                            "finite and greater than 1.5, where the force ends");
+                            "greater than 1.5, where the force ends, and at most " + in_words(largest_neighbor_radius));
 }
 
 /// Reads the named parameters that steer the simulation. Defaults of the time step and the damping

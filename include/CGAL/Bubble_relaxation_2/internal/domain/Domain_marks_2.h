@@ -16,6 +16,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -43,11 +44,12 @@ public:
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
 protected:
-  /// \throws std::invalid_argument if there are no triangles
+  /// \throws std::invalid_argument if there are no triangles, or as `check_coordinates()` does
   template <class Cdt>
   explicit Marked_copy_2(const Cdt& cdt)
     : Triangulation_copy_2(check_dimension(cdt, cdt.dimension(), cdt.number_of_vertices()))
   {
+    check_coordinates(tr.points);
     tr.inside.assign(tr.number_of_triangles(), 0);
     m_constrained.reserve(tr.number_of_triangles());
     for (void* f : faces.addresses()) {
@@ -67,13 +69,13 @@ protected:
 
   void mark_by_nesting();
 
-  /// \throws std::invalid_argument if there is no domain, or if a constraint is missing around it: bubbles could
-  /// leave it there
+  /// \throws std::invalid_argument if there is no domain, if a constraint is missing around it, where bubbles could leave
+  /// it, or if vertices are nearer to each other than the least length
   void check_domain() const;
 
   static void check_seed(double x, double y);
 
-  [[noreturn]] static void throw_seed(double x, double y, const char* what);
+  [[noreturn]] static void throw_seed(double x, double y, const std::string& what);
 
 private:
   void add_constraints(bool side_0, bool side_1, bool side_2)
@@ -88,6 +90,8 @@ private:
       throw_dimension(dimension, number_of_vertices);
     return cdt;
   }
+
+  void check_side(Index t, int i) const;
 
   [[noreturn]] static void throw_dimension(int dimension, std::size_t number_of_vertices);
 
@@ -115,7 +119,7 @@ public:
   /// whether faces carry a mark, as models of `DelaunayMeshFaceBase_2` do
   static constexpr bool has_marks = Has_domain_mark<typename Cdt::Face>::value;
 
-  /// \throws std::invalid_argument if there is no domain, or if a constraint is missing around it
+  /// \throws std::invalid_argument if a coordinate is out of bounds, or as `check_domain()` does
   template <class NamedParameters>
   Domain_marks_2(const Cdt& cdt, const NamedParameters& np) : Marked_copy_2(cdt)
   {

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -125,13 +125,13 @@ private:
   }
 };
 
-/// \throws std::invalid_argument if a point of the user's triangulation is not finite
+/// \throws std::invalid_argument if a point of the user's triangulation is not finite, or beyond the bound of coordinates
 inline void check_coordinates(const std::vector<Point>& points)
 {
   for (const Point& p : points)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+    if (!is_coordinate(p.x()) || !is_coordinate(p.y()))
       throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
-                                  in_words(p.x(), p.y()) + ", which must be finite");
+                                  in_words(p.x(), p.y()) + ", which must be " + required_of_coordinates(p.x(), p.y()));
 }
 
 /// whether the point of a vertex, given by its address, is lexicographically before that of another one
@@ -140,10 +140,8 @@ using Is_before = bool (*)(const void*, const void*);
 /// The numbers of a triangulation's vertices in the lexicographic order of their points.
 /// \param is_before `nullptr` if it is enough to compare the points as they are rounded to double; those in one place
 /// come in the order of their numbers then
-/// \throws std::invalid_argument if a point is not finite
 inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, Is_before is_before)
 {
-  check_coordinates(copy.tr.points);
   std::vector<std::pair<Point, Index>> sorted;
   sorted.reserve(copy.tr.points.size());
   for (const Point& p : copy.tr.points)
@@ -175,8 +173,11 @@ struct Sorted_triangulation_2
   Flat_triangulation_2 tr;
   std::vector<Index> vertices, triangles;
 
-  explicit Sorted_triangulation_2(const Triangulation_copy_2& copy) : vertices(lexicographic_order(copy, nullptr))
+  /// \throws std::invalid_argument as `check_coordinates()` does
+  explicit Sorted_triangulation_2(const Triangulation_copy_2& copy)
   {
+    check_coordinates(copy.tr.points);
+    vertices = lexicographic_order(copy, nullptr);
     const Flat_triangulation_2& t = copy.tr;
     const std::vector<Index> number = inverse(vertices);
     for (Index v : vertices)
