@@ -13,10 +13,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <cstddef>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -73,9 +71,13 @@ protected:
   /// it, or if vertices are nearer to each other than the least length
   void check_domain() const;
 
-  static void check_seed(double x, double y);
+  static void check_seed(const Point& seed);
 
-  [[noreturn]] static void throw_seed(double x, double y, const std::string& what);
+  /// \throws std::invalid_argument if constraints part the triangles around a seed: which of them the seed means would
+  /// depend on how the triangulation came about
+  void check_region(const Point& seed, const std::vector<Index>& around) const;
+
+  [[noreturn]] static void throw_seed(const Point& seed, const char* what);
 
 private:
   void add_constraints(bool side_0, bool side_1, bool side_2)
@@ -142,13 +144,34 @@ private:
   {
     std::vector<Index> located;
     for (const auto& seed : seeds) {
-      const double x = CGAL::to_double(seed.x()), y = CGAL::to_double(seed.y());
-      check_seed(x, y);
-      located.push_back(faces(&*cdt.locate(seed)));
+      const Point p = point_in_double(seed);
+      check_seed(p);
+      const std::vector<Index> around = triangles_around(cdt, seed);
+      check_region(p, around);
+      located.push_back(around.front());
       if (located.back() == no_index && seeds_are_in_domain)
-        throw_seed(x, y, "lies outside of all outlines and cannot be in the domain");
+        throw_seed(p, "lies outside of all outlines and cannot be in the domain");
     }
     return located;
+  }
+
+  /// the triangles that a point lies in, or on the boundary of, `no_index` for what is beyond the hull
+  std::vector<Index> triangles_around(const Cdt& cdt, const typename Cdt::Point& p) const
+  {
+    typename Cdt::Locate_type where{};
+    int i = 0;
+    const Face_handle f = cdt.locate(p, where, i);
+    std::vector<Index> around{faces(&*f)};
+    if (where == Cdt::EDGE) {
+      around.push_back(faces(&*f->neighbor(i)));
+    } else if (where == Cdt::VERTEX) {
+      around.clear();
+      auto face = cdt.incident_faces(f->vertex(i)), first = face;
+      do
+        around.push_back(faces(&*face));
+      while (++face != first);
+    }
+    return around;
   }
 
   bool copy_marks()

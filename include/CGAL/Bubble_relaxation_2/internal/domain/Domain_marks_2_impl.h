@@ -85,16 +85,33 @@ void Marked_copy_2::check_side(Index t, int i) const
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-void Marked_copy_2::check_seed(double x, double y)
+void Marked_copy_2::check_seed(const Point& seed)
 {
-  if (!is_coordinate(x) || !is_coordinate(y))
-    throw_seed(x, y, "must be " + required_of_coordinates(x, y));
+  if (!is_coordinate(seed.x()) || !is_coordinate(seed.y()))
+    throw_seed(seed, ("must be " + required_of_coordinates(seed.x(), seed.y())).c_str());
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-void Marked_copy_2::throw_seed(double x, double y, const std::string& what)
+void Marked_copy_2::check_region(const Point& seed, const std::vector<Index>& around) const
 {
-  throw std::invalid_argument("Bubble_relaxation_2: parameter seeds: " + in_words(x, y) + " " + what);
+  if (around.size() == 1)
+    return;
+  std::vector<char> is_reached(tr.inside.size(), 0);
+  std::vector<Index> reached, behind;
+  if (std::find(around.begin(), around.end(), no_index) != around.end())
+    reach_from_beyond_hull(is_reached, reached, behind);
+  else
+    reach(around.front(), is_reached, reached);
+  flood(is_reached, reached);
+  for (Index t : around)
+    if (t != no_index && !is_reached[t])
+      throw_seed(seed, "lies on a constraint and does not tell which side is meant");
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::throw_seed(const Point& seed, const char* what)
+{
+  throw std::invalid_argument("Bubble_relaxation_2: parameter seeds: " + in_words(seed.x(), seed.y()) + " " + what);
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

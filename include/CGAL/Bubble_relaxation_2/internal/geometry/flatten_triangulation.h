@@ -79,6 +79,26 @@ struct Handles
   }
 };
 
+/// Evaluates a point whose coordinates are lazy numbers: what one becomes in double depends on what was asked of it before,
+/// until it has been evaluated.
+template <class Point_2>
+auto evaluate_lazy(const Point_2& p, int) -> decltype(exact(p), void())
+{
+  exact(p);
+}
+
+template <class Point_2>
+void evaluate_lazy(const Point_2&, long)
+{}
+
+/// the coordinates of a user's point in double
+template <class Point_2>
+Point point_in_double(const Point_2& p)
+{
+  evaluate_lazy(p, 0);
+  return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+}
+
 /// A user's triangulation in arrays: its finite vertices and faces in the order in which it lists them.
 struct Triangulation_copy_2
 {
@@ -92,7 +112,7 @@ struct Triangulation_copy_2
   {
     reserve(t.number_of_vertices(), t.number_of_faces());
     for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
-      add_vertex(&*v, CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+      add_vertex(&*v, point_in_double(v->point()));
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
       faces.add(&*f);
     for (void* f : faces.addresses()) {
@@ -112,10 +132,10 @@ private:
     tr.neighbors.reserve(number_of_faces);
   }
 
-  void add_vertex(void* vertex, double x, double y)
+  void add_vertex(void* vertex, const Point& p)
   {
     vertices.add(vertex);
-    tr.points.emplace_back(x, y);
+    tr.points.push_back(p);
   }
 
   void add_triangle(const Addresses& v, const Addresses& n)
