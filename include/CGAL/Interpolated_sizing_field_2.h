@@ -12,6 +12,7 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
@@ -22,7 +23,6 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -152,12 +152,12 @@ private:
 
   static double checked_size(double d, const Bubble_relaxation_2::internal::Point& p)
   {
-    if (d > 0 && std::isfinite(d))
+    using namespace Bubble_relaxation_2::internal;
+    if (is_within_magnitudes(d))
       return d;
-    using Bubble_relaxation_2::internal::in_words;
     throw std::invalid_argument("Bubble_relaxation_2: parameter sizes: the size " + in_words(d) +
                                 " of the vertex at " + in_words(p.x(), p.y()) +
-                                " must be positive and finite");
+                                " must be " + required_of_length(d));
   }
 
   /// a walk through a triangle that is turned over may not end

@@ -144,7 +144,7 @@ those on edges lie exactly on them.
   \cgalParamNEnd
   \cgalParamNBegin{neighbor_radius}
     \cgalParamDescription{the radius of the neighbour sets in units of the mean of both sizes}
-    \cgalParamType{`double`, greater than 1.5}
+    \cgalParamType{`double`, greater than 1.5, at most 100}
     \cgalParamDefault{1.7}
   \cgalParamNEnd
   \cgalParamNBegin{renewal_interval}
@@ -203,8 +203,9 @@ those on edges lie exactly on them.
 
 \returns what was done, and the statistics of the mesh
 
-\throws std::invalid_argument if a parameter is out of its range, if a coordinate or a size is not
-finite, if a size is not positive, or if there is no domain with constraints all around it
+\throws std::invalid_argument if a parameter is out of its range, if a coordinate, a size or the length of an edge is
+not finite or beyond its bounds (see \ref BR2_magnitudes), if a size is not positive, if a seed lies on a constraint
+between two regions, or if there is no domain with constraints all around it
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error if edges of the domain lie nearer to each other than the rounding of the bubbles
 on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is

@@ -100,6 +100,15 @@ TEST(Bad_size, not_positive_and_finite)
   }
 }
 
+TEST(Bad_size, beyond_the_bounds_of_magnitude)
+{
+  for (double bad : {1e-91, 1e91, 1e300}) {
+    CDT cdt = square();
+    expect_throw<std::invalid_argument>(cdt, P::sizing_function(bad),
+                                        {"sizing_function", "d(", "at least 1e-90 and at most 1e+90"});
+  }
+}
+
 TEST(Bad_size, the_message_names_the_place_and_the_value)
 {
   CDT cdt = square();
@@ -184,6 +193,7 @@ TEST(Bad_parameter, out_of_range)
   }
   expect_throw<std::invalid_argument>(cdt, size.time_step(-0.125), {"time_step", "-0.125"});
   expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(1.5), {"neighbor_radius", "1.5"});
+  expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(101.), {"neighbor_radius", "at most 100"});
   expect_throw<std::invalid_argument>(cdt, size.number_of_iterations(-1), {"number_of_iterations", "-1"});
   expect_throw<std::invalid_argument>(cdt, size.number_of_rounds(-2), {"number_of_rounds", "-2"});
   expect_throw<std::invalid_argument>(cdt, size.renewal_interval(-3), {"renewal_interval", "-3"});
@@ -299,6 +309,14 @@ TEST(Bad_domain, seed_that_is_no_point)
   const std::vector<Point> seeds{Point(not_a_number, 0)};
   expect_throw<std::invalid_argument>(
     cdt, CGAL::Bubble_relaxation_parameters::seeds(seeds).sizing_function(0.1), {"seeds", "nan"});
+}
+
+TEST(Bad_domain, seed_beyond_the_bound_of_coordinates)
+{
+  CDT cdt = square();
+  const std::vector<Point> seeds{Point(0, -1e91)};
+  expect_throw<std::invalid_argument>(
+    cdt, CGAL::Bubble_relaxation_parameters::seeds(seeds).sizing_function(0.1), {"seeds", "(0, -1e+91)", "at most 1e+90"});
 }
 
 TEST(Bad_input, place_nodes_checks_as_well)

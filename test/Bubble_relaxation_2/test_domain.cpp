@@ -9,6 +9,7 @@
 // The domain: which faces belong to it, chains and corners, walks.
 
 #include "domains.h"
+#include "expect_throw.h"
 #include "random_seeds.h"
 #include "validation.h"
 
@@ -85,6 +86,23 @@ TEST(Domain_marks, seeds_in_the_domain)
 {
   const std::vector<domains::Point> seeds{{1.5, 1.5}, {3, 3}};
   EXPECT_DOUBLE_EQ(marked_area(nested(), P::seeds(seeds).seeds_are_in_domain(true)), 16);
+}
+
+TEST(Domain_marks, a_seed_on_a_constraint_does_not_tell_its_side)
+{
+  for (const domains::Point& p : {domains::Point(1, 1), domains::Point(3, 1), domains::Point(0, 0), domains::Point(0, 3)})
+    for (bool is_in_domain : {false, true}) {
+      const std::vector<domains::Point> seeds{p};
+      expect_invalid([&] { marked_area(nested(), P::seeds(seeds).seeds_are_in_domain(is_in_domain)); },
+                     {"parameter seeds", "lies on a constraint"});
+    }
+  // both sides of a constraint that separates nothing are the same region
+  CDT cdt = nested();
+  domains::insert(cdt, {{0.25, 0.25}, {0.5, 0.5}}, false);
+  for (const domains::Point& p : {domains::Point(0.25, 0.25), domains::Point(0.5, 0.5)}) {
+    const std::vector<domains::Point> seeds{p};
+    EXPECT_DOUBLE_EQ(marked_area(cdt, P::seeds(seeds).seeds_are_in_domain(true)), 20);
+  }
 }
 
 TEST(Domain_marks, existing_marks)

@@ -68,6 +68,34 @@ TEST(Defects, triangles_that_were_cut_off_can_be_put_back)
   expect_equal(mesh.triangles, before);
 }
 
+TEST(Defects, a_triangle_outside_that_is_turned_over_may_have_a_neighbor_twice)
+{
+  using internal::no_index;
+  internal::Bubble_mesh_2 mesh;
+  for (const internal::Point& p : {internal::Point(0.9, 0), internal::Point(1, 0.001), internal::Point(1, 2),
+                                   internal::Point(1.1, 0)})
+    mesh.bubbles.add(p, 1, internal::Bubbles_2::CORNER, static_cast<Index>(mesh.bubbles.size()));
+  internal::Marked_triangles_2& m = mesh.triangles;
+  m.vertices = {{0, 1, 2}, {3, 2, 1}, {0, 3, 1}}; // two inside, one below them outside
+  m.neighbors = {{1, no_index, 2}, {0, 2, no_index}, {1, 0, no_index}};
+  m.edges = {{no_index, 0, 1}, {no_index, 2, 3}, {2, 1, no_index}};
+  m.inside = {1, 1, 0};
+  internal::Editable_triangulation_2 editable(mesh);
+  mesh.bubbles.y[1] = -0.01; // the lower vertex leaves the outline, so that the edge to it is flipped
+  EXPECT_EQ(editable.restore_delaunay({1}), 1u);
+  EXPECT_EQ(editable.star(1).size(), 2u);
+  mesh.bubbles.y[1] = 0.001;
+  EXPECT_EQ(editable.restore_delaunay({0, 3}), 1u);
+  for (Index t = 0; t < 3; ++t)
+    for (int i = 0; i < 3; ++i) {
+      const Index n = m.neighbors[t][i];
+      if (n == no_index)
+        continue;
+      for (Index v : {m.vertices[t][internal::ccw(i)], m.vertices[t][internal::cw(i)]})
+        EXPECT_EQ(std::count(m.vertices[n].begin(), m.vertices[n].end(), v), 1) << t << ' ' << i;
+    }
+}
+
 TEST(Defects, star_gradient_is_that_of_the_energy)
 {
   internal::Star_quality_2 star(internal::Point(10, 20), 0.5);

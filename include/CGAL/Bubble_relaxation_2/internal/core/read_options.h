@@ -96,9 +96,9 @@ inline void check_options(const Relaxation_options& o)
     throw_invalid_parameter("size_growth", o.size_growth, "positive and at most 1");
   if (!(o.minimum_angle >= 0 && o.minimum_angle <= 33))
     throw_invalid_parameter("minimum_angle", o.minimum_angle, "0 to 33 degrees: beyond, refinement would hardly end");
-  if (!(o.neighbor_radius > 1.5) || !std::isfinite(o.neighbor_radius))
+  if (!(o.neighbor_radius > 1.5 && o.neighbor_radius <= largest_neighbor_radius))
     throw_invalid_parameter("neighbor_radius", o.neighbor_radius,
-                            "finite and greater than 1.5, where the force ends");
+                            "greater than 1.5, where the force ends, and at most " + in_words(largest_neighbor_radius));
 }
 
 /// Reads the named parameters that steer the simulation. Defaults of the time step and the damping

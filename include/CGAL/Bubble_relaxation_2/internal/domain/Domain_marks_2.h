@@ -13,7 +13,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -43,11 +42,12 @@ public:
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
 protected:
-  /// \throws std::invalid_argument if there are no triangles
+  /// \throws std::invalid_argument if there are no triangles, or as `check_coordinates()` does
   template <class Cdt>
   explicit Marked_copy_2(const Cdt& cdt)
     : Triangulation_copy_2(check_dimension(cdt, cdt.dimension(), cdt.number_of_vertices()))
   {
+    check_coordinates(tr.points);
     tr.inside.assign(tr.number_of_triangles(), 0);
     m_constrained.reserve(tr.number_of_triangles());
     for (void* f : faces.addresses()) {
@@ -67,13 +67,17 @@ protected:
 
   void mark_by_nesting();
 
-  /// \throws std::invalid_argument if there is no domain, or if a constraint is missing around it: bubbles could
-  /// leave it there
+  /// \throws std::invalid_argument if there is no domain, if a constraint is missing around it, where bubbles could leave
+  /// it, or if vertices are nearer to each other than the least length
   void check_domain() const;
 
-  static void check_seed(double x, double y);
+  static void check_seed(const Point& seed);
 
-  [[noreturn]] static void throw_seed(double x, double y, const char* what);
+  /// \throws std::invalid_argument if constraints part the triangles around a seed: which of them the seed means would
+  /// depend on how the triangulation came about
+  void check_region(const Point& seed, const std::vector<Index>& around) const;
+
+  [[noreturn]] static void throw_seed(const Point& seed, const char* what);
 
 private:
   void add_constraints(bool side_0, bool side_1, bool side_2)
@@ -88,6 +92,8 @@ private:
       throw_dimension(dimension, number_of_vertices);
     return cdt;
   }
+
+  void check_side(Index t, int i) const;
 
   [[noreturn]] static void throw_dimension(int dimension, std::size_t number_of_vertices);
 
@@ -115,7 +121,7 @@ public:
   /// whether faces carry a mark, as models of `DelaunayMeshFaceBase_2` do
   static constexpr bool has_marks = Has_domain_mark<typename Cdt::Face>::value;
 
-  /// \throws std::invalid_argument if there is no domain, or if a constraint is missing around it
+  /// \throws std::invalid_argument if a coordinate is out of bounds, or as `check_domain()` does
   template <class NamedParameters>
   Domain_marks_2(const Cdt& cdt, const NamedParameters& np) : Marked_copy_2(cdt)
   {
@@ -138,13 +144,34 @@ private:
   {
     std::vector<Index> located;
     for (const auto& seed : seeds) {
-      const double x = CGAL::to_double(seed.x()), y = CGAL::to_double(seed.y());
-      check_seed(x, y);
-      located.push_back(faces(&*cdt.locate(seed)));
+      const Point p = point_in_double(seed);
+      check_seed(p);
+      const std::vector<Index> around = triangles_around(cdt, seed);
+      check_region(p, around);
+      located.push_back(around.front());
       if (located.back() == no_index && seeds_are_in_domain)
-        throw_seed(x, y, "lies outside of all outlines and cannot be in the domain");
+        throw_seed(p, "lies outside of all outlines and cannot be in the domain");
     }
     return located;
+  }
+
+  /// the triangles that a point lies in, or on the boundary of, `no_index` for what is beyond the hull
+  std::vector<Index> triangles_around(const Cdt& cdt, const typename Cdt::Point& p) const
+  {
+    typename Cdt::Locate_type where{};
+    int i = 0;
+    const Face_handle f = cdt.locate(p, where, i);
+    std::vector<Index> around{faces(&*f)};
+    if (where == Cdt::EDGE) {
+      around.push_back(faces(&*f->neighbor(i)));
+    } else if (where == Cdt::VERTEX) {
+      around.clear();
+      auto face = cdt.incident_faces(f->vertex(i)), first = face;
+      do
+        around.push_back(faces(&*face));
+      while (++face != first);
+    }
+    return around;
   }
 
   bool copy_marks()

@@ -10,8 +10,10 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_IMPL_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -63,27 +65,53 @@ void Marked_copy_2::check_domain() const
     throw std::invalid_argument("Bubble_relaxation_2: no face lies in the domain: the constraints close no "
                                 "region, or all regions are holes");
   for (std::size_t t = 0; t < tr.inside.size(); ++t)
-    for (int i = 0; i < 3 && tr.inside[t]; ++i) {
-      const Index f = static_cast<Index>(t);
-      if (is_constrained(f, i) || is_inside(tr.neighbors[t][i]))
-        continue;
-      const Point &p = tr.point(f, ccw(i)), &q = tr.point(f, cw(i));
-      throw std::invalid_argument("Bubble_relaxation_2: the edge from " + in_words(p.x(), p.y()) + " to " +
-                                  in_words(q.x(), q.y()) + " bounds the domain and must be constrained");
-    }
+    for (int i = 0; i < 3 && tr.inside[t]; ++i)
+      check_side(static_cast<Index>(t), i);
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-void Marked_copy_2::check_seed(double x, double y)
+void Marked_copy_2::check_side(Index t, int i) const
 {
-  if (!std::isfinite(x) || !std::isfinite(y))
-    throw_seed(x, y, "must be finite");
+  const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
+  const auto throw_edge = [&](const std::string& what) {
+    throw std::invalid_argument("Bubble_relaxation_2: the edge from " + in_words(p.x(), p.y()) + " to " +
+                                in_words(q.x(), q.y()) + " " + what);
+  };
+  if (!is_constrained(t, i) && !is_inside(tr.neighbors[t][i]))
+    throw_edge("bounds the domain and must be constrained");
+  // what coincides in double is told elsewhere
+  if (p != q && (std::max)(std::abs(q.x() - p.x()), std::abs(q.y() - p.y())) < smallest_length)
+    throw_edge("is too short: x or y must differ by at least " + in_words(smallest_length));
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-void Marked_copy_2::throw_seed(double x, double y, const char* what)
+void Marked_copy_2::check_seed(const Point& seed)
 {
-  throw std::invalid_argument("Bubble_relaxation_2: parameter seeds: " + in_words(x, y) + " " + what);
+  if (!is_coordinate(seed.x()) || !is_coordinate(seed.y()))
+    throw_seed(seed, ("must be " + required_of_coordinates(seed.x(), seed.y())).c_str());
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::check_region(const Point& seed, const std::vector<Index>& around) const
+{
+  if (around.size() == 1)
+    return;
+  std::vector<char> is_reached(tr.inside.size(), 0);
+  std::vector<Index> reached, behind;
+  if (std::find(around.begin(), around.end(), no_index) != around.end())
+    reach_from_beyond_hull(is_reached, reached, behind);
+  else
+    reach(around.front(), is_reached, reached);
+  flood(is_reached, reached);
+  for (Index t : around)
+    if (t != no_index && !is_reached[t])
+      throw_seed(seed, "lies on a constraint and does not tell which side is meant");
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::throw_seed(const Point& seed, const char* what)
+{
+  throw std::invalid_argument("Bubble_relaxation_2: parameter seeds: " + in_words(seed.x(), seed.y()) + " " + what);
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

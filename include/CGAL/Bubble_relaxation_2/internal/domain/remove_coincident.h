@@ -13,8 +13,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 
+#include <CGAL/Kernel/global_functions_2.h>
+
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <tuple>
 #include <vector>
 
@@ -54,6 +59,47 @@ inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
   }
 }
 
+/// Removes bubbles of an edge until a point beside it is on the same side of the piece between the two bubbles
+/// next to it as of the whole edge.
+inline void keep_side_of_edge(const Domain_2& domain, Index e, std::vector<Index>& on_edge, const Point& p, Bubbles_2& b)
+{
+  const Orientation side = CGAL::orientation(domain.source(e), domain.target(e), p);
+  const double s = position_on_edge(domain, e, p);
+  while (side != COLLINEAR && !on_edge.empty()) {
+    const auto after = std::find_if(on_edge.begin(), on_edge.end(), [&](Index i) { return b.s[i] > s; });
+    const bool is_first = after == on_edge.begin(), is_last = after == on_edge.end();
+    const Point source = is_first ? domain.source(e) : b.point(*std::prev(after)),
+                target = is_last ? domain.target(e) : b.point(*after);
+    if (CGAL::orientation(source, target, p) == side)
+      return;
+    const bool goes_before = is_last || (!is_first && s - b.s[*std::prev(after)] <= b.s[*after] - s);
+    const auto nearer = goes_before ? std::prev(after) : after;
+    b.remove(*nearer);
+    on_edge.erase(nearer);
+  }
+}
+
+/// Removes bubbles on edges that, by their own rounding, put a pinned vertex on the other side of its edge and so out of
+/// the domain.
+inline void remove_beside_pins(const Domain_2& domain, Bubbles_2& b)
+{
+  std::vector<std::vector<Index>> on_edge;
+  Index hint = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    if (!b.is_corner(i) || b.host[i] != no_index)
+      continue;
+    if (on_edge.empty())
+      on_edge = bubbles_on_edges(domain, b);
+    const Point p = b.point(i);
+    const Index t = domain.locate_inside(p, hint);
+    for (int k = 0; t != no_index && k < 3; ++k) {
+      const Index e = domain.edge(t, k);
+      if (e != no_index)
+        keep_side_of_edge(domain, e, on_edge[static_cast<std::size_t>(e)], p, b);
+    }
+  }
+}
+
 /// The bubbles that may be in one place with another: few, if no two are.
 inline std::vector<Index> perhaps_in_one_place(const Bubbles_2& b)
 {
@@ -89,10 +135,11 @@ inline void remove_those_in_one_place(Bubbles_2& b)
       last = k;
 }
 
-/// Removes bubbles that cannot be told apart in the triangulation: those above.
+/// Removes bubbles that cannot be told apart in the triangulation, or would confuse it: those above.
 inline void remove_coincident(const Domain_2& domain, Bubbles_2& b)
 {
   remove_crowded_on_edges(domain, b);
+  remove_beside_pins(domain, b);
   remove_those_in_one_place(b);
   b.forget_gone();
 }

@@ -10,12 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_CHECKED_SIZING_FIELD_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -25,7 +25,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 [[noreturn]] inline void throw_invalid_size(double x, double y, double d)
 {
   throw std::invalid_argument("Bubble_relaxation_2: parameter sizing_function: d" + in_words(x, y) + " = " +
-                              in_words(d) + " must be positive and finite");
+                              in_words(d) + " must be " + required_of_length(d));
 }
 
 /// The user's d(x, y) as the simulation calls it: in doubles, and with a clear exception where the
@@ -51,7 +51,7 @@ public:
   double operator()(double x, double y) const
   {
     const double d = value(x, y);
-    if (!(d > 0) || !std::isfinite(d))
+    if (!is_within_magnitudes(d))
       throw_invalid_size(x, y, d);
     return d;
   }

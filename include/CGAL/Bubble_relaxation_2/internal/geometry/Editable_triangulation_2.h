@@ -168,9 +168,10 @@ public:
   {
     note(t);
     m_triangles.inside[t] = 0;
-    for (Index& n : m_triangles.neighbors[t]) {
+    for (int i = 0; i < 3; ++i) {
+      const Index n = std::exchange(m_triangles.neighbors[t][i], no_index);
       note(n);
-      replace_neighbor(std::exchange(n, no_index), t, no_index);
+      set_neighbor(n, m_triangles.vertices[t][ccw(i)], m_triangles.vertices[t][cw(i)], no_index);
     }
   }
 
@@ -243,8 +244,8 @@ private:
     vn = {a, d, c};
     nn = {beyond_dc, beyond_ca, t};
     en = {edge_dc, edge_ca, no_index};
-    replace_neighbor(beyond_bd, n, t);
-    replace_neighbor(beyond_ca, t, n);
+    set_neighbor(beyond_bd, b, d, t);
+    set_neighbor(beyond_ca, c, a, n);
     m_triangle_of[a] = m_triangle_of[b] = m_triangle_of[d] = t;
     m_triangle_of[c] = n;
   }
@@ -255,10 +256,13 @@ private:
       m_log->note(m_triangles, t);
   }
 
-  void replace_neighbor(Index t, Index old_neighbor, Index neighbor)
+  /// makes `neighbor` what lies beyond the side of `t` between the vertices `u` and `v`. The old neighbor would not tell
+  /// which side that is: outside of the domain a triangle, turned over by a rounding, can have one twice
+  void set_neighbor(Index t, Index u, Index v, Index neighbor)
   {
-    if (t != no_index)
-      m_triangles.neighbors[t][m_triangles.index_of_neighbor(t, old_neighbor)] = neighbor;
+    for (int i = 0; i < 3 && t != no_index; ++i)
+      if (m_triangles.vertices[t][i] != u && m_triangles.vertices[t][i] != v)
+        m_triangles.neighbors[t][i] = neighbor;
   }
 
   const Bubble_mesh_2& m_mesh;

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -79,6 +79,26 @@ struct Handles
   }
 };
 
+/// Evaluates a point whose coordinates are lazy numbers: what one becomes in double depends on what was asked of it before,
+/// until it has been evaluated.
+template <class Point_2>
+auto evaluate_lazy(const Point_2& p, int) -> decltype(exact(p), void())
+{
+  exact(p);
+}
+
+template <class Point_2>
+void evaluate_lazy(const Point_2&, long)
+{}
+
+/// the coordinates of a user's point in double
+template <class Point_2>
+Point point_in_double(const Point_2& p)
+{
+  evaluate_lazy(p, 0);
+  return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+}
+
 /// A user's triangulation in arrays: its finite vertices and faces in the order in which it lists them.
 struct Triangulation_copy_2
 {
@@ -92,7 +112,7 @@ struct Triangulation_copy_2
   {
     reserve(t.number_of_vertices(), t.number_of_faces());
     for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
-      add_vertex(&*v, CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+      add_vertex(&*v, point_in_double(v->point()));
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
       faces.add(&*f);
     for (void* f : faces.addresses()) {
@@ -112,10 +132,10 @@ private:
     tr.neighbors.reserve(number_of_faces);
   }
 
-  void add_vertex(void* vertex, double x, double y)
+  void add_vertex(void* vertex, const Point& p)
   {
     vertices.add(vertex);
-    tr.points.emplace_back(x, y);
+    tr.points.push_back(p);
   }
 
   void add_triangle(const Addresses& v, const Addresses& n)
@@ -125,13 +145,13 @@ private:
   }
 };
 
-/// \throws std::invalid_argument if a point of the user's triangulation is not finite
+/// \throws std::invalid_argument if a point of the user's triangulation is not finite, or beyond the bound of coordinates
 inline void check_coordinates(const std::vector<Point>& points)
 {
   for (const Point& p : points)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+    if (!is_coordinate(p.x()) || !is_coordinate(p.y()))
       throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
-                                  in_words(p.x(), p.y()) + ", which must be finite");
+                                  in_words(p.x(), p.y()) + ", which must be " + required_of_coordinates(p.x(), p.y()));
 }
 
 /// whether the point of a vertex, given by its address, is lexicographically before that of another one
@@ -140,10 +160,8 @@ using Is_before = bool (*)(const void*, const void*);
 /// The numbers of a triangulation's vertices in the lexicographic order of their points.
 /// \param is_before `nullptr` if it is enough to compare the points as they are rounded to double; those in one place
 /// come in the order of their numbers then
-/// \throws std::invalid_argument if a point is not finite
 inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, Is_before is_before)
 {
-  check_coordinates(copy.tr.points);
   std::vector<std::pair<Point, Index>> sorted;
   sorted.reserve(copy.tr.points.size());
   for (const Point& p : copy.tr.points)
@@ -175,8 +193,11 @@ struct Sorted_triangulation_2
   Flat_triangulation_2 tr;
   std::vector<Index> vertices, triangles;
 
-  explicit Sorted_triangulation_2(const Triangulation_copy_2& copy) : vertices(lexicographic_order(copy, nullptr))
+  /// \throws std::invalid_argument as `check_coordinates()` does
+  explicit Sorted_triangulation_2(const Triangulation_copy_2& copy)
   {
+    check_coordinates(copy.tr.points);
+    vertices = lexicographic_order(copy, nullptr);
     const Flat_triangulation_2& t = copy.tr;
     const std::vector<Index> number = inverse(vertices);
     for (Index v : vertices)

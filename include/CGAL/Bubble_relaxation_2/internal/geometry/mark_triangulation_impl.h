@@ -75,7 +75,8 @@ private:
     } catch (const Cdt::Intersection_of_constraints_exception&) {
       return Marking_error::EDGES_CROSS;
     }
-    return Marking_error::NONE;
+    // all points of a needle may lie on a line when its edges are straightened
+    return m_cdt.dimension() < 2 ? Marking_error::NO_TRIANGLE : Marking_error::NONE;
   }
 
   void copy_to_arrays()

@@ -149,8 +149,8 @@ private:
     const double ux = p.x() - a.x(), uy = p.y() - a.y(), vx = b.x() - p.x(), vy = b.y() - p.y();
     if (!(ux * vx + uy * vy > 0))
       return false;
-    const double wx = b.x() - a.x(), wy = b.y() - a.y();
-    const double off = std::abs(ux * wy - uy * wx) / std::hypot(wx, wy);
+    // u x v, not u x w: where p is a few roundings from b, products of two long vectors tell nothing
+    const double off = std::abs(ux * vy - uy * vx) / std::hypot(b.x() - a.x(), b.y() - a.y());
     const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(a.x()),
                                        std::abs(a.y()), std::abs(b.x()), std::abs(b.y())});
     // a few roundings of the coordinates, but never a bend that could be meant

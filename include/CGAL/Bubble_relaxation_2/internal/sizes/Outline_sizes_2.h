@@ -205,7 +205,7 @@ public:
     for (int turn = 0; turn < turns && is_found; ++turn) {
       limited.add(m_found, m_domain, m_growth);
       m_found.clear();
-      count_bubbles_on_edges(m_domain, m_maximum, limited.sizes);
+      count_bubbles_on_edges(m_domain, m_maximum, limited.sizes); // along a crack each turn asks for ten times as many
       add_widths(limited.sizes);
       is_found = !m_found.empty();
     }

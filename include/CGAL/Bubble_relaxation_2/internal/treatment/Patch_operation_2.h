@@ -365,6 +365,16 @@ private:
     return b.is_on_edge(i) ? b.s[i] : b.host[i] == m_domain.edges()[e].source ? 0. : 1.;
   }
 
+  /// A bubble that comes to an edge, or goes from it, may put a pinned vertex beside the edge out of the domain.
+  static bool holds_all_bubbles(const Bubble_mesh_2& mesh)
+  {
+    std::vector<char> is_held(mesh.bubbles.size(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
+      for (Index v : mesh.triangles.vertices[t])
+        is_held[v] |= mesh.triangles.inside[t];
+    return std::find(is_held.begin(), is_held.end(), 0) == is_held.end();
+  }
+
   void try_patch(Bubbles_2 bubbles, std::vector<Domain_edge_2> edges)
   {
     const std::vector<Index> number = bubbles.indices_left();
@@ -375,7 +385,7 @@ private:
       e.target = number[e.target];
     }
     Bubble_mesh_2 mesh{std::move(bubbles), {}};
-    if (!try_to_triangulate(edges, mesh))
+    if (!try_to_triangulate(edges, mesh) || !holds_all_bubbles(mesh))
       return;
     Team alone;
     Smoothing_sweeps_2(m_domain, mesh, alone)();

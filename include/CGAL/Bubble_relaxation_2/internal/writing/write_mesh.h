@@ -163,8 +163,24 @@ private:
     const int i = next.first.second;
     const bool on_hull = m_cdt.is_infinite(f) || m_cdt.is_infinite(f->neighbor(i));
     add_to_path(m_cdt.insert(nearest_valid(p, f, i), Cdt::EDGE, f, i));
+    if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value)
+      restore_delaunay_around(end_of_path());
     if (on_hull)
       m_on_hull.push_back(m_path->back());
+  }
+
+  /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it by
+  /// a rounding, in a needle, it may see another vertex across the edge that was split.
+  void restore_delaunay_around(Vertex_handle v)
+  {
+    typename Cdt::List_edges edges;
+    auto e = m_cdt.incident_edges(v), first = e;
+    do
+      if (m_cdt.is_flipable(e->first, e->second, false))
+        edges.push_back(*e);
+    while (++e != first);
+    if (!edges.empty())
+      m_cdt.propagating_flip(edges);
   }
 
   /// `p`, or a point some roundings away, so that splitting the edge at it leaves all triangles
