@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Movable_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Piece_fitting_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Span_replacement_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+/// sizes and tolerances at the vertices
+inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& sizes, const Simplification_options& options)
+{
+  Outline_demands_2 result;
+  for (const Point& p : outline.points) {
+    result.size.push_back(sizes(p));
+    result.tolerance.push_back((std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
+  }
+  return result;
+}
+
+/// The order in which spans are replaced: long ones first, since they have more to gain.
+inline std::vector<Index> order_of_spans(const std::vector<Outline_span_2>& spans)
+{
+  std::vector<Index> order;
+  for (std::size_t s = 0; s < spans.size(); ++s)
+    order.push_back(static_cast<Index>(s));
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return spans[a].size() > spans[b].size(); });
+  return order;
+}
+
+/// the paths that take the places of the spans
+/// \param obstacles points that no span may pass
+inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const std::vector<Outline_span_2>& spans,
+                                                const Outline_demands_2& demands, const std::vector<Point>& obstacles)
+{
+  Movable_outline_2 movable;
+  std::vector<std::vector<Index>> ids(spans.size());
+  for (std::size_t s = 0; s < spans.size(); ++s)
+    for (std::size_t k = 0; k < spans[s].size(); ++k)
+      ids[s].push_back(movable.insert(outline.points[spans[s].vertices[k]], outline.points[spans[s].vertices[k + 1]]));
+  for (const Point& p : obstacles)
+    movable.insert(p, p);
+  std::vector<Fitted_path_2> paths(spans.size());
+  for (Index s : order_of_spans(spans))
+    paths[s] = Span_replacement_2(outline, spans[s], ids[s], movable)(Piece_fitting_2(outline, spans[s], demands));
+  return paths;
+}
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
