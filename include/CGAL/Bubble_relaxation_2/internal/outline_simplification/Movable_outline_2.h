@@ -33,8 +33,8 @@ public:
   Segment_grid_2& grid() { return m_grid; }
   const Segment_grid_2& grid() const { return m_grid; }
 
-  /// a segment, or a point if both ends are the same
-  Index insert(const Point& a, const Point& b) { return m_grid.insert(a, b); }
+  /// a segment, or a point if both ends are the same; where pieces are about as long as `size`
+  Index insert(const Point& a, const Point& b, double size) { return m_grid.insert(a, b, 0.5 * size); }
   void remove(Index id) { m_grid.remove(id); }
   void put_back(Index id) { m_grid.put_back(id); }
 

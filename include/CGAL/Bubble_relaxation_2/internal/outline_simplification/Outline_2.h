@@ -79,6 +79,12 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
   return s <= 0 ? a : s >= 1 ? b : Point(a.x() + s * dx, a.y() + s * dy);
 }
 
+inline double squared_distance(const Point& p, const Point& q)
+{
+  const double dx = q.x() - p.x(), dy = q.y() - p.y();
+  return dx * dx + dy * dy;
+}
+
 inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
 {
   return distance(p, nearest_on_segment(p, a, b));

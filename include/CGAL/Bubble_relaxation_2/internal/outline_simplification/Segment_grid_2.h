@@ -26,14 +26,17 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 /// Segments by place, long and short ones alike: each lies in the at most four cells that its box touches of a grid with
-/// cells no smaller than the box. Cells have powers of two as sizes, so that scaling by one changes nothing.
+/// cells no smaller than the box, nor than what is told. Cells have powers of two as sizes, so that scaling by one changes
+/// nothing.
 class Segment_grid_2
 {
 public:
-  Index insert(const Point& a, const Point& b)
+  /// \param cell_size of the smallest cells that it is worth to look at there
+  Index insert(const Point& a, const Point& b, double cell_size)
   {
     const Index id = static_cast<Index>(m_segments.size());
-    m_segments.push_back({a, b, 0, false});
+    const double size = (std::max)({std::abs(b.x() - a.x()), std::abs(b.y() - a.y()), cell_size});
+    m_segments.push_back({a, b, std::ilogb(size) + 1, 0, false});
     put_back(id);
     return id;
   }
@@ -51,27 +54,29 @@ public:
   void put_back(Index id)
   {
     Segment& s = m_segments[id];
-    const Bbox_2 b = box(id);
-    s.level = std::ilogb((std::max)({b.xmax() - b.xmin(), b.ymax() - b.ymin(), smallest_size()})) + 1;
     s.is_there = true;
-    for_each_cell(b, s.level, [&](std::vector<Index>& cell) { cell.push_back(id); });
+    for_each_cell(box(id), s.level, [&](std::vector<Index>& cell) { cell.push_back(id); });
   }
-
-  /// the least size that cells distinguish, where segments may be points
-  void set_smallest_size(double size) { m_smallest_size = size; }
 
   const Point& source(Index id) const { return m_segments[id].a; }
   const Point& target(Index id) const { return m_segments[id].b; }
   bool is_there(Index id) const { return m_segments[id].is_there; }
-  std::size_t number_of_ids() const { return m_segments.size(); }
 
   Bbox_2 box(Index id) const { return m_segments[id].a.bbox() + m_segments[id].b.bbox(); }
 
-  /// Calls `visit(id)` once for each segment whose box meets a box.
+  /// Calls `visit(id)` once for each segment whose box meets a box, in no particular order.
   template <class Visitor>
   void for_each_near(const Bbox_2& query, const Visitor& visit) const
   {
-    m_found.clear();
+    ++m_query;
+    const auto visit_cell = [&](const std::vector<Index>& ids) {
+      for (Index id : ids)
+        if (m_segments[id].query != m_query) {
+          m_segments[id].query = m_query;
+          if (do_overlap(box(id), query))
+            visit(id);
+        }
+    };
     for (const auto& level : m_levels) {
       const double size = std::ldexp(1., level.first);
       const std::int64_t x0 = cell(query.xmin(), size), x1 = cell(query.xmax(), size),
@@ -79,21 +84,16 @@ public:
       if (static_cast<double>(x1 - x0 + 1) * static_cast<double>(y1 - y0 + 1) >
           static_cast<double>(level.second.size())) { // more cells than there are: look at all
         for (const auto& c : level.second)
-          m_found.insert(m_found.end(), c.second.begin(), c.second.end());
+          visit_cell(c.second);
         continue;
       }
       for (std::int64_t x = x0; x <= x1; ++x)
         for (std::int64_t y = y0; y <= y1; ++y) {
           const auto c = level.second.find(key(x, y));
           if (c != level.second.end())
-            m_found.insert(m_found.end(), c->second.begin(), c->second.end());
+            visit_cell(c->second);
         }
     }
-    std::sort(m_found.begin(), m_found.end());
-    m_found.erase(std::unique(m_found.begin(), m_found.end()), m_found.end());
-    for (Index id : m_found)
-      if (do_overlap(box(id), query))
-        visit(id);
   }
 
 private:
@@ -101,11 +101,10 @@ private:
   {
     Point a, b;
     int level;
+    mutable std::uint64_t query; // the last one that found it
     bool is_there;
   };
   using Level = std::unordered_map<std::uint64_t, std::vector<Index>>;
-
-  double smallest_size() const { return m_smallest_size; }
 
   static std::int64_t cell(double c, double size) { return static_cast<std::int64_t>(std::floor(c / size)); }
 
@@ -126,8 +125,7 @@ private:
 
   std::vector<Segment> m_segments;
   std::map<int, Level> m_levels;
-  double m_smallest_size = 1e-300;
-  mutable std::vector<Index> m_found;
+  mutable std::uint64_t m_query = 0;
 };
 
 } // namespace internal

@@ -28,9 +28,9 @@ class Span_replacement_2
 {
 public:
   /// \param ids of the segments of the span in the movable outline
-  Span_replacement_2(const Outline_2& outline, const Outline_span_2& span, const std::vector<Index>& ids,
-                     Movable_outline_2& movable)
-    : m_outline(outline), m_span(span), m_old(ids), m_movable(movable)
+  Span_replacement_2(const Outline_2& outline, const Outline_span_2& span, const Outline_demands_2& demands,
+                     const std::vector<Index>& ids, Movable_outline_2& movable)
+    : m_outline(outline), m_span(span), m_demands(demands), m_old(ids), m_movable(movable)
   {}
 
   /// the new vertices from the first to the last, which is the first again if the span is a ring
@@ -90,7 +90,7 @@ private:
       return true;
     const Index k = first.segment;
     const Path from{old_point(k), old_point(k + 1)}, to{from[0], first.point, from[1]};
-    if (!replace({m_old[cyclic(k)]}, from, to, true))
+    if (!replace({m_old[cyclic(k)]}, from, to, true, m_demands.size[m_span.vertices[cyclic(k)]]))
       return false;
     m_head = m_ids.back();
     m_ids.pop_back();
@@ -122,17 +122,18 @@ private:
     Path to{a.point, b.point};
     if (has_rest)
       to.push_back(from.back());
-    return replace(removed, from, to, has_rest);
+    return replace(removed, from, to, has_rest, m_demands.size[m_span.vertices[cyclic(a.segment)]]);
   }
 
-  bool replace(const std::vector<Index>& removed, const Path& from, const Path& to, bool has_rest)
+  bool replace(const std::vector<Index>& removed, const Path& from, const Path& to, bool has_rest,
+               double size)
   {
     if (from != to && !m_movable.is_free(removed, from, to))
       return false;
     for (Index id : removed)
       m_movable.remove(id);
     for (std::size_t k = 1; k < to.size(); ++k)
-      m_ids.push_back(m_movable.insert(to[k - 1], to[k]));
+      m_ids.push_back(m_movable.insert(to[k - 1], to[k], size));
     m_rest = no_index;
     if (has_rest) {
       m_rest = m_ids.back();
@@ -157,6 +158,7 @@ private:
 
   const Outline_2& m_outline;
   const Outline_span_2& m_span;
+  const Outline_demands_2& m_demands;
   const std::vector<Index>& m_old;
   Movable_outline_2& m_movable;
   std::vector<Index> m_ids;

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Movable_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Path_improvement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Piece_fitting_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Span_replacement_2.h>
@@ -23,13 +24,18 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+// so that no rounding matters for what is within the tolerance
+constexpr double share_that_is_used = 1 - 1e-6;
+
+constexpr int sweeps_of_improvement = 6;
+
 /// sizes and tolerances at the vertices
 inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& sizes, const Simplification_options& options)
 {
   Outline_demands_2 result;
   for (const Point& p : outline.points) {
     result.size.push_back(sizes(p));
-    result.tolerance.push_back((std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
+    result.tolerance.push_back(share_that_is_used * (std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
   }
   return result;
 }
@@ -53,12 +59,22 @@ inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const 
   std::vector<std::vector<Index>> ids(spans.size());
   for (std::size_t s = 0; s < spans.size(); ++s)
     for (std::size_t k = 0; k < spans[s].size(); ++k)
-      ids[s].push_back(movable.insert(outline.points[spans[s].vertices[k]], outline.points[spans[s].vertices[k + 1]]));
+      ids[s].push_back(movable.insert(outline.points[spans[s].vertices[k]], outline.points[spans[s].vertices[k + 1]],
+                                      demands.size[spans[s].vertices[k]]));
   for (const Point& p : obstacles)
-    movable.insert(p, p);
+    movable.insert(p, p, *std::min_element(demands.size.begin(), demands.size.end()));
   std::vector<Fitted_path_2> paths(spans.size());
-  for (Index s : order_of_spans(spans))
-    paths[s] = Span_replacement_2(outline, spans[s], ids[s], movable)(Piece_fitting_2(outline, spans[s], demands));
+  const std::vector<Index> order = order_of_spans(spans);
+  for (Index s : order) {
+    Span_replacement_2 replacement(outline, spans[s], demands, ids[s], movable);
+    paths[s] = replacement(Piece_fitting_2(outline, spans[s], demands));
+    ids[s] = replacement.ids();
+  }
+  std::vector<char> is_done(spans.size(), 0);
+  for (int sweep = 0; sweep < sweeps_of_improvement; ++sweep)
+    for (Index s : order)
+      if (!is_done[s])
+        is_done[s] = !Path_improvement_2(outline, spans[s], demands, movable, paths[s], ids[s])();
   return paths;
 }
 
