@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -37,7 +38,15 @@ struct Outline_2
 {
   std::vector<Point> points;
   std::vector<char> is_fixed; ///< of each vertex whether it is to stay
+  std::vector<Index> given;   ///< the number that each vertex has in the user's outline, `no_index` if it is not of it
   std::vector<Outline_segment_2> segments;
+
+  void sort_segments()
+  {
+    std::sort(segments.begin(), segments.end(), [](const Outline_segment_2& s, const Outline_segment_2& t) {
+      return s.source != t.source ? s.source < t.source : s.target < t.target;
+    });
+  }
 };
 
 /// What is asked at the vertices of an outline: the wanted length of pieces, and how far they may be from it.
@@ -56,6 +65,16 @@ struct Outline_span_2
   bool inside_left = false, inside_right = false; ///< seen from the first vertex to the last
 
   std::size_t size() const { return segments.size(); }
+
+  /// the place of a segment in `segments`; a ring goes on around from both ends
+  std::size_t place(Index segment) const
+  {
+    const Index n = static_cast<Index>(size());
+    return static_cast<std::size_t>(is_ring ? (segment % n + n) % n : segment);
+  }
+
+  /// the first vertex of a segment, or the last of the span
+  Index vertex(Index segment) const { return vertices[place(segment)]; }
 };
 
 /// A vertex of what replaces a span. It belongs to a place on the segment `segment` of the span; the points of the span

@@ -55,7 +55,7 @@ private:
       return m_number[vertex];
     const Index number = static_cast<Index>(m_result.points.size());
     m_result.points.push_back(v.point);
-    m_result.old_vertices.push_back(vertex);
+    m_result.old_vertices.push_back(vertex == no_index ? no_index : m_outline.given[vertex]);
     if (vertex != no_index)
       m_number[vertex] = number;
     return number;
@@ -79,9 +79,9 @@ private:
   void add_segments(const Outline_span_2& span, const Fitted_path_2& path, const Simplified_span_2& result)
   {
     for (std::size_t k = 1; k < path.size(); ++k) {
-      const std::size_t middle = static_cast<std::size_t>(path[k - 1].segment + path[k].segment) / 2;
+      const std::size_t middle = span.place(path[k - 1].segment + (path[k].segment - path[k - 1].segment) / 2);
       m_result.segments.push_back({result.vertices[k - 1], result.vertices[k], span.inside_left, span.inside_right,
-                                   result.origins[middle % span.size()]});
+                                   result.origins[middle]});
     }
   }
 

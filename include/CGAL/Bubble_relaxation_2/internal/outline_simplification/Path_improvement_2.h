@@ -28,7 +28,7 @@ namespace internal {
 /// domain is narrow: a small island grows, and a channel widens, as far as that is allowed.
 class Path_improvement_2
 {
-  static constexpr double good_enough = 0.15, least_gain = 0.02; // costs
+  static constexpr double good_enough = 0.05, least_gain = 0.01; // costs
   static constexpr double clear = 0.8; // what is farther away than this part of d does not count
   static constexpr int halvings = 3, moves_of_a_vertex = 6;
 
@@ -63,11 +63,7 @@ private:
   const Fitted_vertex_2& previous(std::size_t k) const { return m_path[piece_before(k)]; }
   const Fitted_vertex_2& next(std::size_t k) const { return m_path[k + 1]; }
 
-  Index old_vertex(Index segment) const
-  {
-    const Index n = static_cast<Index>(m_span.size());
-    return m_span.vertices[m_span.is_ring ? ((segment % n) + n) % n : segment];
-  }
+  Index old_vertex(Index segment) const { return m_span.vertex(segment); }
   const Point& old_point(Index segment) const { return m_outline.points[old_vertex(segment)]; }
   double size_at(const Fitted_vertex_2& v) const { return m_demands.size[old_vertex(v.segment)]; }
   double tolerance_at(Index segment) const

@@ -64,12 +64,7 @@ public:
 private:
   using Path = Movable_outline_2::Path;
 
-  std::size_t cyclic(Index k) const { return static_cast<std::size_t>(k) % m_span.size(); }
-
-  const Point& old_point(Index k) const
-  {
-    return m_outline.points[m_span.vertices[m_span.is_ring ? cyclic(k) : static_cast<std::size_t>(k)]];
-  }
+  const Point& old_point(Index k) const { return m_outline.points[m_span.vertex(k)]; }
 
   Fitted_path_2 old_path()
   {
@@ -90,7 +85,7 @@ private:
       return true;
     const Index k = first.segment;
     const Path from{old_point(k), old_point(k + 1)}, to{from[0], first.point, from[1]};
-    if (!replace({m_old[cyclic(k)]}, from, to, true, m_demands.size[m_span.vertices[cyclic(k)]]))
+    if (!replace({m_old[m_span.place(k)]}, from, to, true, m_demands.size[m_span.vertex(k)]))
       return false;
     m_head = m_ids.back();
     m_ids.pop_back();
@@ -110,7 +105,7 @@ private:
     const Index first = m_rest != no_index ? a.segment + 1 : a.segment;
     const Index end = b.vertex != no_index || ends_in_head ? b.segment : b.segment + 1; // of whole segments
     for (Index k = first; k < end; ++k)
-      removed.push_back(m_old[cyclic(k)]);
+      removed.push_back(m_old[m_span.place(k)]);
     for (Index k = a.segment + 1; k <= end; ++k)
       from.push_back(old_point(k));
     if (ends_in_head) {
@@ -122,7 +117,7 @@ private:
     Path to{a.point, b.point};
     if (has_rest)
       to.push_back(from.back());
-    return replace(removed, from, to, has_rest, m_demands.size[m_span.vertices[cyclic(a.segment)]]);
+    return replace(removed, from, to, has_rest, m_demands.size[m_span.vertex(a.segment)]);
   }
 
   bool replace(const std::vector<Index>& removed, const Path& from, const Path& to, bool has_rest,

@@ -95,6 +95,8 @@ public:
     for (void* v : addresses)
       m_numbers.add(v);
     problem.outline.points = vertices.points;
+    for (std::size_t v = 0; v < addresses.size(); ++v)
+      problem.outline.given.push_back(static_cast<Index>(v));
     check_places();
     read_segments(marks, vertices);
     problem.outline.is_fixed.assign(addresses.size(), 0);
@@ -136,9 +138,7 @@ private:
         segments.push_back(a < b ? Outline_segment_2{a, b, left, right, no_index}
                                  : Outline_segment_2{b, a, right, left, no_index});
       }
-    std::sort(segments.begin(), segments.end(), [](const Outline_segment_2& s, const Outline_segment_2& t) {
-      return s.source != t.source ? s.source < t.source : s.target < t.target;
-    });
+    problem.outline.sort_segments();
     for (std::size_t e = 0; e < segments.size(); ++e)
       segments[e].origin = static_cast<Index>(e);
   }

@@ -17,15 +17,14 @@
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
-
-// so that no rounding matters for what is within the tolerance
-constexpr double share_that_is_used = 1 - 1e-6;
 
 constexpr int sweeps_of_improvement = 6;
 
@@ -35,9 +34,19 @@ inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& siz
   Outline_demands_2 result;
   for (const Point& p : outline.points) {
     result.size.push_back(sizes(p));
-    result.tolerance.push_back(share_that_is_used * (std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
+    result.tolerance.push_back((std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
   }
   return result;
+}
+
+/// The same with tolerances that leave room for roundings.
+inline Outline_demands_2 with_caution(Outline_demands_2 demands, const Outline_2& outline)
+{
+  for (std::size_t v = 0; v < demands.tolerance.size(); ++v) {
+    const double largest = (std::max)(std::abs(outline.points[v].x()), std::abs(outline.points[v].y()));
+    demands.tolerance[v] -= 1e-6 * demands.tolerance[v] + 16 * std::numeric_limits<double>::epsilon() * largest;
+  }
+  return demands;
 }
 
 /// The order in which spans are replaced: long ones first, since they have more to gain.
