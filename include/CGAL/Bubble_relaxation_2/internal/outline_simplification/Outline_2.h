@@ -88,7 +88,13 @@ struct Fitted_vertex_2
 
 using Fitted_path_2 = std::vector<Fitted_vertex_2>;
 
-inline double distance(const Point& p, const Point& q) { return std::hypot(q.x() - p.x(), q.y() - p.y()); }
+inline double squared_distance(const Point& p, const Point& q)
+{
+  const double dx = q.x() - p.x(), dy = q.y() - p.y();
+  return dx * dx + dy * dy;
+}
+
+inline double distance(const Point& p, const Point& q) { return std::sqrt(squared_distance(p, q)); }
 
 /// the point of the segment from `a` to `b` that is nearest to `p`
 inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
@@ -96,12 +102,6 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), l = dx * dx + dy * dy;
   const double s = l > 0 ? ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / l : 0;
   return s <= 0 ? a : s >= 1 ? b : Point(a.x() + s * dx, a.y() + s * dy);
-}
-
-inline double squared_distance(const Point& p, const Point& q)
-{
-  const double dx = q.x() - p.x(), dy = q.y() - p.y();
-  return dx * dx + dy * dy;
 }
 
 inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
