@@ -54,6 +54,8 @@ public:
       const Point &a = m_grid.source(id), &b = m_grid.target(id);
       for (std::size_t k = 1; k < to.size() && is_free; ++k)
         is_free = !meet(to[k - 1], to[k], a, b, from.front(), from.back());
+      if (is_free && joins_ends(a, b, from))
+        is_free = is_left_of_chord(from) == is_left_of_chord(to);
       for (const Point* p : {&a, &b})
         if (is_free && *p != from.front() && *p != from.back())
           is_free = winding_number(*p) == 0;
@@ -95,6 +97,20 @@ private:
     if (c_side == COLLINEAR && d_side == COLLINEAR)
       return true; // on a line, where the boxes overlap
     return c_side != d_side && a_side != b_side;
+  }
+
+  static bool joins_ends(const Point& a, const Point& b, const Path& path)
+  {
+    return a != b && ((a == path.front() && b == path.back()) || (b == path.front() && a == path.back()));
+  }
+
+  /// Whether a path turns counterclockwise back to its start. It does not meet the segment between its ends, so its
+  /// lexicographically least vertex tells.
+  static bool is_left_of_chord(const Path& path)
+  {
+    const std::size_t n = path.size(),
+                      k = static_cast<std::size_t>(std::min_element(path.begin(), path.end()) - path.begin());
+    return CGAL::orientation(path[(k + n - 1) % n], path[k], path[(k + 1) % n]) == LEFT_TURN;
   }
 
   /// how often what is between two paths goes around a point that is not on them

@@ -29,6 +29,7 @@ namespace internal {
 class Path_improvement_2
 {
   static constexpr double good_enough = 0.05, least_gain = 0.01; // costs
+  static constexpr double deviation_weight = 0.25; // less than where pieces are chosen: only what costs something moves
   static constexpr double clear = 0.8; // what is farther away than this part of d does not count
   static constexpr int halvings = 3, moves_of_a_vertex = 6;
 
@@ -206,7 +207,7 @@ private:
   bool move(std::size_t k)
   {
     bool has_moved = false;
-    double now = cost(k), step = 1;
+    double now = cost(k) + deviation_cost(m_path[k].point, m_path[k].segment), step = 1;
     for (int halving = 0, moves = 0; halving < halvings && moves < moves_of_a_vertex;) {
       if (try_step(k, step * tolerance_at(m_path[k].segment), now)) {
         has_moved = true;
@@ -219,33 +220,49 @@ private:
     return has_moved;
   }
 
-  /// moves a vertex in the best of eight directions
+  /// Moves a vertex in the best of eight directions, along the way between its neighbours and across it.
   bool try_step(std::size_t k, double step, double& now)
   {
     constexpr double diagonal = 0.70710678118654752;
     constexpr double directions[8][2] = {{1, 0}, {diagonal, diagonal}, {0, 1}, {-diagonal, diagonal},
                                          {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
-    const Point old = m_path[k].point;
+    const Point old = m_path[k].point, &a = previous(k).point, &b = next(k).point;
+    const double l = distance(a, b), ux = l > 0 ? (b.x() - a.x()) / l : 1, uy = l > 0 ? (b.y() - a.y()) / l : 0;
     std::vector<std::pair<double, Fitted_vertex_2>> better;
     for (const auto& d : directions) {
-      const Point p(old.x() + step * d[0], old.y() + step * d[1]);
-      const double c = cost_at(k, p, step, now);
-      if (!(c < now - least_gain))
+      const Point p(old.x() + step * (d[0] * ux - d[1] * uy), old.y() + step * (d[0] * uy + d[1] * ux));
+      if (is_too_long(k, p))
         continue;
       const Index segment = segment_for(k, p);
-      if (segment != no_index && is_near(previous_in_turn(k), p, segment, false) && is_near(next(k), p, segment, true))
+      if (segment == no_index || !is_near(previous_in_turn(k), p, segment, false) || !is_near(next(k), p, segment, true))
+        continue;
+      const double off = deviation_cost(p, segment), c = off + cost_at(k, p, step, now - off);
+      if (c < now - least_gain)
         better.push_back({c, {p, segment, no_index}});
     }
     std::stable_sort(better.begin(), better.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    for (const auto& b : better)
-      if (m_movable.is_free(ids_at(k), {previous(k).point, old, next(k).point},
-                            {previous(k).point, b.second.point, next(k).point})) {
-        now = b.first;
-        put(k, b.second);
+    for (const auto& best : better)
+      if (m_movable.is_free(ids_at(k), {a, old, b}, {a, best.second.point, b})) {
+        now = best.first;
+        put(k, best.second);
         measure(k);
         return true;
       }
     return false;
+  }
+
+  bool is_too_long(std::size_t k, const Point& p) const
+  {
+    const double longest = longest_piece * size_at(m_path[k]);
+    const Point &old = m_path[k].point, &a = previous(k).point, &b = next(k).point;
+    const double to_a = distance(a, p), to_b = distance(p, b);
+    return (to_a > longest && to_a > distance(a, old)) || (to_b > longest && to_b > distance(old, b));
+  }
+
+  double deviation_cost(const Point& p, Index segment) const
+  {
+    const double off = distance_to_segment(p, old_point(segment), old_point(end_of(segment)));
+    return deviation_weight * piece_cost(1, off / tolerance_at(segment));
   }
 
   std::vector<Index> ids_at(std::size_t k) const { return {m_ids[piece_before(k)], m_ids[k]}; }
@@ -270,7 +287,7 @@ private:
     const Point old = m_path[k].point;
     const double size = size_at(m_path[k]), now = cost(k),
                  then = length_cost(distance(a.point, b.point) / size);
-    if (!(then < now - least_gain) || !(distance(a.point, b.point) <= 1.5 * size))
+    if (!(then < now - least_gain) || !(distance(a.point, b.point) <= longest_piece * size))
       return false;
     for (Index m = a.segment + 1; m <= b.segment; ++m)
       if (!(distance_to_segment(old_point(m), a.point, b.point) <= m_demands.tolerance[old_vertex(m)]))

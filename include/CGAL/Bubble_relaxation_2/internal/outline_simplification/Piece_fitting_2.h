@@ -29,7 +29,6 @@ namespace internal {
 class Piece_fitting_2
 {
   static constexpr int parts_of_size = 8;         // places on long segments are this part of d apart
-  static constexpr double longest = 1.5;          // piece, in units of d
   static constexpr std::size_t small_ring = 200;  // places on a ring, up to which other starts are tried
 
 public:
@@ -161,10 +160,10 @@ private:
     for (std::size_t j = i + 1; j <= last; ++j) {
       const Place& q = m_places[j % n];
       const double length = distance(p.point, q.point), size = 0.5 * (p.size + q.size);
-      if (length > longest * size + p.tolerance && j > i + 1)
+      if (length > longest_piece * size + p.tolerance && j > i + 1)
         break; // no later piece is near to here
       double deviation = 0;
-      if (length > 0 && (j == i + 1 || (length <= longest * size && is_near(p.point, q.point, deviation))))
+      if (length > 0 && (j == i + 1 || (length <= longest_piece * size && is_near(p.point, q.point, deviation))))
         m_pieces[i].push_back({j - i, piece_cost(length / size, deviation)});
       if (q.is_vertex)
         m_between.push_back(j % n);

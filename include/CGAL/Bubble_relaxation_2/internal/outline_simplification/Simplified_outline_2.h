@@ -34,7 +34,9 @@ struct Simplification_options
 struct Simplification_problem_2
 {
   Outline_2 outline;
-  std::vector<Point> obstacles; ///< points that no segment may pass: pinned vertices without constraints, and seeds
+  std::vector<Point> pins;  ///< pinned vertices without constraints
+  std::vector<Point> seeds; ///< as the user gave them
+  bool seeds_are_in_domain = false;
   Sizes_2 sizes;
   Simplification_options options;
 };

@@ -17,6 +17,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+constexpr double longest_piece = 1.5; ///< in units of d
+
 /// What a piece costs whose length is `x` times the wanted one. A short piece asks for small triangles around it, whose
 /// sizes grow by a fifth of the distance: about 3.6 times this many more vertices, the integral of the density of vertices
 /// around the piece minus that of the rest. A long one costs quality.

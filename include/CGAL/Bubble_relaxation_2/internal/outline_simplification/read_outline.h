@@ -82,12 +82,12 @@ public:
   using Vertex_handle = typename Cdt::Vertex_handle;
 
   Simplification_problem_2 problem;
-  std::vector<Point> seeds;
   std::vector<void*> free; ///< vertices that go: those that are neither pinned nor of a constraint
 
   template <class NamedParameters>
   Outline_reading_2(const Cdt& cdt, const NamedParameters& np)
-    : problem{Outline_2(), {}, sizes_of_pieces<Cdt>(np, read_simplification_options(np)), read_simplification_options(np)}
+    : problem{Outline_2(), {}, {}, false, sizes_of_pieces<Cdt>(np, read_simplification_options(np)),
+              read_simplification_options(np)}
   {
     const Domain_marks_2<Cdt> marks(cdt, np);
     const Sorted_vertices_2 vertices(marks, Vertex_order<Cdt>::is_before());
@@ -105,8 +105,9 @@ public:
       fix_ends_of_constraints(cdt);
     if constexpr (Is_given<NamedParameters, internal_np::seeds_t>::value)
       for (const auto& seed : parameters::get_parameter(np, internal_np::seeds))
-        seeds.emplace_back(CGAL::to_double(seed.x()), CGAL::to_double(seed.y()));
-    problem.obstacles.insert(problem.obstacles.end(), seeds.begin(), seeds.end());
+        problem.seeds.emplace_back(CGAL::to_double(seed.x()), CGAL::to_double(seed.y()));
+    problem.seeds_are_in_domain =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::seeds_are_in_domain), false);
   }
 
   Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(addresses[v]); }
@@ -160,7 +161,7 @@ private:
       if (pinned)
         is_fixed[v] = 1;
       if (!is_of_segment[v] && pinned)
-        problem.obstacles.push_back(problem.outline.points[v]);
+        problem.pins.push_back(problem.outline.points[v]);
       else if (!is_of_segment[v])
         free.push_back(addresses[v]);
     }

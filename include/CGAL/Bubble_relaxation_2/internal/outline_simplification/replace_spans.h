@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Movable_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Path_improvement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Piece_fitting_2.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -28,6 +30,15 @@ namespace internal {
 
 constexpr int sweeps_of_improvement = 6;
 
+/// \throws std::invalid_argument if a tolerance is no more than roundings
+inline void check_tolerance(const Point& p, double tolerance)
+{
+  const double largest = (std::max)(std::abs(p.x()), std::abs(p.y()));
+  if (!(tolerance > 1e-12 * largest) || !std::isfinite(tolerance))
+    throw std::invalid_argument("Bubble_relaxation_2: the tolerance " + in_words(tolerance) + " at " +
+                                in_words(p.x(), p.y()) + " must be finite and greater than the rounding of coordinates there");
+}
+
 /// sizes and tolerances at the vertices
 inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& sizes, const Simplification_options& options)
 {
@@ -35,6 +46,7 @@ inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& siz
   for (const Point& p : outline.points) {
     result.size.push_back(sizes(p));
     result.tolerance.push_back((std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
+    check_tolerance(p, result.tolerance.back());
   }
   return result;
 }

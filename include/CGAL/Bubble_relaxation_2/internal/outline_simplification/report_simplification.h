@@ -93,6 +93,34 @@ inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplifi
   report.share_of_fitting_pieces = static_cast<double>(fitting) / static_cast<double>(result.segments.size());
 }
 
+/// whether a point lies in the domain, as the first segment below it tells
+inline bool is_in_domain(const Simplified_outline_2& outline, const Point& p)
+{
+  bool is_inside = false;
+  double highest = -(std::numeric_limits<double>::infinity)();
+  for (const Outline_segment_2& s : outline.segments) {
+    const bool is_rightward = outline.points[s.source].x() < outline.points[s.target].x();
+    const Point &left = outline.points[is_rightward ? s.source : s.target], &right = outline.points[is_rightward ? s.target : s.source];
+    if (!(left.x() <= p.x() && p.x() < right.x()) || CGAL::orientation(left, right, p) == RIGHT_TURN)
+      continue;
+    const double y = left.y() + (p.x() - left.x()) / (right.x() - left.x()) * (right.y() - left.y());
+    if (y > highest) {
+      highest = y;
+      is_inside = is_rightward ? s.inside_left : s.inside_right;
+    }
+  }
+  return is_inside;
+}
+
+/// the seeds that are still in regions of their kind: a rule may have taken the region away
+inline void report_seeds(const Simplification_problem_2& problem, Simplified_outline_2& result)
+{
+  const bool is_changed = !result.report.dropped_islands.empty() || !result.report.filled_gaps.empty();
+  for (const Point& p : problem.seeds)
+    if (!is_changed || is_in_domain(result, p) == problem.seeds_are_in_domain)
+      result.report.seeds.push_back({p.x(), p.y()});
+}
+
 /// the distance between the outline that was replaced and the new one
 inline double distance_between(const Outline_2& outline, const Simplified_outline_2& result, double size)
 {

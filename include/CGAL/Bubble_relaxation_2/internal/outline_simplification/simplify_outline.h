@@ -30,6 +30,14 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
+/// points that no segment may pass, so that they stay in their regions
+inline std::vector<Point> obstacles_of(const Simplification_problem_2& problem)
+{
+  std::vector<Point> obstacles = problem.pins;
+  obstacles.insert(obstacles.end(), problem.seeds.begin(), problem.seeds.end());
+  return obstacles;
+}
+
 /// the outline as the rules leave it
 inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_simplification_report_2<double>& report)
 {
@@ -53,7 +61,7 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
   const std::vector<Outline_span_2> spans = find_spans(outline);
   const Outline_demands_2 cautious = with_caution(demands, outline);
-  const std::vector<Fitted_path_2> paths = replace_spans(outline, spans, cautious, problem.obstacles);
+  const std::vector<Fitted_path_2> paths = replace_spans(outline, spans, cautious, obstacles_of(problem));
   Fidelity_check_2 check(outline, demands);
   for (std::size_t s = 0; s < spans.size(); ++s)
     check(spans[s], paths[s]);
@@ -63,6 +71,7 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
   report.number_of_old_segments = problem.outline.segments.size();
   result.report = std::move(report);
   report_pieces(problem.outline, problem.sizes, result);
+  report_seeds(problem, result);
   return result;
 }
 
