@@ -6,7 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// A coast that is known in far more detail than the mesh shall have: meshed as it is, with an outline within a tenth of d of
+// A coast that is known in far more detail than the mesh shall have: meshed as it is, with an outline within a tenth of
+// d of
 // it, and without its small islands and narrows.
 
 #include "svg_picture.h"
@@ -47,9 +48,9 @@ std::vector<Point> coast(const Point& center, double radius, int n, std::mt19937
 CDT archipelago()
 {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> radius(0.01, 0.55), shift(-0.4, 0.4);
+  std::uniform_real_distribution<double> radius(0.01, 0.5), shift(-0.15, 0.15);
   CDT cdt;
-  const std::vector<Point> sea = coast(Point(0, 0), 8, 3000, random);
+  const std::vector<Point> sea = coast(Point(0, 0), 10, 3000, random);
   cdt.insert_constraint(sea.begin(), sea.end(), true);
   for (int x = -3; x <= 3; ++x)
     for (int y = -3; y <= 3; ++y) {
@@ -78,7 +79,8 @@ int main()
   mesh(as_it_is, d, "outline_as_it_is.svg");
 
   std::cout << "an outline within a tenth of d\n"
-            << CGAL::simplify_outline_2(within_tolerance, CGAL::parameters::sizing_function(d).relative_outline_tolerance(0.1));
+            << CGAL::simplify_outline_2(within_tolerance,
+                                        CGAL::parameters::sizing_function(d).relative_outline_tolerance(0.1));
   mesh(within_tolerance, d, "outline_within_tolerance.svg");
 
   const auto report = CGAL::simplify_outline_2(

@@ -44,8 +44,9 @@ struct Outline_simplification_report_2
     FT area;
   };
 
-  /// A segment of the new outline, and one of those of the old outline that it stands for: what is known of that one, such
-  /// as a marker, holds for the piece. Where a rule made a piece that stands for none, both old ends are the piece's own.
+  /// A segment of the new outline, and one of those of the old outline that it stands for: what is known of that one,
+  /// such as a marker, holds for the piece. Where a rule made a piece that stands for none, both old ends are the
+  /// piece's own.
   struct Piece
   {
     Place source, target, old_source, old_target;
@@ -61,7 +62,8 @@ struct Outline_simplification_report_2
   /// The two-sided Hausdorff distance between the old outline, as the rules left it, and the new one, up to a relative
   /// error of 1e-6, not less than it is.
   FT hausdorff_distance = FT(0);
-  FT largest_share_of_tolerance = FT(0); ///< the largest distance of a piece from its part of the old outline over its tolerance
+  FT largest_share_of_tolerance =
+    FT(0); ///< the largest distance of a piece from its part of the old outline over its tolerance
   /// @}
 
   FT share_of_fitting_pieces = FT(0); ///< the share of the pieces with lengths between 0.6 d and 1.5 d

@@ -66,7 +66,8 @@ std::vector<Outline> archipelago(unsigned seed)
   std::vector<Outline> outlines{square(-5, -5, 10)};
   for (int i = -2; i <= 2; ++i)
     for (int j = -2; j <= 2; ++j)
-      outlines.push_back(coast(1.7 * i, 1.7 * j, radius(random), 40 + 10 * (i + 2), seed + static_cast<unsigned>(10 * i + j + 100)));
+      outlines.push_back(
+        coast(1.7 * i, 1.7 * j, radius(random), 40 + 10 * (i + 2), seed + static_cast<unsigned>(10 * i + j + 100)));
   outlines.push_back(coast(0, 0, 0.01, 12, seed + 7)); // a pond on the island in the middle, or beside it
   return outlines;
 }
@@ -187,7 +188,8 @@ double largest_distance(const std::vector<Segment>& from, const std::vector<Segm
   for (const Segment& s : from)
     for (int i = 0; i <= 16; ++i) {
       const double t = i / 16.;
-      const Xy p{s.first.first + t * (s.second.first - s.first.first), s.first.second + t * (s.second.second - s.first.second)};
+      const Xy p{s.first.first + t * (s.second.first - s.first.first),
+                 s.first.second + t * (s.second.second - s.first.second)};
       double least = 1e300;
       for (const Segment& other : to)
         least = (std::min)(least, distance(p, other));
@@ -211,7 +213,9 @@ Report simplify_and_check(CDT& cdt, double d, double share, const Pins& pins = {
 
   const CGAL::Boolean_property_map<const Pins> map(pins);
   const Report report = CGAL::simplify_outline_2(
-    cdt, CGAL::Bubble_relaxation_parameters::sizing_function(d).relative_outline_tolerance(share).vertex_is_constrained_map(map));
+    cdt,
+    CGAL::Bubble_relaxation_parameters::sizing_function(d).relative_outline_tolerance(share).vertex_is_constrained_map(
+      map));
 
   EXPECT_TRUE(cdt.is_valid());
   const Snapshot after = validation::snapshot(cdt);
@@ -302,7 +306,8 @@ TEST(Simplify_outline, order_and_start_do_not_matter)
   const std::vector<Outline> outlines = archipelago(random_seeds::seed(3));
   CDT cdt = make(outlines);
   const auto simplify = [](CDT& t) {
-    return CGAL::simplify_outline_2(t, CGAL::parameters::sizing_function(0.5).minimum_island_area(0.01).minimum_gap(0.3));
+    return CGAL::simplify_outline_2(t,
+                                    CGAL::parameters::sizing_function(0.5).minimum_island_area(0.01).minimum_gap(0.3));
   };
   const Report report = simplify(cdt);
   std::mt19937 random(random_seeds::seed(4));
@@ -364,9 +369,10 @@ std::size_t number_of_pinches(const CDT& cdt)
 TEST(Simplify_outline, channels_are_filled)
 {
   // two basins with a channel between them, and two islands near to each other
-  CDT cdt = make({{{0, 0}, {10, 0}, {10, 4.8}, {14, 4.8}, {14, 0}, {24, 0}, {24, 10}, {14, 10}, {14, 5}, {10, 5}, {10, 10}, {0, 10}},
-                  square(3, 3, 2),
-                  square(5.3, 3, 2)});
+  CDT cdt = make(
+    {{{0, 0}, {10, 0}, {10, 4.8}, {14, 4.8}, {14, 0}, {24, 0}, {24, 10}, {14, 10}, {14, 5}, {10, 5}, {10, 10}, {0, 10}},
+     square(3, 3, 2),
+     square(5.3, 3, 2)});
   const Report report = CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1.).minimum_gap(0.8));
   EXPECT_EQ(report.filled_gaps.size(), 2u);
   EXPECT_EQ(number_of_pinches(cdt), 0u);
@@ -502,6 +508,13 @@ TEST(Simplify_outline, bad_input)
   expect_refusal(good, sizing_function(1.).minimum_gap(5.), {"minimum_gap = 5", "nothing"});
   expect_refusal(good, CGAL::parameters::minimum_gap(5.), {"sizing_function", "outline_tolerance"});
   expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20), {"tolerance", "(0, 1)"});
+}
+
+TEST(Simplify_outline, sizes_far_too_small)
+{
+  CDT cdt = make({square(0, 0, 1)});
+  expect_throw<std::length_error>([&] { CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1e-8)); },
+                                  {"sizing_function", "pieces"});
 }
 
 TEST(Simplify_outline, an_exception_changes_nothing)

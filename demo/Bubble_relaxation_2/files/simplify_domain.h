@@ -50,7 +50,8 @@ CGAL::Outline_simplification_report_2<double> simplify_domain(Domain& domain, co
 {
   const std::set<CDT::Vertex_handle> stay = vertices_that_stay(domain);
   const auto report = CGAL::simplify_outline_2(
-    domain.cdt, parameters.vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(stay)));
+    domain.cdt,
+    parameters.vertex_is_constrained_map(CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>(stay)));
   const auto point = [](const auto& place) { return Point(place[0], place[1]); };
   std::map<std::pair<Point, Point>, int> markers;
   for (const auto& piece : report.pieces) {

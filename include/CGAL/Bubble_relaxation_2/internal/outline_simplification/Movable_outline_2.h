@@ -77,7 +77,8 @@ private:
   }
 
   /// whether two segments have more in common than one of two points, which may be an end of both
-  static bool meet(const Point& a, const Point& b, const Point& c, const Point& d, const Point& first, const Point& last)
+  static bool meet(const Point& a, const Point& b, const Point& c, const Point& d, const Point& first,
+                   const Point& last)
   {
     if ((std::max)(a.x(), b.x()) < (std::min)(c.x(), d.x()) || (std::max)(c.x(), d.x()) < (std::min)(a.x(), b.x()) ||
         (std::max)(a.y(), b.y()) < (std::min)(c.y(), d.y()) || (std::max)(c.y(), d.y()) < (std::min)(a.y(), b.y()))
@@ -88,7 +89,8 @@ private:
     if (a_is_shared || b_is_shared) {
       const Point &common = a_is_shared ? a : b, &p = a_is_shared ? b : a, &q = common == c ? d : c;
       return (common != first && common != last) || q == common ||
-             (CGAL::orientation(common, p, q) == COLLINEAR && !CGAL::collinear_are_strictly_ordered_along_line(p, common, q));
+             (CGAL::orientation(common, p, q) == COLLINEAR &&
+              !CGAL::collinear_are_strictly_ordered_along_line(p, common, q));
     }
     const Orientation c_side = CGAL::orientation(a, b, c), d_side = CGAL::orientation(a, b, d),
                       a_side = CGAL::orientation(c, d, a), b_side = CGAL::orientation(c, d, b);

@@ -32,8 +32,8 @@ struct Outline_segment_2
   bool is_in_domain() const { return inside_left || inside_right; }
 };
 
-/// Segments that meet in vertices only. Vertices are numbered in the lexicographic order of their points, so that nothing
-/// depends on the order in which the user inserted them.
+/// Segments that meet in vertices only. Vertices are numbered in the lexicographic order of their points, so that
+/// nothing depends on the order in which the user inserted them.
 struct Outline_2
 {
   std::vector<Point> points;

@@ -45,7 +45,8 @@ private:
   Index vertex_at(const Point& p) const
   {
     const auto found = std::lower_bound(m_outline.points.begin(), m_outline.points.end(), p);
-    return found != m_outline.points.end() && *found == p ? static_cast<Index>(found - m_outline.points.begin()) : no_index;
+    return found != m_outline.points.end() && *found == p ? static_cast<Index>(found - m_outline.points.begin())
+                                                          : no_index;
   }
 
   Index add_vertex(const Fitted_vertex_2& v)

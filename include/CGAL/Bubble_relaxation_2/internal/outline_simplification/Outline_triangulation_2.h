@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The triangles of an outline and their regions, for rules that change it: triangles are taken out of the domain or into
-/// it, and what bounds the domain then is the new outline.
+/// The triangles of an outline and their regions, for rules that change it: triangles are taken out of the domain or
+/// into it, and what bounds the domain then is the new outline.
 class Outline_triangulation_2
 {
 public:
@@ -35,8 +35,9 @@ public:
     for (const Outline_segment_2& s : outline.segments)
       edges.push_back({s.source, s.target, s.inside_left, s.inside_right});
     if (mark_triangulation(outline.points, edges, m_marked) != Marking_error::NONE)
-      throw std::invalid_argument("Bubble_relaxation_2: constraints of the triangulation lie so near to each other that they "
-                                  "cross when rounded to double");
+      throw std::invalid_argument(
+        "Bubble_relaxation_2: constraints of the triangulation lie so near to each other that they "
+        "cross when rounded to double");
     m_was_inside = m_marked.inside;
   }
 
@@ -130,7 +131,8 @@ private:
       return;
     const Index a = tr().vertices[t][ccw(i)], b = tr().vertices[t][cw(i)],
                 origin = e == no_index ? no_index : m_outline.segments[e].origin;
-    segments.push_back(a < b ? Outline_segment_2{a, b, left, right, origin} : Outline_segment_2{b, a, right, left, origin});
+    segments.push_back(a < b ? Outline_segment_2{a, b, left, right, origin}
+                             : Outline_segment_2{b, a, right, left, origin});
   }
 
   const Outline_2& m_outline;

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Moves the vertices of a path within the tolerance, off the old outline too, and drops some, where pieces are short or the
-/// domain is narrow: a small island grows, and a channel widens, as far as that is allowed.
+/// Moves the vertices of a path within the tolerance, off the old outline too, and drops some, where pieces are short
+/// or the domain is narrow: a small island grows, and a channel widens, as far as that is allowed.
 class Path_improvement_2
 {
   static constexpr double good_enough = 0.05, least_gain = 0.01; // costs
@@ -71,7 +71,10 @@ private:
   {
     return (std::min)(m_demands.tolerance[old_vertex(segment)], m_demands.tolerance[old_vertex(end_of(segment))]);
   }
-  Index end_of(Index segment) const { return m_span.is_ring || segment < static_cast<Index>(m_span.size()) ? segment + 1 : segment; }
+  Index end_of(Index segment) const
+  {
+    return m_span.is_ring || segment < static_cast<Index>(m_span.size()) ? segment + 1 : segment;
+  }
 
   /// A segment or a vertex near to a vertex of the path and to the pieces beside it, and how near it is.
   struct Near
@@ -81,8 +84,8 @@ private:
     bool is_vertex;
   };
 
-  /// Of the pieces at a vertex when it is at `p`, which is `step` away from where it was measured, and of what is near to
-  /// them. It need not be told when it is more than `bound`.
+  /// Of the pieces at a vertex when it is at `p`, which is `step` away from where it was measured, and of what is near
+  /// to them. It need not be told when it is more than `bound`.
   double cost_at(std::size_t k, const Point& p, double step, double bound) const
   {
     const double size = size_at(m_path[k]), reach = clear * size;
@@ -138,13 +141,13 @@ private:
                                 squared_distance(w, nearest_on_segment(w, p, b))));
   }
 
-  /// from the vertex `p` to a segment, or from one of the pieces beside it to a vertex; `none` if it is not less than that,
-  /// or if the way leads out of the domain
+  /// from the vertex `p` to a segment, or from one of the pieces beside it to a vertex; `none` if it is not less than
+  /// that, or if the way leads out of the domain
   double distance_through_domain(const Point& a, const Point& p, const Point& b, const Near& near, double none) const
   {
     const double l = distance_to(a, p, b, near);
-    const bool counts = l < none && is_in_domain(a, p, b, near.is_vertex ? near.source
-                                                                          : nearest_on_segment(p, near.source, near.target));
+    const bool counts =
+      l < none && is_in_domain(a, p, b, near.is_vertex ? near.source : nearest_on_segment(p, near.source, near.target));
     return counts ? l : none;
   }
 
@@ -234,7 +237,8 @@ private:
       if (is_too_long(k, p))
         continue;
       const Index segment = segment_for(k, p);
-      if (segment == no_index || !is_near(previous_in_turn(k), p, segment, false) || !is_near(next(k), p, segment, true))
+      if (segment == no_index || !is_near(previous_in_turn(k), p, segment, false) ||
+          !is_near(next(k), p, segment, true))
         continue;
       const double off = deviation_cost(p, segment), c = off + cost_at(k, p, step, now - off);
       if (c < now - least_gain)

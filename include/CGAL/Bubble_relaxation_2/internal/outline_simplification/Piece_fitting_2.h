@@ -23,15 +23,16 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Replaces a span by pieces between points of it, of the least cost: a shortest path over all pieces that stay within the
-/// tolerance. A piece does so if all vertices of the span between its ends are near to it; then every point of the span
-/// between them is, and every point of the piece is near to one of the span, which goes from one end to the other.
+/// Replaces a span by pieces between points of it, of the least cost: a shortest path over all pieces that stay within
+/// the tolerance. A piece does so if all vertices of the span between its ends are near to it; then every point of the
+/// span between them is, and every point of the piece is near to one of the span, which goes from one end to the other.
 class Piece_fitting_2
 {
-  static constexpr int parts_of_size = 8;         // places on long segments are this part of d apart
-  static constexpr std::size_t small_ring = 200;  // places on a ring, up to which other starts are tried
+  static constexpr std::size_t small_ring = 200; // places on a ring, up to which other starts are tried
 
 public:
+  static constexpr int parts_of_size = 8; ///< places on long segments are this part of d apart
+
   Piece_fitting_2(const Outline_2& outline, const Outline_span_2& span, const Outline_demands_2& demands)
     : m_outline(outline), m_span(span), m_demands(demands)
   {
@@ -87,7 +88,8 @@ public:
   }
 
   /// where pieces from a place end, those of the best ways first
-  std::vector<std::size_t> ends_of_pieces(std::size_t place, std::size_t start, const std::vector<double>& cost_to_end) const
+  std::vector<std::size_t> ends_of_pieces(std::size_t place, std::size_t start,
+                                          const std::vector<double>& cost_to_end) const
   {
     std::vector<std::pair<double, std::size_t>> ends;
     for (const Piece& piece : m_pieces[place % m_places.size()]) {
@@ -134,8 +136,8 @@ private:
     return {point(k), static_cast<Index>(k), true, m_demands.size[v], m_demands.tolerance[v]};
   }
 
-  /// the first vertex of a segment, and equal parts of it; these are counted from the end that comes first in the order of
-  /// vertices, so that they have the same bits from both sides
+  /// the first vertex of a segment, and equal parts of it; these are counted from the end that comes first in the order
+  /// of vertices, so that they have the same bits from both sides
   void add_places(std::size_t k)
   {
     const Place a = place_at_vertex(k), b = place_at_vertex(k + 1);

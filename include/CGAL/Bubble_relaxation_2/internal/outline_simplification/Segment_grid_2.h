@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Segments by place, long and short ones alike: each lies in the at most four cells that its box touches of a grid with
-/// cells no smaller than the box, nor than what is told. Cells have powers of two as sizes, so that scaling by one changes
-/// nothing.
+/// Segments by place, long and short ones alike: each lies in the at most four cells that its box touches of a grid
+/// with cells no smaller than the box, nor than what is told. Cells have powers of two as sizes, so that scaling by one
+/// changes nothing.
 class Segment_grid_2
 {
 public:

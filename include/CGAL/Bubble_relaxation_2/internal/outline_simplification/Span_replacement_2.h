@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Replaces a span of the movable outline by the best pieces that pass nothing else. Pieces take the place of the span one
-/// after the other. Where one would touch or pass something, the one is taken that is the best of all others that begin
-/// there; in the end those remain that lie on a segment of the span.
+/// Replaces a span of the movable outline by the best pieces that pass nothing else. Pieces take the place of the span
+/// one after the other. Where one would touch or pass something, the one is taken that is the best of all others that
+/// begin there; in the end those remain that lie on a segment of the span.
 class Span_replacement_2
 {
 public:

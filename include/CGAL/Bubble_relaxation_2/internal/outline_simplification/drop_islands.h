@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The rule `minimum_island_area`: takes small islands into the domain. An island is a region outside of the domain that has
-/// the domain all around it, and nothing else: no vertex that stays, no other constraint, no domain within.
+/// The rule `minimum_island_area`: takes small islands into the domain. An island is a region outside of the domain
+/// that has the domain all around it, and nothing else: no vertex that stays, no other constraint, no domain within.
 class Island_rule_2
 {
 public:

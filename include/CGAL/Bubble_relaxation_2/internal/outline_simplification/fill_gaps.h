@@ -67,12 +67,13 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
   return cut;
 }
 
-/// The rule `minimum_gap`: takes out of the domain what no disc of that diameter within it reaches: channels and the room
-/// between islands. These are triangles between densely cut segments whose circumscribed circles are smaller, as in an
-/// alpha shape. Open corners are no gaps, nor is what is wider than deep.
+/// The rule `minimum_gap`: takes out of the domain what no disc of that diameter within it reaches: channels and the
+/// room between islands. These are triangles between densely cut segments whose circumscribed circles are smaller, as
+/// in an alpha shape. Open corners are no gaps, nor is what is wider than deep.
 class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
+  static constexpr double shallow = 0.05;      // what is no deeper, over the least width, is no gap
   static constexpr double open_depth = 0.6;    // over the width of the mouth: an angle of about 80 degrees
   static constexpr double open_mouth = 0.6;    // over the least width
   static constexpr double least_basin = 0.785; // over the square of the width: a disc
@@ -145,7 +146,7 @@ private:
     for (Index t : region)
       for (int i = 0; i < 3; ++i)
         depth = (std::max)(depth, distance_to_segment(tr().point(t, i), mouths[0].first, mouths[0].second));
-    return width > open_mouth * m_width && depth < open_depth * width;
+    return depth < shallow * m_width || (width > open_mouth * m_width && depth < open_depth * width);
   }
 
   /// fills what was cut off and has no room for a disc
@@ -165,8 +166,8 @@ private:
     return false;
   }
 
-  /// Fills triangles at vertices where the domain meets itself, all but those of the widest part there; returns whether there
-  /// are such vertices.
+  /// Fills triangles at vertices where the domain meets itself, all but those of the widest part there; returns whether
+  /// there are such vertices.
   bool fill_pinches()
   {
     std::map<Index, std::vector<Index>> around; // triangles of the domain at vertices with more than two boundary sides
@@ -198,7 +199,8 @@ private:
   {
     const int i = tr().vertices[t][0] == v ? 0 : tr().vertices[t][1] == v ? 1 : 2;
     const Point &p = tr().point(t, i), &a = tr().point(t, ccw(i)), &b = tr().point(t, cw(i));
-    return std::atan2(2 * m_triangulation.area(t), (a.x() - p.x()) * (b.x() - p.x()) + (a.y() - p.y()) * (b.y() - p.y()));
+    return std::atan2(2 * m_triangulation.area(t),
+                      (a.x() - p.x()) * (b.x() - p.x()) + (a.y() - p.y()) * (b.y() - p.y()));
   }
 
   void keep_widest(Index v, const std::vector<Index>& triangles)

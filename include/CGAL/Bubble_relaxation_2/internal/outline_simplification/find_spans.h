@@ -86,9 +86,9 @@ private:
 
 inline std::vector<Outline_span_2> find_spans(const Outline_2& outline) { return Span_search_2(outline)(); }
 
-/// Finds the corners of a span: where the directions to the places at which it first leaves a disc form an angle under a
-/// limit, the span is straight up to half of the tolerance on both ways there, and no other vertex of the span in the disc
-/// has a smaller angle. At this scale a corner is one of the shape, not of what is rough about it.
+/// Finds the corners of a span: where the directions to the places at which it first leaves a disc form an angle under
+/// a limit, the span is straight up to half of the tolerance on both ways there, and no other vertex of the span in the
+/// disc has a smaller angle. At this scale a corner is one of the shape, not of what is rough about it.
 class Corner_search_2
 {
 public:

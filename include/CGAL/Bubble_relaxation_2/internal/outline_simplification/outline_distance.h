@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// The largest distance of a point of some segments from others: each segment is halved until it is known up to a relative
-/// error, or that it is no larger than another one. The distance from one segment is a convex function, so it is no larger
-/// between two points than at them.
+/// The largest distance of a point of some segments from others: each segment is halved until it is known up to a
+/// relative error, or that it is no larger than another one. The distance from one segment is a convex function, so it
+/// is no larger between two points than at them.
 class One_sided_distance_2
 {
 public:
@@ -111,7 +111,8 @@ private:
 };
 
 /// the two-sided Hausdorff distance of two sets of segments, up to a relative error, and not less than it is
-inline double hausdorff_distance(const One_sided_distance_2::Segments& a, const One_sided_distance_2::Segments& b, double size)
+inline double hausdorff_distance(const One_sided_distance_2::Segments& a, const One_sided_distance_2::Segments& b,
+                                 double size)
 {
   return One_sided_distance_2(a, size)(b, One_sided_distance_2(b, size)(a, 0));
 }

@@ -64,7 +64,8 @@ Sizes_2 sizes_of_pieces(const NamedParameters& np, const Simplification_options&
 {
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     using Point_2 = typename Cdt::Geom_traits::Point_2;
-    return Sizes_2(checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
+    return Sizes_2(
+      checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
   } else {
     if (!std::isfinite(options.tolerance))
       throw std::invalid_argument("Bubble_relaxation_2: simplify_outline_2 needs the parameter sizing_function, or "

@@ -29,6 +29,7 @@ namespace Bubble_relaxation_2 {
 namespace internal {
 
 constexpr int sweeps_of_improvement = 6;
+constexpr double most_places = 3e7; // on the outline: two gigabytes
 
 /// \throws std::invalid_argument if a tolerance is no more than roundings
 inline void check_tolerance(const Point& p, double tolerance)
@@ -36,11 +37,13 @@ inline void check_tolerance(const Point& p, double tolerance)
   const double largest = (std::max)(std::abs(p.x()), std::abs(p.y()));
   if (!(tolerance > 1e-12 * largest) || !std::isfinite(tolerance))
     throw std::invalid_argument("Bubble_relaxation_2: the tolerance " + in_words(tolerance) + " at " +
-                                in_words(p.x(), p.y()) + " must be finite and greater than the rounding of coordinates there");
+                                in_words(p.x(), p.y()) +
+                                " must be finite and greater than the rounding of coordinates there");
 }
 
 /// sizes and tolerances at the vertices
-inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& sizes, const Simplification_options& options)
+inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& sizes,
+                                    const Simplification_options& options)
 {
   Outline_demands_2 result;
   for (const Point& p : outline.points) {
@@ -49,6 +52,18 @@ inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& siz
     check_tolerance(p, result.tolerance.back());
   }
   return result;
+}
+
+/// \throws std::length_error if pieces would be far more than can be wanted
+inline void check_number_of_places(const Outline_2& outline, const Outline_demands_2& demands)
+{
+  double n = 0;
+  for (const Outline_segment_2& s : outline.segments)
+    n += 1 + Piece_fitting_2::parts_of_size * distance(outline.points[s.source], outline.points[s.target]) /
+               (std::min)(demands.size[s.source], demands.size[s.target]);
+  if (!(n < most_places))
+    throw std::length_error("Bubble_relaxation_2: sizing_function asks for about " +
+                            in_words(std::round(n / Piece_fitting_2::parts_of_size)) + " pieces of the outline");
 }
 
 /// The same with tolerances that leave room for roundings.

@@ -24,13 +24,16 @@ namespace CGAL {
 namespace Bubble_relaxation_2 {
 namespace internal {
 
-/// Checks, exactly, that paths are within the tolerance of the spans that they replace, and these of them: all vertices of
-/// either near to the segment of the other that they belong to. What is between vertices is near then as well, since a
-/// segment is convex, and the span is connected.
+/// Checks, exactly, that paths are within the tolerance of the spans that they replace, and these of them: all vertices
+/// of either near to the segment of the other that they belong to. What is between vertices is near then as well, since
+/// a segment is convex, and the span is connected.
 class Fidelity_check_2
 {
 public:
-  Fidelity_check_2(const Outline_2& outline, const Outline_demands_2& tolerances) : m_outline(outline), m_demands(tolerances) {}
+  Fidelity_check_2(const Outline_2& outline, const Outline_demands_2& tolerances)
+      : m_outline(outline), m_demands(tolerances)
+  {
+  }
 
   /// \throws std::runtime_error if a path is not
   void operator()(const Outline_span_2& span, const Fitted_path_2& path)
@@ -39,7 +42,8 @@ public:
       const Index segment = path[k].segment;
       const bool is_last = !span.is_ring && static_cast<std::size_t>(segment) == span.size();
       const Index a = span.vertex(segment), b = is_last ? a : span.vertex(segment + 1);
-      check(path[k].point, m_outline.points[a], m_outline.points[b], (std::min)(m_demands.tolerance[a], m_demands.tolerance[b]));
+      check(path[k].point, m_outline.points[a], m_outline.points[b],
+            (std::min)(m_demands.tolerance[a], m_demands.tolerance[b]));
       if (k == 0)
         continue;
       for (Index m = path[k - 1].segment + 1; m <= segment; ++m)
@@ -55,11 +59,12 @@ private:
     if (p == a || p == b)
       return;
     const double square = std::nextafter(tolerance * tolerance, 0.);
-    const bool is_near = a == b ? CGAL::compare_squared_distance(p, a, square) != LARGER
-                                : Kernel().compare_squared_distance_2_object()(p, Kernel::Segment_2(a, b), square) != LARGER;
+    const bool is_near = a == b
+                           ? CGAL::compare_squared_distance(p, a, square) != LARGER
+                           : Kernel().compare_squared_distance_2_object()(p, Kernel::Segment_2(a, b), square) != LARGER;
     if (!is_near)
-      throw std::runtime_error("Bubble_relaxation_2: the new outline is too far from the old one at " + in_words(p.x(), p.y()) +
-                               "; please report this");
+      throw std::runtime_error("Bubble_relaxation_2: the new outline is too far from the old one at " +
+                               in_words(p.x(), p.y()) + "; please report this");
     m_largest_share = (std::max)(m_largest_share, distance_to_segment(p, a, b) / tolerance);
   }
 
@@ -100,7 +105,8 @@ inline bool is_in_domain(const Simplified_outline_2& outline, const Point& p)
   double highest = -(std::numeric_limits<double>::infinity)();
   for (const Outline_segment_2& s : outline.segments) {
     const bool is_rightward = outline.points[s.source].x() < outline.points[s.target].x();
-    const Point &left = outline.points[is_rightward ? s.source : s.target], &right = outline.points[is_rightward ? s.target : s.source];
+    const Point &left = outline.points[is_rightward ? s.source : s.target],
+                &right = outline.points[is_rightward ? s.target : s.source];
     if (!(left.x() <= p.x() && p.x() < right.x()) || CGAL::orientation(left, right, p) == RIGHT_TURN)
       continue;
     const double y = left.y() + (p.x() - left.x()) / (right.x() - left.x()) * (right.y() - left.y());

@@ -47,8 +47,8 @@ inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_si
   if (problem.options.minimum_gap > 0)
     outline = Gap_rule_2(outline, problem.options.minimum_gap)(report);
   if (outline.segments.empty())
-    throw std::invalid_argument("Bubble_relaxation_2: parameter minimum_gap = " + in_words(problem.options.minimum_gap) +
-                                " leaves nothing of the domain");
+    throw std::invalid_argument("Bubble_relaxation_2: parameter minimum_gap = " +
+                                in_words(problem.options.minimum_gap) + " leaves nothing of the domain");
   return outline;
 }
 
@@ -58,6 +58,7 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
   Outline_simplification_report_2<double> report;
   Outline_2 outline = apply_rules(problem, report);
   const Outline_demands_2 demands = demands_of(outline, problem.sizes, problem.options);
+  check_number_of_places(outline, demands);
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
   const std::vector<Outline_span_2> spans = find_spans(outline);
   const Outline_demands_2 cautious = with_caution(demands, outline);
@@ -67,7 +68,8 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
     check(spans[s], paths[s]);
   Simplified_outline_2 result = Outline_assembly_2(outline, spans, paths)();
   report.largest_share_of_tolerance = check.largest_share();
-  report.hausdorff_distance = distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));
+  report.hausdorff_distance =
+    distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));
   report.number_of_old_segments = problem.outline.segments.size();
   result.report = std::move(report);
   report_pieces(problem.outline, problem.sizes, result);

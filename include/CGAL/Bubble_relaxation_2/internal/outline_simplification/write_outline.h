@@ -39,9 +39,9 @@ struct Constraint_of<Cdt, false>
   using type = int;
 };
 
-/// Writes an outline into the triangulation that it was made from: constraints go unless they are of the new outline too,
-/// then vertices come and go, then the new constraints are inserted and the domain is marked. Vertices that stay are not
-/// touched.
+/// Writes an outline into the triangulation that it was made from: constraints go unless they are of the new outline
+/// too, then vertices come and go, then the new constraints are inserted and the domain is marked. Vertices that stay
+/// are not touched.
 template <class Cdt>
 class Outline_writing_2
 {
@@ -118,7 +118,8 @@ private:
     for (std::size_t v = 0; v < m_outline.points.size(); ++v) {
       const Index old = m_outline.old_vertices[v];
       const Point& p = m_outline.points[v];
-      const Vertex_handle handle = old != no_index ? m_reading.vertex(old) : m_cdt.insert(Cdt_point(p.x(), p.y()), near);
+      const Vertex_handle handle =
+        old != no_index ? m_reading.vertex(old) : m_cdt.insert(Cdt_point(p.x(), p.y()), near);
       near = handle->face();
       m_vertices.push_back(&*handle);
     }
@@ -186,8 +187,8 @@ private:
     }
   }
 
-  // Constraints of a `Constrained_triangulation_plus_2` keep their identifiers: while the old outline is gone and the new
-  // one is not there yet, they stand for an edge beside the triangulation.
+  // Constraints of a `Constrained_triangulation_plus_2` keep their identifiers: while the old outline is gone and the
+  // new one is not there yet, they stand for an edge beside the triangulation.
 
   void find_spans_of_origins()
   {
@@ -210,10 +211,11 @@ private:
     auto v = m_cdt.vertices_in_constraint_begin(id), end = m_cdt.vertices_in_constraint_end(id);
     for (auto u = v++; v != end; u = v++) {
       const Index a = m_reading.number(*u), b = m_reading.number(*v);
-      const auto found = std::lower_bound(segments.begin(), segments.end(), std::make_pair((std::min)(a, b), (std::max)(a, b)),
-                                          [](const Outline_segment_2& s, const std::pair<Index, Index>& e) {
-                                            return s.source != e.first ? s.source < e.first : s.target < e.second;
-                                          });
+      const auto found =
+        std::lower_bound(segments.begin(), segments.end(), std::make_pair((std::min)(a, b), (std::max)(a, b)),
+                         [](const Outline_segment_2& s, const std::pair<Index, Index>& e) {
+                           return s.source != e.first ? s.source < e.first : s.target < e.second;
+                         });
       Place_in_span place = m_span_of_origin[static_cast<std::size_t>(found - segments.begin())];
       if (place.span == no_index)
         return {};
