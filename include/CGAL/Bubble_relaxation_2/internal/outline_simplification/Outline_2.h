@@ -83,7 +83,8 @@ struct Fitted_vertex_2
 {
   Point point;
   Index segment;
-  Index vertex; ///< of the outline, if it is one of those, else `no_index`
+  Index vertex;            ///< of the outline, if it is one of those, else `no_index`
+  bool is_settled = false; ///< it cannot move, nor go, while its neighbours stay
 };
 
 using Fitted_path_2 = std::vector<Fitted_vertex_2>;

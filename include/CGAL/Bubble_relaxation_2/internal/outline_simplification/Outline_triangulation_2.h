@@ -10,8 +10,12 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_OUTLINE_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +35,24 @@ class Outline_triangulation_2
 public:
   explicit Outline_triangulation_2(const Outline_2& outline) : m_outline(outline)
   {
+    // along a curve each point is near to the one before; the triangles depend on that where four are on a circle only
+    Bbox_2 box;
+    for (const Point& p : outline.points)
+      box += p.bbox();
+    const std::vector<Index> order = hilbert_order(Hilbert_curve_2(box), outline.points), number = inverse(order);
+    std::vector<Point> points;
+    for (Index v : order)
+      points.push_back(outline.points[v]);
     std::vector<Domain_edge_2> edges;
     for (const Outline_segment_2& s : outline.segments)
-      edges.push_back({s.source, s.target, s.inside_left, s.inside_right});
-    if (mark_triangulation(outline.points, edges, m_marked) != Marking_error::NONE)
-      throw std::invalid_argument(
-        "Bubble_relaxation_2: constraints of the triangulation lie so near to each other that they "
-        "cross when rounded to double");
+      edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
+    if (mark_triangulation(points, edges, m_marked) != Marking_error::NONE)
+      throw std::invalid_argument("Bubble_relaxation_2: constraints of the triangulation lie so near to each other that "
+                                  "they cross when rounded to double");
+    m_marked.tr.points = outline.points;
+    for (auto& triangle : m_marked.tr.vertices)
+      for (Index& v : triangle)
+        v = order[v];
     m_was_inside = m_marked.inside;
   }
 

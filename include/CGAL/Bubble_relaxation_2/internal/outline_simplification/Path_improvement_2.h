@@ -45,18 +45,29 @@ public:
   {
     bool has_changed = false;
     for (std::size_t k = m_span.is_ring ? 0 : 1; k + 1 < m_path.size(); ++k) {
-      look_around(k);
-      if (cost(k) < good_enough)
+      if (m_path[k].is_settled)
         continue;
-      if (drop(k))
-        has_changed = true;
-      else if (move(k))
-        has_changed = true;
+      look_around(k);
+      const bool is_done = cost(k) < good_enough || !(drop(k) || move(k));
+      m_path[k].is_settled = is_done; // or the vertex that has come into its place
+      if (is_done)
+        continue;
+      has_changed = true;
+      unsettle(piece_before(k));
+      unsettle(k + 1);
     }
     return has_changed;
   }
 
 private:
+  void unsettle(std::size_t k)
+  {
+    if (k < m_path.size())
+      m_path[k].is_settled = false;
+    if (m_span.is_ring && k + 1 >= m_path.size()) // the last vertex is the first one
+      m_path.front().is_settled = false;
+  }
+
   std::size_t number_of_pieces() const { return m_ids.size(); }
 
   // a vertex and its neighbours; a ring's last vertex is its first one
@@ -234,7 +245,7 @@ private:
     std::vector<std::pair<double, Fitted_vertex_2>> better;
     for (const auto& d : directions) {
       const Point p(old.x() + step * (d[0] * ux - d[1] * uy), old.y() + step * (d[0] * uy + d[1] * ux));
-      if (is_too_long(k, p))
+      if (is_too_long(k, p) || !(cost_at(k, p, step, now) < now - least_gain))
         continue;
       const Index segment = segment_for(k, p);
       if (segment == no_index || !is_near(previous_in_turn(k), p, segment, false) ||

@@ -31,7 +31,7 @@ class Piece_fitting_2
   static constexpr std::size_t small_ring = 200; // places on a ring, up to which other starts are tried
 
 public:
-  static constexpr int parts_of_size = 8; ///< places on long segments are this part of d apart
+  static constexpr int parts_of_size = 16; ///< places on long segments are this part of d apart
 
   Piece_fitting_2(const Outline_2& outline, const Outline_span_2& span, const Outline_demands_2& demands)
     : m_outline(outline), m_span(span), m_demands(demands)

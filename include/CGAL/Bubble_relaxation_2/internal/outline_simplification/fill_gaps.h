@@ -73,7 +73,7 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
 class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
-  static constexpr double shallow = 0.05;      // what is no deeper, over the least width, is no gap
+  static constexpr double shallow = 0.03;      // what is no deeper, over the least width, is no gap
   static constexpr double open_depth = 0.6;    // over the width of the mouth: an angle of about 80 degrees
   static constexpr double open_mouth = 0.6;    // over the least width
   static constexpr double least_basin = 0.785; // over the square of the width: a disc
