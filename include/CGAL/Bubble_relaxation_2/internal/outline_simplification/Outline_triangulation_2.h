@@ -47,8 +47,8 @@ public:
     for (const Outline_segment_2& s : outline.segments)
       edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
     if (mark_triangulation(points, edges, m_marked) != Marking_error::NONE)
-      throw std::invalid_argument("Bubble_relaxation_2: constraints of the triangulation lie so near to each other that "
-                                  "they cross when rounded to double");
+      throw std::invalid_argument("Bubble_relaxation_2: constraints of the triangulation lie so near to each other "
+                                  "that they cross when rounded to double");
     m_marked.tr.points = outline.points;
     for (auto& triangle : m_marked.tr.vertices)
       for (Index& v : triangle)
