@@ -88,7 +88,7 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
     \cgalParamDescription{where the domain is narrower, in channels and between islands, it is filled; open corners are
                           not filled, but sharp ones are, as far as they are narrower. No vertex that is not pinned has
                           more than two edges of the boundary then, and no part of the domain that is cut off is smaller
-                          than a disc with this diameter}
+                          than a disc with twice this diameter}
     \cgalParamType{a number, not negative}
     \cgalParamDefault{0: nothing is filled}
   \cgalParamNEnd

@@ -16,20 +16,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Moves the vertices of a path within the tolerance, off the old outline too, and drops some, where pieces are short
-/// or the domain is narrow: a small island grows, and a channel widens, as far as that is allowed.
+/// Moves the vertices of a path within the tolerance, off the old outline too, and drops some, where pieces are short,
+/// corners are such that no good triangles fit, or the domain is narrow: a small island grows, and a channel widens, as
+/// far as that is allowed.
 class Path_improvement_2
 {
-  static constexpr double good_enough = 0.05, least_gain = 0.01; // costs
-  static constexpr double deviation_weight = 0.25; // less than where pieces are chosen: only what costs something moves
+  static constexpr double good_enough = 0.2, least_gain = 0.01; // costs
+  static constexpr double quality_weight = 5; // vertices that are as bad as a triangle with q = 0
+  static constexpr double deviation_weight = 0.1;  // less than where pieces are chosen: only what costs something moves
   static constexpr double clear = 0.8; // what is farther away than this part of d does not count
-  static constexpr int halvings = 3, moves_of_a_vertex = 6;
+  static constexpr int halvings = 3, moves_of_a_vertex = 4;
 
 public:
   /// \param path of the span; \param ids of its pieces in the movable outline
@@ -73,6 +76,20 @@ private:
   const Fitted_vertex_2& previous(std::size_t k) const { return m_path[piece_before(k)]; }
   const Fitted_vertex_2& next(std::size_t k) const { return m_path[k + 1]; }
 
+  /// those beside the neighbours; none where the path ends with a neighbour
+  const Point* before_previous(std::size_t k) const
+  {
+    const std::size_t n = number_of_pieces();
+    return m_span.is_ring ? &m_path[(k + n - 2) % n].point : k > 1 ? &m_path[k - 2].point : nullptr;
+  }
+
+  const Point* after_next(std::size_t k) const
+  {
+    return m_span.is_ring            ? &m_path[(k + 2) % number_of_pieces()].point
+           : k + 2 < m_path.size() ? &m_path[k + 2].point
+                                     : nullptr;
+  }
+
   Index old_vertex(Index segment) const { return m_span.vertex(segment); }
   const Point& old_point(Index segment) const { return m_outline.points[old_vertex(segment)]; }
   double size_at(const Fitted_vertex_2& v) const { return m_demands.size[old_vertex(v.segment)]; }
@@ -99,7 +116,10 @@ private:
   {
     const double size = size_at(m_path[k]), reach = clear * size;
     const Point &a = previous(k).point, &b = next(k).point;
-    const double cost = length_cost(distance(a, p) / size) + length_cost(distance(p, b) / size);
+    double cost = cost_of_length(a, p, size) + cost_of_length(p, b, size);
+    if (cost > bound)
+      return cost;
+    cost += cost_of_corners({before_previous(k), &a, &p, &b, after_next(k)});
     double least = reach;
     for (const Near& near : m_near) { // the nearest first
       if (near.distance - step >= least || cost + length_cost(least / size) > bound)
@@ -107,6 +127,31 @@ private:
       least = (std::min)(least, distance_through_domain(a, p, b, near, least));
     }
     return cost + length_cost(least / size);
+  }
+
+  static double cost_of_length(const Point& a, const Point& b, double size)
+  {
+    const double x = distance(a, b) / size;
+    return length_cost(x) + quality_weight * (x - 1) * (x - 1);
+  }
+
+  /// of the corners between successive points; where one is missing there is none
+  double cost_of_corners(std::initializer_list<const Point*> points) const
+  {
+    double sum = 0;
+    for (auto p = points.begin() + 1; p + 1 != points.end(); ++p)
+      if (p[-1] && p[1])
+        sum += cost_of_corner(*p[-1], **p, *p[1]);
+    return quality_weight * sum;
+  }
+
+  double cost_of_corner(const Point& a, const Point& p, const Point& b) const
+  {
+    const double ux = a.x() - p.x(), uy = a.y() - p.y(), vx = b.x() - p.x(), vy = b.y() - p.y();
+    const double cosine = (ux * vx + uy * vy) / std::sqrt((ux * ux + uy * uy) * (vx * vx + vy * vy));
+    const bool turns_left = vx * uy - vy * ux > 0;
+    return (m_span.inside_left ? angle_cost(cosine, !turns_left) : 0) +
+           (m_span.inside_right ? angle_cost(cosine, turns_left) : 0);
   }
 
   double cost(std::size_t k) const
@@ -243,15 +288,18 @@ private:
     std::vector<std::pair<double, Fitted_vertex_2>> better;
     for (const auto& d : directions) {
       const Point p(old.x() + step * (d[0] * ux - d[1] * uy), old.y() + step * (d[0] * uy + d[1] * ux));
-      if (is_too_long(k, p) || !(cost_at(k, p, step, now) < now - least_gain))
+      if (is_too_long(k, p))
+        continue;
+      const double cost = cost_at(k, p, step, now);
+      if (!(cost < now - least_gain))
         continue;
       const Index segment = segment_for(k, p);
       if (segment == no_index || !is_near(previous_in_turn(k), p, segment, false) ||
           !is_near(next(k), p, segment, true))
         continue;
-      const double off = deviation_cost(p, segment), c = off + cost_at(k, p, step, now - off);
-      if (c < now - least_gain)
-        better.push_back({c, {p, segment, no_index}});
+      const double with_deviation = cost + deviation_cost(p, segment);
+      if (with_deviation < now - least_gain)
+        better.push_back({with_deviation, {p, segment, no_index}});
     }
     std::stable_sort(better.begin(), better.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
     for (const auto& best : better)
@@ -299,7 +347,8 @@ private:
     const Fitted_vertex_2 &a = previous(k), &b = next(k);
     const Point old = m_path[k].point;
     const double size = size_at(m_path[k]), now = cost(k),
-                 then = length_cost(distance(a.point, b.point) / size);
+                 then = cost_of_length(a.point, b.point, size) +
+                        cost_of_corners({before_previous(k), &a.point, &b.point, after_next(k)});
     if (!(then < now - least_gain) || !(distance(a.point, b.point) <= longest_piece * size))
       return false;
     for (Index m = a.segment + 1; m <= b.segment; ++m)

@@ -72,9 +72,9 @@ class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
   static constexpr double shallow = 0.03;      // what is no deeper, over the least width, is no gap
-  static constexpr double open_depth = 0.6;    // over the width of the mouth: an angle of about 80 degrees
-  static constexpr double open_mouth = 0.6;    // over the least width
-  static constexpr double least_basin = 0.785; // over the square of the width: a disc
+  static constexpr double open_depth = 0.52;   // over the width of the mouth: an angle of about 88 degrees
+  static constexpr double open_mouth = 0.7;    // over the least width
+  static constexpr double least_basin = 3.14;  // over the square of the width: a disc of twice the width
 
 public:
   Gap_rule_2(const Outline_2& outline, double width)
@@ -147,7 +147,7 @@ private:
     return depth < shallow * m_width || (width > open_mouth * m_width && depth < open_depth * width);
   }
 
-  /// fills what was cut off and has no room for a disc
+  /// fills what was cut off and has no more room than for few triangles
   void fill_basins()
   {
     for (const Region& region : m_triangulation.regions([this](Index t) { return m_triangulation.is_inside(t); }))

@@ -201,7 +201,8 @@ private:
   std::vector<std::array<std::size_t, 2>> m_reach;   // how many vertices on either side lie in the disc
 };
 
-/// Makes the corners of all spans vertices that stay; returns how many there are.
+/// Makes the corners of all spans vertices that stay; returns how many there are. Where a rule made a segment there is
+/// no corner of the user's.
 inline std::size_t fix_corners(Outline_2& outline, const Outline_demands_2& demands, double largest_angle)
 {
   std::vector<Index> corners;
@@ -209,6 +210,12 @@ inline std::size_t fix_corners(Outline_2& outline, const Outline_demands_2& dema
     const std::vector<Index> found = Corner_search_2(outline, span, demands, largest_angle)();
     corners.insert(corners.end(), found.begin(), found.end());
   }
+  std::vector<char> is_of_rule(outline.points.size(), 0);
+  for (const Outline_segment_2& s : outline.segments)
+    if (s.origin == no_index)
+      is_of_rule[s.source] = is_of_rule[s.target] = 1;
+  corners.erase(std::remove_if(corners.begin(), corners.end(), [&](Index v) { return is_of_rule[v] != 0; }),
+                corners.end());
   for (Index v : corners)
     outline.is_fixed[v] = 1;
   return corners.size();

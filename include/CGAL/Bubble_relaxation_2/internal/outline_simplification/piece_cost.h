@@ -31,6 +31,18 @@ inline double length_cost(double x)
 /// same length the nearer one is taken.
 inline double piece_cost(double x, double deviation) { return length_cost(x) + 0.2 * deviation * deviation; }
 
+/// What the triangles at a vertex of the outline lack in q, in sum, where the domain has an angle with this cosine:
+/// nothing at multiples of 60 degrees, and most halfway between. A wave, so that it takes no trigonometry; its heights are
+/// about those of isosceles triangles that share the angle equally.
+inline double angle_cost(double cosine, bool is_reflex)
+{
+  constexpr double convex_height = 0.09, reflex_height = 0.045, cosine_of_30 = 0.8660254037844386;
+  if (!is_reflex && cosine > cosine_of_30)
+    return convex_height;
+  const double c = cosine * cosine;
+  return (is_reflex ? reflex_height : convex_height) * (1 - c * (9 - c * (24 - 16 * c))); // (1 - cos(6 angle)) / 2
+}
+
 } // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_PIECE_COST_H

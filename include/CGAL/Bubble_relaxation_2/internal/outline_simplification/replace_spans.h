@@ -95,8 +95,9 @@ inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const 
     for (std::size_t k = 0; k < spans[s].size(); ++k)
       ids[s].push_back(movable.insert(outline.points[spans[s].vertices[k]], outline.points[spans[s].vertices[k + 1]],
                                       demands.size[spans[s].vertices[k]]));
+  const double least_size = *std::min_element(demands.size.begin(), demands.size.end());
   for (const Point& p : obstacles)
-    movable.insert(p, p, *std::min_element(demands.size.begin(), demands.size.end()));
+    movable.insert(p, p, least_size);
   std::vector<Fitted_path_2> paths(spans.size());
   const std::vector<Index> order = order_of_spans(spans);
   for (Index s : order) {
