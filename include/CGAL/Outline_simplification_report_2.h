@@ -10,6 +10,7 @@
 #define CGAL_OUTLINE_SIMPLIFICATION_REPORT_2_H
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -67,6 +68,15 @@ struct Outline_simplification_report_2
   /// @}
 
   FT share_of_fitting_pieces = FT(0); ///< the share of the pieces with lengths between 0.6 d and 1.5 d
+  /// \name Vertices of a Mesh
+  /// What the domain asks of any mesher, without half of the vertices on the outline, which come on top.
+  /// @{
+  FT wanted_vertices = FT(0); ///< about as many as d asks for: the integral of 2 / (sqrt(3) d^2) over the domain
+  FT forced_vertices =
+    FT(0); ///< at least as many more because of islands that are smaller than d, and near to each other or to the rest
+           ///< of the outline, whatever outline within the tolerance is taken; sizes grow by a fifth of the distance
+  /// @}
+
   FT shortest_piece = FT(0);          ///< the least length of a piece in units of d
   Place shortest_place = Place();     ///< where that is
 
@@ -88,7 +98,9 @@ std::ostream& operator<<(std::ostream& out, const Outline_simplification_report_
   return out << "  segments" << std::string(28, ' ') << report.number_of_segments << " instead of "
              << report.number_of_old_segments << "\n  of these .6 to 1.5 d long" << std::string(11, ' ')
              << 100 * report.share_of_fitting_pieces << " %\n  Hausdorff distance" << std::string(18, ' ')
-             << report.hausdorff_distance << "\n  dropped islands, filled gaps" << std::string(8, ' ')
+             << report.hausdorff_distance << "\n  vertices that d asks for" << std::string(12, ' ')
+             << std::round(report.wanted_vertices) << "\n  islands and narrows force" << std::string(11, ' ')
+             << std::round(report.forced_vertices) << "\n  dropped islands, filled gaps" << std::string(8, ' ')
              << report.dropped_islands.size() << ", " << report.filled_gaps.size() << "\n  seconds"
              << std::string(29, ' ') << report.seconds << '\n';
 }

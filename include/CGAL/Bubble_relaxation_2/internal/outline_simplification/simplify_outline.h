@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFY_OUTLINE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Forced_vertices_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_assembly_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/drop_islands.h>
@@ -57,6 +58,9 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
   Outline_2 outline = apply_rules(problem, report);
   const Outline_demands_2 demands = demands_of(outline, problem.sizes, problem.options);
   check_number_of_places(outline, demands);
+  const Forced_vertices_2 forced(outline, demands, problem.sizes);
+  report.wanted_vertices = forced.wanted();
+  report.forced_vertices = forced.with_forced() - report.wanted_vertices;
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
   const std::vector<Outline_span_2> spans = find_spans(outline);
   const Outline_demands_2 cautious = with_caution(demands, outline);
