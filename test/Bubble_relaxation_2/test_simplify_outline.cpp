@@ -382,6 +382,55 @@ TEST(Simplify_outline, channels_are_filled)
   EXPECT_GT(mesh.quality.mean_quality(), 0.97);
 }
 
+TEST(Simplify_outline, dropped_islands_leave_nothing_to_fill)
+{
+  CDT cdt = make({square(0, 0, 20), coast(5, 5, 0.2, 40, 1), coast(12, 12, 0.3, 60, 2)});
+  const Report report =
+    CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1.).minimum_island_area(0.5).minimum_gap(1.));
+  EXPECT_EQ(report.dropped_islands.size(), 2u);
+  EXPECT_EQ(report.filled_gaps.size(), 0u);
+  EXPECT_EQ(report.number_of_segments, 80u); // the square
+}
+
+TEST(Simplify_outline, vertices_of_a_mesh_do_not_count)
+{
+  const std::vector<Outline> outlines = archipelago(random_seeds::seed(8));
+  const auto np = CGAL::Bubble_relaxation_parameters::sizing_function(0.5).minimum_gap(0.3);
+  CDT cdt = make(outlines), meshed = make(outlines);
+  CGAL::npbs_relax(meshed, CGAL::parameters::sizing_function(0.1));
+  // what was cut by the mesher is as good as whole
+  const Report report = CGAL::simplify_outline_2(cdt, np), again = CGAL::simplify_outline_2(meshed, np);
+  EXPECT_TRUE(meshed.is_valid());
+  EXPECT_EQ(again.filled_gaps.size(), report.filled_gaps.size());
+  EXPECT_EQ(topology(meshed), topology(cdt));
+}
+
+TEST(Simplify_outline, corners_of_the_domain_are_not_gaps)
+{
+  CDT cdt = make({square(0, 0, 10), square(3, 3, 4)});
+  const Report report = CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1.).minimum_gap(1.));
+  EXPECT_EQ(report.filled_gaps.size(), 0u);
+  EXPECT_EQ(report.number_of_corners, 8u);
+}
+
+TEST(Simplify_outline, islands_and_narrows_force_vertices)
+{
+  const auto forced = [](const std::vector<Outline>& outlines, double d) {
+    CDT cdt = make(outlines);
+    const Report report = CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(d));
+    const auto mesh = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
+    EXPECT_LE(report.wanted_vertices + report.forced_vertices, static_cast<double>(mesh.number_of_vertices));
+    return report.forced_vertices;
+  };
+  const Outline sea = square(0, 0, 20);
+  EXPECT_EQ(forced({sea}, 1), 0);
+  EXPECT_EQ(forced({sea, square(9, 9, 2)}, 1), 0); // not smaller than d
+  const double one = forced({sea, square(9, 9, 0.2)}, 1), two = forced({sea, square(5, 9, 0.2), square(14, 9, 0.2)}, 1);
+  EXPECT_NEAR(one, 8, 0.8); // the integral around a point where the size is 0.557, from which it grows by 0.2
+  EXPECT_NEAR(two, 2 * one, 0.1 * one);
+  EXPECT_GT(forced({sea, square(4, 4, 5.9), square(10, 4, 5.9)}, 1), 10); // a channel of 0.1 between them
+}
+
 TEST(Simplify_outline, gaps_leave_no_vertex_with_more_than_two_edges)
 {
   for (unsigned k = 0; k < 6; ++k) {

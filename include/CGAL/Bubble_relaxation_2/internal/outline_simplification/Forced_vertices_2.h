@@ -23,11 +23,11 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// How many vertices a mesh has at least because of islands and narrows, whatever outline within the tolerance is taken.
-/// No piece of an island is longer than the island with the tolerance around it, and where two parts of the outline that
-/// do not hang together are near to each other, no triangle between them is higher than their distance and the
-/// tolerances of both. From there sizes grow as those of `npbs_relax()`, and the rest is an integral. Narrows between
-/// parts that do hang together are left out: some of them are bays that may go.
+/// How many vertices a mesh has at least because of islands and narrows, whatever outline within the tolerance is
+/// taken. No piece of an island is longer than the island with the tolerance around it, and where two parts of the
+/// outline that do not hang together are near to each other, no triangle between them is higher than their distance and
+/// the tolerances of both. From there sizes grow as those of `npbs_relax()`, and the rest is an integral. Narrows
+/// between parts that do hang together are left out: some of them are bays that may go.
 class Forced_vertices_2
 {
 public:
@@ -49,17 +49,23 @@ public:
   /// the outline
   double wanted() const { return m_is_measured ? integral(m_wanted) : 0; }
 
-  /// the least number with islands and narrows
-  double with_forced() const { return m_is_measured ? integral(limited_sizes(m_wanted, m_sources, m_domain)) : 0; }
+  /// how many more there are at least
+  double forced(double wanted) const
+  {
+    return m_sources.empty() ? 0 : integral(limited_sizes(m_wanted, m_sources, m_domain)) - wanted;
+  }
 
 private:
   /// A row of triangles in a channel may be lower by a fifth than it should be.
   static constexpr double size_over_width = 1.25;
 
+  /// of the density, in parts small enough to see what grows from a single island
   double integral(const Sizes_2& sizes) const
   {
-    return Expected_number_of_bubbles(m_domain, sizes, (std::numeric_limits<double>::infinity)())
-      .integral_over_faces();
+    constexpr double fine = 0.25;
+    return fine * fine *
+           Expected_number_of_bubbles(m_domain, scaled(sizes, fine), (std::numeric_limits<double>::infinity)())
+             .integral_over_faces();
   }
 
   Index root(Index v)

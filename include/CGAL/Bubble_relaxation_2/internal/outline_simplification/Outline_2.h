@@ -47,6 +47,30 @@ struct Outline_2
   }
 };
 
+/// The outline without vertices that are of no segment, unless they are to stay. Else those of a mesh, or of an island
+/// that is gone, would be taken for something that the domain is narrow beside.
+inline Outline_2 without_idle_vertices(const Outline_2& outline)
+{
+  std::vector<char> is_kept(outline.is_fixed);
+  for (const Outline_segment_2& s : outline.segments)
+    is_kept[s.source] = is_kept[s.target] = 1;
+  Outline_2 result;
+  std::vector<Index> number(is_kept.size(), no_index);
+  for (std::size_t v = 0; v < is_kept.size(); ++v)
+    if (is_kept[v]) {
+      number[v] = static_cast<Index>(result.points.size());
+      result.points.push_back(outline.points[v]);
+      result.is_fixed.push_back(outline.is_fixed[v]);
+      result.given.push_back(outline.given[v]);
+    }
+  result.segments = outline.segments;
+  for (Outline_segment_2& s : result.segments) {
+    s.source = number[s.source];
+    s.target = number[s.target];
+  }
+  return result;
+}
+
 /// What is asked at the vertices of an outline: the wanted length of pieces, and how far they may be from it.
 struct Outline_demands_2
 {

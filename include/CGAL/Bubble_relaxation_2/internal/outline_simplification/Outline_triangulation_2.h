@@ -111,25 +111,10 @@ public:
     for (std::size_t k = 0; k < size(); ++k)
       for (int i = 0; i < 3; ++i)
         add_side(static_cast<Index>(k), i, segments);
-    std::vector<char> is_used(m_outline.is_fixed);
-    for (const Outline_segment_2& s : segments)
-      is_used[s.source] = is_used[s.target] = 1;
-    Outline_2 result;
-    std::vector<Index> number(is_used.size(), no_index);
-    for (std::size_t v = 0; v < is_used.size(); ++v)
-      if (is_used[v]) {
-        number[v] = static_cast<Index>(result.points.size());
-        result.points.push_back(m_outline.points[v]);
-        result.is_fixed.push_back(m_outline.is_fixed[v]);
-        result.given.push_back(m_outline.given[v]);
-      }
-    for (Outline_segment_2& s : segments) {
-      s.source = number[s.source];
-      s.target = number[s.target];
-    }
+    Outline_2 result = m_outline;
     result.segments = std::move(segments);
     result.sort_segments();
-    return result;
+    return without_idle_vertices(result);
   }
 
 private:

@@ -96,33 +96,19 @@ private:
     return n;
   }
 
-  /// Their vertices are gone too, or the room between them would be a gap for the other rule.
   Outline_2 without_dropped() const
   {
-    std::vector<char> is_dropped(m_outline.segments.size(), 0), is_gone(m_outline.points.size(), 0);
+    std::vector<char> is_dropped(m_outline.segments.size(), 0);
     for (Index t : m_is_dropped)
       for (int i = 0; i < 3; ++i)
         if (m_triangulation.segment(t, i) != no_index)
           is_dropped[m_triangulation.segment(t, i)] = 1;
+    Outline_2 result = m_outline;
+    result.segments.clear();
     for (std::size_t e = 0; e < is_dropped.size(); ++e)
-      if (is_dropped[e]) // nothing else is at its ends
-        is_gone[m_outline.segments[e].source] = is_gone[m_outline.segments[e].target] = 1;
-    Outline_2 result;
-    std::vector<Index> number(is_gone.size(), no_index);
-    for (std::size_t v = 0; v < is_gone.size(); ++v)
-      if (!is_gone[v]) {
-        number[v] = static_cast<Index>(result.points.size());
-        result.points.push_back(m_outline.points[v]);
-        result.is_fixed.push_back(m_outline.is_fixed[v]);
-        result.given.push_back(m_outline.given[v]);
-      }
-    for (std::size_t e = 0; e < is_dropped.size(); ++e)
-      if (!is_dropped[e]) {
+      if (!is_dropped[e])
         result.segments.push_back(m_outline.segments[e]);
-        result.segments.back().source = number[result.segments.back().source];
-        result.segments.back().target = number[result.segments.back().target];
-      }
-    return result;
+    return without_idle_vertices(result);
   }
 
   const Outline_2& m_outline;

@@ -32,8 +32,8 @@ inline double length_cost(double x)
 inline double piece_cost(double x, double deviation) { return length_cost(x) + 0.2 * deviation * deviation; }
 
 /// What the triangles at a vertex of the outline lack in q, in sum, where the domain has an angle with this cosine:
-/// nothing at multiples of 60 degrees, and most halfway between. A wave, so that it takes no trigonometry; its heights are
-/// about those of isosceles triangles that share the angle equally.
+/// nothing at multiples of 60 degrees, and most halfway between. A wave, so that it takes no trigonometry; its heights
+/// are about those of isosceles triangles that share the angle equally.
 inline double angle_cost(double cosine, bool is_reflex)
 {
   constexpr double convex_height = 0.09, reflex_height = 0.045, cosine_of_30 = 0.8660254037844386;

@@ -40,7 +40,7 @@ inline std::vector<Point> obstacles_of(const Simplification_problem_2& problem)
 /// the outline as the rules leave it
 inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_simplification_report_2<double>& report)
 {
-  Outline_2 outline = problem.outline;
+  Outline_2 outline = without_idle_vertices(problem.outline);
   if (problem.options.minimum_island_area > 0)
     outline = Island_rule_2(outline, problem.options.minimum_island_area)(report);
   if (problem.options.minimum_gap > 0)
@@ -60,7 +60,7 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
   check_number_of_places(outline, demands);
   const Forced_vertices_2 forced(outline, demands, problem.sizes);
   report.wanted_vertices = forced.wanted();
-  report.forced_vertices = forced.with_forced() - report.wanted_vertices;
+  report.forced_vertices = forced.forced(report.wanted_vertices);
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
   const std::vector<Outline_span_2> spans = find_spans(outline);
   const Outline_demands_2 cautious = with_caution(demands, outline);
