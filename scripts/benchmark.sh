@@ -4,7 +4,8 @@
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
 #   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, a grid, CGAL's searches, nanoflann
 #   benchmark.sh phases                           nanoseconds a node of each phase
-#   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, this package, CGAL's 2D Meshes and Gmsh: table, SVG
+#   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, as they are and simplified: this package, CGAL's
+#                                                 2D Meshes and Gmsh: table, SVG
 #   benchmark.sh compile [--runs 3]               the compiler's time and memory: README's program, compiled core, EFG
 #   benchmark.sh distributed [speed [1e5 ...]]    two MPI ranks against one: seconds, and whether the bits are equal
 #   benchmark.sh distributed [counts [1e5]]       what up to 64 ranks hold and send, and a model of their efficiency

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Bubble_relaxation_2 authors
+
 #ifndef BUBBLE_RELAXATION_2_BENCHMARK_COAST_H
 #define BUBBLE_RELAXATION_2_BENCHMARK_COAST_H
 

@@ -5,13 +5,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Bubble_relaxation_2 authors
+
 // Real outlines: shores from GSHHG, meshed with the same wanted length everywhere by this package, by CGAL's Delaunay
-// refinement and by Gmsh, one after the other in processes of their own:
+// refinement and by Gmsh, one after the other in processes of their own. This package meshes the outline as it is, one
+// within a tenth of the length, and one without islands under half of its square and narrows under the length:
 //
 //   coasts FOLDER [--size 3] [--limit 60] [--svg coast.svg] [NAME ...]
 //
 // FOLDER has coasts.txt, which tells where they are, and the shores as GMT writes them, NAME_RESOLUTION.txt; a name
-// without resolution stands for all there are. The size is in kilometres; who takes longer than the limit, in seconds, is stopped.
+// without resolution stands for all there are. The size is in kilometres; who takes longer than the limit, in seconds,
+// is stopped.
 
 #include "cgal_meshers.h"
 #include "coast.h"
@@ -23,6 +26,8 @@
 
 #include "../../demo/Bubble_relaxation_2/files/file_names.h"
 #include "../../examples/Bubble_relaxation_2/svg_picture.h"
+
+#include <CGAL/simplify_outline_2.h>
 
 #include <unistd.h>
 
@@ -78,31 +83,39 @@ Options read_options(int argc, char** argv)
 struct Row
 {
   std::size_t vertices = 0;
-  double seconds = 0, moves = 0;
+  double seconds = 0, seconds_before = 0, moves = 0; ///< seconds_before: of all, those that the outline took
   bool has_moves = false, is_converged = false;
   Outline_judgement judgement;
 };
 
-Row row(const paper::Domain& coast, const Meshing& meshing)
+/// \param outline that was meshed
+Row row(const paper::CDT& outline, const Meshing& meshing)
 {
   Row result;
   paper::CDT bare;
   triangulate_bare(meshing.mesh, bare);
   result.vertices = meshing.mesh.points.size();
   result.seconds = meshing.seconds;
-  result.judgement = judge(bare, coast.outlines);
+  result.judgement = judge(bare, sharp_corners(outline));
   return result;
 }
 
-Row relaxed(const paper::Domain& coast)
+/// \param simplify changes the outline before it is meshed; the time for that counts
+template <class Simplify>
+Row relaxed(const paper::Domain& coast, const Simplify& simplify)
 {
   Meshing meshing;
   paper::CDT cdt = paper::triangulate(coast);
-  const double start = cpu_seconds();
+  double start = cpu_seconds();
+  simplify(cdt);
+  const double seconds_before = cpu_seconds() - start;
+  const paper::CDT outline = cdt;
+  start = cpu_seconds();
   const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(coast.d));
-  meshing.seconds = cpu_seconds() - start;
+  meshing.seconds = seconds_before + cpu_seconds() - start;
   meshing.mesh = vertices_and_constraints(cdt);
-  Row result = row(coast, meshing);
+  Row result = row(outline, meshing);
+  result.seconds_before = seconds_before;
   result.has_moves = true;
   result.moves = double(report.number_of_moves) / double(report.number_of_vertices);
   result.is_converged = report.converged;
@@ -112,7 +125,7 @@ Row relaxed(const paper::Domain& coast)
 void print_columns(const std::string& coast)
 {
   std::cout << std::setw(16) << std::left << coast << std::right << std::setw(9) << "vertices" << std::setw(11)
-            << "us/vertex" << std::setw(8) << "mean q" << std::setw(8) << "free q" << std::setw(12) << "free angle"
+            << "us/vertex" << std::setw(9) << "outline" << std::setw(8) << "mean q" << std::setw(8) << "free q" << std::setw(12) << "free angle"
             << std::setw(6) << "<26" << std::setw(9) << "obtuse" << std::setw(8) << "moves" << '\n';
 }
 
@@ -120,7 +133,8 @@ void print(const std::string& mesher, const Row& r)
 {
   const Outline_judgement& j = r.judgement;
   std::cout << std::fixed << std::setw(16) << std::left << mesher << std::right << std::setw(9) << r.vertices
-            << std::setprecision(1) << std::setw(11) << 1e6 * r.seconds / double(r.vertices) << std::setprecision(4)
+            << std::setprecision(1) << std::setw(11) << 1e6 * r.seconds / double(r.vertices) << std::setprecision(0)
+            << std::setw(8) << 100 * r.seconds_before / r.seconds << '%' << std::setprecision(4)
             << std::setw(8) << j.mean_q << std::setprecision(3) << std::setw(8) << j.free_q << std::setprecision(1)
             << std::setw(12) << j.free_angle << std::setw(6) << j.under_26 << std::setprecision(2) << std::setw(8)
             << 100 * double(j.obtuse) / double(j.triangles) << '%';
@@ -140,11 +154,20 @@ public:
     for (const paper::Outline& o : coast.outlines)
       corners += o.size();
     std::cout << '\n' << coast.name << ": " << corners << " corners, " << coast.outlines.size() - 1 << " islands\n";
+    const paper::CDT outline = paper::triangulate(coast);
     print_columns("");
-    run("npbs_relax", [&] { return relaxed(coast); });
-    run("CGAL refine", [&] { return row(coast, Cgal_mesher(coast).refine_and_optimize(0)); });
+    const double d = coast.d(paper::Point(0, 0)); // the same everywhere
+    const auto np = CGAL::parameters::sizing_function(d).relative_outline_tolerance(0.1);
+    run("npbs_relax", [&] { return relaxed(coast, [](paper::CDT&) {}); });
+    run("  tolerance", [&] { return relaxed(coast, [&](paper::CDT& cdt) { CGAL::simplify_outline_2(cdt, np); }); });
+    run("  and rules", [&] {
+      return relaxed(coast, [&](paper::CDT& cdt) {
+        CGAL::simplify_outline_2(cdt, np.minimum_island_area(d * d / 2).minimum_gap(d));
+      });
+    });
+    run("CGAL refine", [&] { return row(outline, Cgal_mesher(coast).refine_and_optimize(0)); });
 #ifdef BUBBLE_RELAXATION_2_WITH_GMSH
-    run("Gmsh Frontal", [&] { return row(coast, Gmsh_mesher()(coast, 0)); });
+    run("Gmsh Frontal", [&] { return row(outline, Gmsh_mesher()(coast, 0)); });
 #endif
   }
 

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Bubble_relaxation_2 authors
+
 #ifndef BUBBLE_RELAXATION_2_BENCHMARK_OUTLINE_JUDGEMENT_H
 #define BUBBLE_RELAXATION_2_BENCHMARK_OUTLINE_JUDGEMENT_H
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -33,19 +35,28 @@ inline double angle_at(const paper::Point& p, const paper::Point& q, const paper
   return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v) * 180 / paper::pi;
 }
 
-inline std::set<paper::Point> sharp_corners(const std::vector<paper::Outline>& outlines)
+/// where two segments of an outline meet in less than 60 degrees
+inline std::set<paper::Point> sharp_corners(const paper::CDT& outline)
 {
+  std::map<paper::Point, std::vector<paper::Point>> neighbors;
+  for (const paper::CDT::Edge& e : outline.constrained_edges()) {
+    const paper::Point &p = e.first->vertex(outline.cw(e.second))->point(),
+                       &q = e.first->vertex(outline.ccw(e.second))->point();
+    neighbors[p].push_back(q);
+    neighbors[q].push_back(p);
+  }
   std::set<paper::Point> result;
-  for (const paper::Outline& o : outlines)
-    for (std::size_t i = 0; i < o.size(); ++i)
-      if (angle_at(o[i], o[(i + o.size() - 1) % o.size()], o[(i + 1) % o.size()]) < 60)
-        result.insert(o[i]);
+  for (const auto& v : neighbors)
+    for (std::size_t i = 0; i < v.second.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (angle_at(v.first, v.second[i], v.second[j]) < 60)
+          result.insert(v.first);
   return result;
 }
 
-inline Outline_judgement judge(const paper::CDT& mesh, const std::vector<paper::Outline>& outlines)
+/// \param sharp the sharp corners of the outline that was meshed
+inline Outline_judgement judge(const paper::CDT& mesh, const std::set<paper::Point>& sharp)
 {
-  const std::set<paper::Point> sharp = sharp_corners(outlines);
   Outline_judgement result;
   for (paper::CDT::Face_handle f : mesh.finite_face_handles()) {
     if (!f->is_in_domain())
