@@ -13,7 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/simplify_outline.h>
-#include <CGAL/Bubble_relaxation_2/internal/writing/write_mesh.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Outline_simplification_report_2.h>
 

@@ -9,100 +9,44 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_DROP_ISLANDS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_DROP_ISLANDS_H
 
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The rule `minimum_island_area`: takes small islands into the domain. An island is a region outside of the domain
-/// that has the domain all around it, and nothing else: no vertex that stays, no other constraint, no domain within.
+/// The rule `minimum_island_area`: takes small islands into the domain. An island is a ring with the domain all around
+/// it and none within, and nothing else: no vertex that stays, no other constraint.
 class Island_rule_2
 {
 public:
-  Island_rule_2(const Outline_2& outline, double least_area)
-    : m_outline(outline), m_triangulation(outline), m_least_area(least_area), m_degree(outline.points.size(), 0)
-  {
-    for (const Outline_segment_2& s : outline.segments)
-      for (Index v : {s.source, s.target})
-        ++m_degree[v];
-  }
+  /// \pre there are no idle vertices but those that stay
+  Island_rule_2(const Outline_2& outline, double least_area) : m_outline(outline), m_least_area(least_area) {}
 
-  Outline_2 operator()(Outline_simplification_report_2<double>& report)
+  Outline_2 operator()(Outline_simplification_report_2<double>& report) const
   {
-    for (const std::vector<Index>& region :
-         m_triangulation.regions([this](Index t) { return !m_triangulation.is_inside(t); })) {
-      const double area = m_triangulation.area(region);
-      if (!(area < m_least_area) || !is_island(region))
+    std::vector<char> is_dropped(m_outline.segments.size(), 0);
+    for (const Outline_span_2& span : find_spans(m_outline)) {
+      const double area = area_within(span);
+      const bool is_inside = area > 0 ? span.inside_left : span.inside_right,
+                 is_around = area > 0 ? span.inside_right : span.inside_left; // the domain
+      if (!span.is_ring || is_inside || !is_around || !(std::abs(area) < m_least_area) || has_something_within(span))
         continue;
-      for (Index t : region)
-        m_triangulation.set_inside(t, true);
-      m_is_dropped.insert(m_is_dropped.end(), region.begin(), region.end());
-      Index first = m_triangulation.tr().vertices[region.front()][0];
-      for (Index t : region)
-        for (Index v : m_triangulation.tr().vertices[t])
-          first = (std::min)(first, v);
-      report.dropped_islands.push_back({{m_outline.points[first].x(), m_outline.points[first].y()}, area});
+      for (Index e : span.segments)
+        is_dropped[e] = 1;
+      const Point& first = m_outline.points[*std::min_element(span.vertices.begin(), span.vertices.end())];
+      report.dropped_islands.push_back({{first.x(), first.y()}, std::abs(area)});
     }
     std::sort(report.dropped_islands.begin(), report.dropped_islands.end(),
               [](const auto& a, const auto& b) { return a.place < b.place; });
-    return without_dropped();
-  }
-
-private:
-  bool is_island(const std::vector<Index>& region) const
-  {
-    std::vector<Index> ring; // segments
-    for (Index t : region)
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m_triangulation.neighbor(t, i), e = m_triangulation.segment(t, i);
-        if (e == no_index && n == no_index)
-          return false; // beyond lies the rest of the plane
-        if (e == no_index)
-          continue;
-        if (!m_triangulation.was_inside(n))
-          return false;
-        for (Index v : {m_outline.segments[e].source, m_outline.segments[e].target})
-          if (m_outline.is_fixed[v] || m_degree[v] != 2)
-            return false;
-        ring.push_back(e);
-      }
-    return number_of_rings(ring) == 1;
-  }
-
-  std::size_t number_of_rings(std::vector<Index> segments) const
-  {
-    std::size_t n = 0;
-    while (!segments.empty()) {
-      ++n;
-      std::vector<Index> ends{m_outline.segments[segments.front()].source};
-      while (!ends.empty()) { // takes away all that hangs together
-        const Index v = ends.back();
-        ends.pop_back();
-        for (std::size_t k = 0; k < segments.size();) {
-          const Outline_segment_2& s = m_outline.segments[segments[k]];
-          if (s.source != v && s.target != v) {
-            ++k;
-            continue;
-          }
-          ends.push_back(s.source == v ? s.target : s.source);
-          segments.erase(segments.begin() + static_cast<std::ptrdiff_t>(k));
-        }
-      }
-    }
-    return n;
-  }
-
-  Outline_2 without_dropped() const
-  {
-    std::vector<char> is_dropped(m_outline.segments.size(), 0);
-    for (Index t : m_is_dropped)
-      for (int i = 0; i < 3; ++i)
-        if (m_triangulation.segment(t, i) != no_index)
-          is_dropped[m_triangulation.segment(t, i)] = 1;
     Outline_2 result = m_outline;
     result.segments.clear();
     for (std::size_t e = 0; e < is_dropped.size(); ++e)
@@ -111,11 +55,53 @@ private:
     return without_idle_vertices(result);
   }
 
+private:
+  const Point& point(const Outline_span_2& span, std::size_t k) const { return m_outline.points[span.vertices[k]]; }
+
+  /// positive if the ring goes around counterclockwise
+  double area_within(const Outline_span_2& span) const
+  {
+    const Point& o = point(span, 0);
+    double twice = 0;
+    for (std::size_t k = 1; k < span.size(); ++k) {
+      const Point &p = point(span, k), &q = point(span, k + 1);
+      twice += (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
+    }
+    return twice / 2;
+  }
+
+  /// whether another vertex lies in a ring; vertices are sorted by x, so few are asked
+  bool has_something_within(const Outline_span_2& span) const
+  {
+    Bbox_2 box;
+    for (Index v : span.vertices)
+      box += m_outline.points[v].bbox();
+    std::vector<Index> ring = span.vertices;
+    std::sort(ring.begin(), ring.end());
+    constexpr double lowest = -(std::numeric_limits<double>::infinity)();
+    const auto first = std::lower_bound(m_outline.points.begin(), m_outline.points.end(), Point(box.xmin(), lowest));
+    for (auto p = first; p != m_outline.points.end() && p->x() <= box.xmax(); ++p)
+      if (box.ymin() <= p->y() && p->y() <= box.ymax() &&
+          !std::binary_search(ring.begin(), ring.end(), static_cast<Index>(p - m_outline.points.begin())) &&
+          is_within(span, *p))
+        return true;
+    return false;
+  }
+
+  bool is_within(const Outline_span_2& ring, const Point& p) const
+  {
+    bool is_within = false;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const bool upward = point(ring, k).y() <= point(ring, k + 1).y();
+      const Point &low = point(ring, upward ? k : k + 1), &high = point(ring, upward ? k + 1 : k);
+      if (low.y() <= p.y() && p.y() < high.y() && CGAL::orientation(low, high, p) == LEFT_TURN)
+        is_within = !is_within;
+    }
+    return is_within;
+  }
+
   const Outline_2& m_outline;
-  Outline_triangulation_2 m_triangulation;
   double m_least_area;
-  std::vector<int> m_degree;       // segments at each vertex
-  std::vector<Index> m_is_dropped; // triangles
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
