@@ -6,9 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// A coast that is known in far more detail than the mesh shall have: meshed as it is, with an outline within a tenth of
-// d of
-// it, and without its small islands and narrows.
+// A coast that is known in far more detail than the mesh shall have: meshed as it is, with an outline within a tenth
+// of d of it, and without its small islands and narrows.
 
 #include "svg_picture.h"
 
