@@ -443,6 +443,24 @@ TEST(Simplify_outline, gaps_leave_no_vertex_with_more_than_two_edges)
   }
 }
 
+TEST(Simplify_outline, without_islands_and_narrows_meshes_are_good)
+{
+  constexpr double d = 0.5;
+  for (unsigned k = 0; k < 4; ++k) {
+    std::vector<Outline> outlines = archipelago(random_seeds::seed(60 + k));
+    outlines.front() = coast(0, 0, 8, 3000, random_seeds::seed(70 + k));
+    CDT cdt = make(outlines);
+    const Report report = CGAL::simplify_outline_2(
+      cdt, CGAL::parameters::sizing_function(d).minimum_island_area(d * d / 2).minimum_gap(d));
+    const auto mesh = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
+    EXPECT_LE(report.forced_vertices, 0.01 * report.wanted_vertices);
+    EXPECT_GE(report.share_of_fitting_pieces, 0.94);
+    EXPECT_LE(static_cast<double>(mesh.number_of_vertices), 1.22 * report.wanted_vertices);
+    EXPECT_GE(mesh.quality.mean_quality(), 0.975); // a fifth of the vertices are on the outline
+    EXPECT_GE(mesh.quality.minimum_angle(), 35.);
+  }
+}
+
 double area_of_domain(const CDT& cdt)
 {
   double sum = 0;
