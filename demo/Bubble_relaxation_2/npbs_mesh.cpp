@@ -83,6 +83,10 @@ po::options_description all_options()
                                          "the domain's own edges")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
+    ("size-growth", po::value<double>()->default_value(defaults::default_size_growth),
+     "by how much the length grows per unit of length away from where the domain is finer than it")
+    ("minimum-angle", po::value<double>()->default_value(defaults::default_minimum_angle),
+     "smaller angles are refined, in degrees, but for those between two segments; 0: never")
     ("tolerance", po::value<double>(), "replace the outline by one with pieces as long as --size, within this share of "
                                        "it, such as 0.1")
     ("min-island", po::value<double>()->default_value(0), "with --tolerance: drop islands with a smaller area")
@@ -194,6 +198,8 @@ Report relax(Domain& domain, const po::variables_map& arguments, const Size& siz
     parameters.number_of_rounds(count(arguments["rounds"], parameters, np::number_of_rounds))
       .number_of_iterations(count(arguments["iterations"], parameters, np::number_of_iterations))
       .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>())
+      .size_growth(arguments["size-growth"].as<double>())
+      .minimum_angle(arguments["minimum-angle"].as<double>())
       .vertex_is_constrained_map(Pinned(domain.pinned))
       .concurrency_tag(CGAL::Parallel_if_available_tag())
       .callback([&bar](double fraction) {
@@ -211,6 +217,8 @@ std::string in_words_of_options(std::string text)
     {"Bubble_relaxation_2: ", ""},
     {"maximum_number_of_bubbles", "--max-bubbles"},
     {"gradation", "--gradation"},
+    {"size_growth", "--size-growth"},
+    {"minimum_angle", "--minimum-angle"},
     {"relative_outline_tolerance", "--tolerance"},
     {"minimum_island_area", "--min-island"},
     {"minimum_gap", "--min-gap"},

@@ -12,7 +12,8 @@ INTERNAL = os.path.join(os.path.dirname(__file__), "..", "..", "include", "CGAL"
 STAGES = [("outline_simplification", 5, 0.1, 2), ("reading", 0, 1, 1), ("placement", 1, 2, 1), ("simulation", 2, 2, 1),
           ("population", 3, 2, 1), ("treatment", 4, 2, 1), ("quality", 5, 2, 1), ("writing", 6, 1, 1)]
 FRAMES = [("engine", 1, 1, 5), ("relaxation", 1.06, 1.48, 2.88)]
-SHELVES = [("sizes", 0, 3.28, 1), ("fields", 1, 3.28, 1), ("domain", 2, 3.28, 2), ("geometry", 4, 3.28, 2), ("core", 6, 3.28, 1)]
+SHELVES = [("corners", 0, 3.28, 1), ("sizes", 1, 3.28, 1), ("fields", 2, 3.28, 1), ("domain", 3, 3.28, 1), ("geometry", 4, 3.28, 2),
+           ("core", 6, 3.28, 1)]
 RANKS = [("distributed/input", 0, 5.1, 1), ("distributed/placement", 1, 5.1, 1), ("distributed/simulation", 2, 5.1, 1.5),
          ("distributed/treatment", 3.5, 5.1, 1.5), ("distributed/quality", 5, 5.1, 1), ("distributed/writing", 6, 5.1, 1),
          ("distributed/checkpoint", 0, 5.9, 1.75), ("distributed/mesh", 1.75, 5.9, 1.75),
@@ -63,7 +64,7 @@ def main():
              '<rect width="990" height="510" fill="white"/>',
              '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="7" refY="3" orient="auto">'
              '<path d="M0,0 L7,3 L0,6 z" fill="#333"/></marker></defs>']
-    parts += band(0.75, "CGAL::npbs_relax() and the other entry points: each stage has one door")
+    parts += band(0.75, "CGAL::npbs_relax() and the other entry points: each stage has a door or a few")
     for name, column, row, width in FRAMES:
         parts += frame(name, column, row, width, 3.08 if name == "engine" else 2.98)
     for room in STAGES:
@@ -72,7 +73,7 @@ def main():
     parts += arrow(5, 2, 6, 1)
     for room in SHELVES:
         parts += box(*room, "#e9edd8")
-    parts += band(4.42, "tool shelves, open to all that stands above: right before left")
+    parts += band(4.42, "what stages are made of: right before left")
     parts += band(5.08, "on several ranks: the same stages, with a team that tells the others")
     for room in RANKS:
         parts += box(*room, "#f7e3cf")

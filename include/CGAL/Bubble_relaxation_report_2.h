@@ -72,6 +72,16 @@ struct Bubble_relaxation_report_2
   Bubble_relaxation_seconds seconds;           ///< time spent in each phase
   Mesh_quality_2<FT> quality;                  ///< statistics of the mesh, q = 2 r_in / r_out (eq. 11)
 
+  /// \name Small Angles
+  /// Triangles with an angle of less than `minimum_angle`. At a corner in which two edges of the domain meet in less than
+  /// 60 degrees they are forced: no mesh has others there. Zero in the report of `npbs_place_nodes()`.
+  /// @{
+  std::size_t number_of_forced_triangles = 0; ///< those with a vertex in such a corner
+  FT forced_x = FT(0);                        ///< the x coordinate of the smallest of their angles
+  FT forced_y = FT(0);                        ///< the y coordinate of the smallest of their angles
+  std::size_t number_of_small_angles = 0;     ///< all others: none, unless refinement did not get to an end
+  /// @}
+
   /// \name Gradient of the Sizes
   /// How much d changes along the edges of the mesh: |d<sub>i</sub> - d<sub>j</sub>| over the length of the
   /// edge. Zero in the report of `npbs_place_nodes()`, which makes no mesh.
@@ -101,6 +111,9 @@ std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>
       << "\n  seconds: reading " << s.reading << ", placement " << s.placement << ", renewal " << s.renewal
       << ", motion " << s.motion << ", population " << s.population << ", treatment " << s.treatment
       << ", writing " << s.writing << ", evaluation " << s.evaluation << '\n';
+  if (report.number_of_forced_triangles + report.number_of_small_angles > 0)
+    out << "  small angles: " << report.number_of_forced_triangles << " triangles at sharp corners of the domain, "
+        << report.number_of_small_angles << " others\n";
   if (report.quality.number_of_triangles() > 0)
     out << report.quality;
   return out;

@@ -96,6 +96,11 @@ public:
   /// @{
   FT minimum_angle() const { return FT(m.minimum_angle); } ///< the smallest angle of all triangles
   FT maximum_angle() const { return FT(m.maximum_angle); } ///< the largest angle of all triangles
+  /// triangles with an angle of more than 90 degrees. A triangle with q > 4 (sqrt 2 - 1) / 2 = 0.8284 has none
+  std::size_t number_of_obtuse_triangles() const { return m.obtuse; }
+  /// whether all triangles are acute, so that each contains its circumcentre and Voronoi cells have their faces on the
+  /// edges of the mesh
+  bool is_well_centered() const { return number_of_triangles() > 0 && m.maximum_angle < 90; }
   /// @}
 
   /// \name Degrees

@@ -155,16 +155,32 @@ those on edges lie exactly on them.
   \cgalParamNBegin{defect_treatment}
     \cgalParamDescription{whether vertices of triangles with q < 0.95 are moved after the simulation for the
                           quality of the triangles around them, and single vertices inserted or deleted where
-                          a triangle with q < 0.88 stays; the smallest q does not get smaller by it}
+                          a triangle with q < 0.9 stays; the smallest q does not get smaller by it}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd
   \cgalParamNBegin{limit_by_outline}
     \cgalParamDescription{whether bubbles are smaller than `sizing_function` asks where an edge of the domain is
-                          shorter, or the domain narrower, than 0.8 times that; from there their sizes grow by
-                          0.2 per unit of length}
+                          shorter, the domain narrower, or a pinned vertex nearer to others, than 0.9 times that; and
+                          corners in which two edges meet in less than 60 degrees are surrounded by a circle of nodes,
+                          so that only the triangles in the circle have the angles of the corner}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{size_growth}
+    \cgalParamDescription{by how much sizes grow per unit of length away from where the outline asks for smaller ones,
+                          and by default away from short edges. Steeper growth makes fewer vertices and worse
+                          triangles: see \ref BR2_outlines}
+    \cgalParamType{a number, positive and at most 1}
+    \cgalParamDefault{0.2}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_angle}
+    \cgalParamDescription{where the treatment leaves a triangle with a smaller angle, in degrees, which is not that
+                          between two edges of the domain, vertices are inserted as by Ruppert's refinement. That
+                          ends by proof up to 20.7 degrees where sharp corners are cut off (`limit_by_outline`);
+                          beyond, it stops after 50 rounds}
+    \cgalParamType{a number, 0 to 33; 0: none are inserted}
+    \cgalParamDefault{28}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_bubbles}
     \cgalParamDescription{the most bubbles that `sizing_function` may ask for}

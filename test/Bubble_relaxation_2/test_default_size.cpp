@@ -67,14 +67,14 @@ TEST(Outline_field, is_the_least_over_all_sources)
   std::vector<Size_source_2> sources;
   for (int i = 0; i < 1000; ++i)
     sources.push_back({{coordinate(random), coordinate(random)}, 0.01 + 0.01 * coordinate(random)});
-  const Outline_field_2 field(sources, box);
+  const Outline_field_2 field(sources, box, 0.2);
   std::shuffle(sources.begin(), sources.end(), random);
-  const Outline_field_2 shuffled(sources, box);
+  const Outline_field_2 shuffled(sources, box, 0.2);
   for (int i = 0; i < 1000; ++i) {
     const domains::Point p(coordinate(random), coordinate(random));
     double least = 1e300;
     for (const Size_source_2& s : sources)
-      least = (std::min)(least, s.d + Outline_field_2::gradation *
+      least = (std::min)(least, s.d + 0.2 *
                                         std::sqrt(CGAL::squared_distance(p, s.point)));
     EXPECT_NEAR(field(p), least, 0.01 * least);
     EXPECT_EQ(field(p), shuffled(p));
@@ -86,7 +86,7 @@ TEST(Outline_field, asks_few_sources_on_the_axis_of_a_circle)
   std::vector<Size_source_2> sources;
   for (const auto& p : domains::polygon(0, 0, 1, 100000))
     sources.push_back({{p.first, p.second}, 6.28e-5});
-  const Outline_field_2 field(sources, CGAL::Bbox_2(-1, -1, 1, 1));
+  const Outline_field_2 field(sources, CGAL::Bbox_2(-1, -1, 1, 1), 0.2);
   for (int i = 0; i < 1000000; ++i) // takes minutes if a query looks at all sources
     EXPECT_NEAR(field(1e-9 * i, 0), 0.2 + 6.28e-5, 0.02);
 }

@@ -133,7 +133,8 @@ void expect_same(Communicator& ranks, const paper::Domain& domain, const Relaxat
   const auto np = CGAL::parameters::sizing_function(domain.d).limit_by_outline(options.limit_by_outline);
   bare.read(np);
   const Input& input = *bare.input;
-  const Problem_2 problem{bare.domain(), bare.given(), options, input.wanted, input.sizes};
+  const Problem_2 read = input.problem(),
+                  problem{read.domain, read.given, options, read.wanted, read.sizes, read.cut, read.whole};
   expect_same(ranks, problem, problem);
 }
 

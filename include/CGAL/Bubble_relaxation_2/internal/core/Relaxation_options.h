@@ -26,6 +26,8 @@ constexpr std::size_t default_number_of_iterations = 30;
 constexpr std::size_t default_number_of_rounds = 10;
 constexpr std::size_t default_maximum_number_of_bubbles = 100000000;
 constexpr double default_displacement_tolerance = 0.007;
+constexpr double default_size_growth = 0.2;
+constexpr double default_minimum_angle = 28; // degrees
 
 /// The values of the named parameters that steer the simulation, checked.
 struct Relaxation_options
@@ -44,6 +46,8 @@ struct Relaxation_options
   Bubble_population population = Bubble_population::DELAUNAY;
   bool defect_treatment = true;
   bool limit_by_outline = true;
+  double size_growth = default_size_growth;
+  double minimum_angle = default_minimum_angle; ///< in degrees
   double displacement_tolerance = default_displacement_tolerance;
   std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
   std::function<bool(double)> callback;

@@ -49,20 +49,6 @@ struct Hole_2
   bool operator<(const Hole_2& h) const { return std::tie(rank, x, y) < std::tie(h.rank, h.x, h.y); }
 };
 
-/// a bubble on a corner or on an edge of the domain
-struct Outline_bubble_2
-{
-  double x, y, d, s;
-  Index index; ///< `no_index` if this rank does not know it
-};
-
-/// all bubbles on the outline of the domain
-struct Outline_bubbles_2
-{
-  std::vector<std::vector<Outline_bubble_2>> on_edge; ///< from source to target
-  std::vector<Outline_bubble_2> on_corner;
-};
-
 /// what all ranks together have to know after a step
 struct Step_sums
 {
@@ -247,9 +233,6 @@ public:
 
   /// adds triangles that others found around bubbles of ours; what we do not know of their corners is `no_index`
   virtual void share_triangles(const Bubbles_2&, std::vector<std::array<Index, 3>>&) {}
-
-  /// the bubbles on the outline become those of all ranks
-  virtual void share_outline(const Domain_2&, const Bubbles_2&, Outline_bubbles_2&) const {}
 
   /// gives new bubbles their numbers
   virtual void number(Bubbles_2&) {}

@@ -21,6 +21,8 @@ CGAL_add_named_parameter(initial_placement_t, initial_placement, initial_placeme
 CGAL_add_named_parameter(population_control_t, population_control, population_control)
 CGAL_add_named_parameter(defect_treatment_t, defect_treatment, defect_treatment)
 CGAL_add_named_parameter(limit_by_outline_t, limit_by_outline, limit_by_outline)
+CGAL_add_named_parameter(size_growth_t, size_growth, size_growth)
+CGAL_add_named_parameter(minimum_angle_t, minimum_angle, minimum_angle)
 CGAL_add_named_parameter(displacement_tolerance_t, displacement_tolerance, displacement_tolerance)
 CGAL_add_named_parameter(maximum_number_of_bubbles_t, maximum_number_of_bubbles, maximum_number_of_bubbles)
 CGAL_add_named_parameter(maximum_number_of_vertices_t, maximum_number_of_vertices, maximum_number_of_vertices)

@@ -92,6 +92,10 @@ inline void check_options(const Relaxation_options& o)
   check_not_negative("damping", o.damping);
   check_positive("time_step", o.time_step);
   check_not_negative("displacement_tolerance", o.displacement_tolerance);
+  if (!(o.size_growth > 0 && o.size_growth <= 1))
+    throw_invalid_parameter("size_growth", o.size_growth, "positive and at most 1");
+  if (!(o.minimum_angle >= 0 && o.minimum_angle <= 33))
+    throw_invalid_parameter("minimum_angle", o.minimum_angle, "0 to 33 degrees: beyond, refinement would hardly end");
   if (!(o.neighbor_radius > 1.5) || !std::isfinite(o.neighbor_radius))
     throw_invalid_parameter("neighbor_radius", o.neighbor_radius,
                             "finite and greater than 1.5, where the force ends");
@@ -123,6 +127,8 @@ Relaxation_options read_options(const NamedParameters& np)
   take(np, internal_np::population_control, o.population);
   take(np, internal_np::defect_treatment, o.defect_treatment);
   take(np, internal_np::limit_by_outline, o.limit_by_outline);
+  take(np, internal_np::size_growth, o.size_growth);
+  take(np, internal_np::minimum_angle, o.minimum_angle);
   take(np, internal_np::displacement_tolerance, o.displacement_tolerance);
   take_count(np, internal_np::maximum_number_of_bubbles, "maximum_number_of_bubbles", o.maximum_number_of_bubbles,
              1, static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));

@@ -18,8 +18,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
-#include <CGAL/Kernel/global_functions_2.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -28,16 +26,17 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A domain without the circles around its sharp corners. What is cut off counts as outside until there is a mesh, which
-/// is joined with it again.
+/// A domain without the circles around its sharp corners. What is cut off counts as outside until there are nodes for all
+/// else; their triangulation in the whole domain has the triangles of circles and corners that it is to have.
 class Cut_domain_2
 {
 public:
-  /// `sizes`: how large circles around corners may be
-  Cut_domain_2(const Domain_2& whole, const Sizes_2& sizes)
+  /// `sizes`: how large circles around corners may be; `growth`: by which they grow
+  Cut_domain_2(const Domain_2& whole, const Sizes_2& sizes, double growth)
     : m_whole(whole), m_points(whole.corners()), m_nodes_on_arms(whole.edges().size(), {no_index, no_index})
   {
-    const std::vector<Sharp_corner_2> sharp = find_sharp_corners(whole, sizes);
+    std::vector<Sharp_corner_2> sharp = sharp_corners(whole, growth);
+    find_circles(whole, sizes, sharp);
     for (const Sharp_corner_2& c : sharp)
       cut_arms(c);
     for (std::size_t e = 0; e < whole.edges().size(); ++e)
@@ -53,6 +52,7 @@ public:
   bool is_cut() const { return m_is_cut; }
 
   const Domain_2& domain() const { return m_domain; }
+  const Domain_2& whole() const { return m_whole; }
 
   /// makes vertices that were on edges of the whole domain those on edges of this one
   void cut(Given_mesh_2& given) const
@@ -68,13 +68,11 @@ public:
     given.on_edge = std::move(on_edge);
   }
 
-  /// Makes bubbles of this domain those of the whole one, and the triangles between them.
+  /// Makes a mesh of this domain one of the whole.
   void join(Bubble_mesh_2& mesh) const
   {
-    const bool is_joined = join_triangles(mesh);
     join(mesh.bubbles);
-    if (!is_joined)
-      triangulate(m_whole, mesh);
+    triangulate(m_whole, mesh);
   }
 
   /// The hosts of bubbles in faces, which are triangles of a domain, are not to be used any more.
@@ -85,11 +83,11 @@ public:
         const Piece& piece = m_pieces[b.host[i]];
         b.host[i] = piece.edge;
         b.s[i] = piece.begin + b.s[i] * (piece.end - piece.begin);
-      } else if (is_on_circle(b, static_cast<Index>(i))) {
-        const Node& node = circle_node(b, static_cast<Index>(i));
-        b.dimension[i] = node.edge == no_index ? Bubbles_2::FACE : Bubbles_2::EDGE;
-        b.s[i] = node.s;
-        b.host[i] = node.edge == no_index ? 0 : node.edge;
+      } else if (b.is_corner(i) && b.host[i] >= static_cast<Index>(m_whole.corners().size())) {
+        const Node& on_circle = node(b.host[i]);
+        b.dimension[i] = on_circle.edge == no_index ? Bubbles_2::FACE : Bubbles_2::EDGE;
+        b.s[i] = on_circle.s;
+        b.host[i] = on_circle.edge == no_index ? 0 : on_circle.edge;
       }
   }
 
@@ -100,8 +98,7 @@ private:
   /// a corner that is one in the cut domain only
   struct Node
   {
-    Index centre; ///< of its circle
-    Index edge;   ///< on which it lies, if any
+    Index edge; ///< on which it lies, if any
     double s;
   };
 
@@ -122,7 +119,7 @@ private:
   {
     for (const Sharp_corner_2::Arm& a : c.arms()) {
       const double share = c.radius / m_whole.length(a.edge), s = a.is_source ? share : 1 - share;
-      node_on_arm(a) = add_node(Node{c.corner, a.edge, s}, m_whole.point_on_edge(a.edge, s));
+      node_on_arm(a) = add_node(Node{a.edge, s}, m_whole.point_on_edge(a.edge, s));
     }
   }
 
@@ -134,12 +131,12 @@ private:
     double begin = 0, end = 1;
     const auto [first, last] = m_nodes_on_arms[e];
     if (first != no_index) {
-      begin = m_nodes[first - m_whole.corners().size()].s;
+      begin = node(first).s;
       add_piece(Domain_edge_2{edge.source, first, false, false, false}, Piece{e, 0, begin});
       edge.source = first;
     }
     if (last != no_index) {
-      end = m_nodes[last - m_whole.corners().size()].s;
+      end = node(last).s;
       add_piece(Domain_edge_2{last, edge.target, false, false, false}, Piece{e, end, 1});
       edge.target = last;
     }
@@ -157,54 +154,13 @@ private:
       last = next;
     };
     for (double angle : c.nodes(sector))
-      add_chord(add_node(Node{c.corner, no_index, 0}, Point(o.x() + c.radius * std::cos(start + angle),
+      add_chord(add_node(Node{no_index, 0}, Point(o.x() + c.radius * std::cos(start + angle),
                                                             o.y() + c.radius * std::sin(start + angle))));
     add_chord(node_on_arm(c.arms()[sector.second]));
   }
 
-  bool is_on_circle(const Bubbles_2& b, Index i) const
-  {
-    return b.is_corner(i) && b.host[i] >= static_cast<Index>(m_whole.corners().size());
-  }
-
-  const Node& circle_node(const Bubbles_2& b, Index i) const
-  {
-    return m_nodes[static_cast<std::size_t>(b.host[i]) - m_whole.corners().size()];
-  }
-
-  /// Opens the chords of circles to the triangles between them and the corners. Returns whether all is a constrained
-  /// Delaunay triangulation then, as it nearly always is.
-  bool join_triangles(Bubble_mesh_2& mesh) const
-  {
-    Marked_triangles_2& m = mesh.triangles;
-    for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        if (m.edges[t][i] == no_index || !is_chord(mesh.bubbles, m.vertices[t][ccw(i)], m.vertices[t][cw(i)]))
-          continue;
-        m.edges[t][i] = no_index;
-        if (m.inside[t]) // beyond the circle
-          continue;
-        const Index u = m.vertices[t][ccw(i)], opposite = m.vertices[t][i];
-        m.inside[t] = mesh.bubbles.is_corner(opposite) &&
-                      mesh.bubbles.host[opposite] == circle_node(mesh.bubbles, u).centre;
-        if (!m.inside[t] || !is_delaunay(mesh, static_cast<Index>(t), i))
-          return false;
-      }
-    return true;
-  }
-
-  bool is_chord(const Bubbles_2& b, Index u, Index v) const
-  {
-    return is_on_circle(b, u) && is_on_circle(b, v) && circle_node(b, u).centre == circle_node(b, v).centre;
-  }
-
-  static bool is_delaunay(const Bubble_mesh_2& mesh, Index t, int i)
-  {
-    const Index n = mesh.triangles.neighbors[t][i];
-    return n == no_index ||
-           CGAL::side_of_oriented_circle(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2),
-                                         mesh.point(n, mesh.triangles.index_of_neighbor(n, t))) != ON_POSITIVE_SIDE;
-  }
+  /// what a corner of this domain is that is none of the whole one
+  const Node& node(Index corner) const { return m_nodes[static_cast<std::size_t>(corner) - m_whole.corners().size()]; }
 
   const Domain_2& m_whole;
   Domain_2 m_domain;

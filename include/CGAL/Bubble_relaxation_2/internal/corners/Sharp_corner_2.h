@@ -47,11 +47,12 @@ public:
     double angle;
   };
 
-  const Index corner;
+  Index corner;
   double radius = 0;
 
-  Sharp_corner_2(Index c, std::vector<Arm> arms_at_corner, const Domain_2& domain)
-    : corner(c), m_arms(std::move(arms_at_corner))
+  /// `growth`: of the spacing of nodes, by radian
+  Sharp_corner_2(Index c, std::vector<Arm> arms_at_corner, const Domain_2& domain, double growth)
+    : corner(c), m_arms(std::move(arms_at_corner)), m_growth(growth)
   {
     std::sort(m_arms.begin(), m_arms.end(), [](const Arm& a, const Arm& b) {
       return Kernel::Direction_2(a.to_other_end) < Kernel::Direction_2(b.to_other_end);
@@ -74,7 +75,7 @@ public:
   std::vector<double> nodes(const Sector& s) const
   {
     const double first = m_arms[s.first].spacing, second = m_arms[s.second].spacing;
-    const auto spacing = [&](double a) { return (std::min)({widest, first + growth * a, second + growth * (s.angle - a)}); };
+    const auto spacing = [&](double a) { return (std::min)({widest, first + m_growth * a, second + m_growth * (s.angle - a)}); };
     Edge_integral integral{{0}, {0}}; // over angles
     for (double a = 0; a < s.angle;) {
       const double next = (std::min)(s.angle, a + 0.25 * spacing(a));
@@ -94,7 +95,6 @@ private:
   static constexpr double sharp = pi / 3, needle = 1e-6; // angles
   static constexpr double widest = 0.9;                  // spacing, in radii
   static constexpr double widest_angle = 1.4;            // between two nodes
-  static constexpr double growth = 0.2;                  // of the spacing, by radian: as of sizes
 
   void add_sector(const Domain_2& domain, std::size_t k, std::size_t next)
   {
@@ -127,16 +127,17 @@ private:
   {
     const Kernel::Vector_2 &u = m_arms[from].to_other_end, &v = m_arms[to].to_other_end;
     const double angle = std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u * v));
-    m_arms[to].spacing = (std::min)(m_arms[to].spacing, m_arms[from].spacing + growth * angle);
+    m_arms[to].spacing = (std::min)(m_arms[to].spacing, m_arms[from].spacing + m_growth * angle);
   }
 
   std::vector<Arm> m_arms;       // counterclockwise
   std::vector<Sector> m_sectors; // counterclockwise
+  double m_growth;
   double m_sharpest = 2 * pi;
 };
 
-/// The sharp corners of a domain. `sizes`: their circles have half of them as radius at most
-inline std::vector<Sharp_corner_2> find_sharp_corners(const Domain_2& domain, const Sizes_2& sizes)
+/// all corners of a domain that are sharp; they have no circles yet
+inline std::vector<Sharp_corner_2> sharp_corners(const Domain_2& domain, double growth)
 {
   std::vector<std::vector<Sharp_corner_2::Arm>> arms(domain.corners().size());
   for (std::size_t k = 0; k < domain.edges().size(); ++k) {
@@ -147,21 +148,27 @@ inline std::vector<Sharp_corner_2> find_sharp_corners(const Domain_2& domain, co
     arms[edge.target].push_back({e, false, -u});
   }
   std::vector<Sharp_corner_2> result;
-  std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge
   for (std::size_t c = 0; c < arms.size(); ++c) {
-    Sharp_corner_2 corner(static_cast<Index>(c), std::move(arms[c]), domain);
-    if (!corner.is_sharp())
-      continue;
+    Sharp_corner_2 corner(static_cast<Index>(c), std::move(arms[c]), domain, growth);
+    if (corner.is_sharp())
+      result.push_back(std::move(corner));
+  }
+  return result;
+}
+
+/// Gives sharp corners their circles. `sizes`: a bit more than a third of them is the largest radius, since circles around
+/// corners that face each other must not meet
+inline void find_circles(const Domain_2& domain, const Sizes_2& sizes, std::vector<Sharp_corner_2>& corners)
+{
+  std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge
+  for (const Sharp_corner_2& corner : corners)
     for (const Sharp_corner_2::Arm& a : corner.arms())
       ++number_at[a.edge];
-    result.push_back(std::move(corner));
-  }
-  for (Sharp_corner_2& corner : result) {
-    corner.radius = 0.5 * sizes(domain.corners()[corner.corner]);
+  for (Sharp_corner_2& corner : corners) {
+    corner.radius = 0.36 * sizes(domain.corners()[corner.corner]);
     for (const Sharp_corner_2::Arm& a : corner.arms()) // something is left between two circles
       corner.radius = (std::min)(corner.radius, domain.length(a.edge) / (1 + number_at[a.edge]));
   }
-  return result;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

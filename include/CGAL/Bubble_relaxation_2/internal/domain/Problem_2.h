@@ -69,6 +69,9 @@ struct Problem_2
   Sizes_2 wanted; ///< by the user
   Sizes_2 sizes;  ///< that the simulation follows: smaller where the outline asks for it
   const Cut_domain_2* cut = nullptr; ///< if `domain` is the one of it, with which the result is to be joined
+  const Domain_2* whole = nullptr;   ///< the domain before that
+
+  const Domain_2& whole_domain() const { return whole != nullptr ? *whole : domain; }
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

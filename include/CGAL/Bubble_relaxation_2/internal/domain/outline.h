@@ -46,23 +46,6 @@ inline std::vector<Index> bubbles_on_corners(const Domain_2& domain, const Bubbl
   return on_corner;
 }
 
-/// The bubbles on the outline, as far as they are known here.
-inline Outline_bubbles_2 outline_bubbles(const Domain_2& domain, const Bubbles_2& b)
-{
-  const auto outline_bubble = [&b](Index i) {
-    return i == no_index ? Outline_bubble_2{0, 0, 1, 0, i} : Outline_bubble_2{b.x[i], b.y[i], b.d[i], b.s[i], i};
-  };
-  Outline_bubbles_2 result;
-  for (const std::vector<Index>& bubbles : bubbles_on_edges(domain, b)) {
-    result.on_edge.emplace_back();
-    for (Index i : bubbles)
-      result.on_edge.back().push_back(outline_bubble(i));
-  }
-  for (Index i : bubbles_on_corners(domain, b))
-    result.on_corner.push_back(outline_bubble(i));
-  return result;
-}
-
 /// The edges of the domain cut at their bubbles, between indices of bubbles.
 inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubbles_2& b)
 {

@@ -34,7 +34,7 @@ Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh);
 
 /// the sizes that the outline of a domain without mesh asks for
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given);
+Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, double growth);
 
 /// What the simulation follows and where it is made.
 struct Limits_of_outline_2
@@ -47,8 +47,8 @@ struct Limits_of_outline_2
 /// it, if it may; then `given` becomes what is given for the domain that is left.
 /// \throws std::length_error if sizes ask for too many bubbles
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
-                                     bool may_limit);
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted,
+                                     const Relaxation_options& options, bool may_limit);
 
 /// the bubbles after placement, simulation and treatment
 CGAL_BUBBLE_RELAXATION_2_INLINE

@@ -29,29 +29,32 @@ Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh)
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given)
+Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, double growth)
 {
-  return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox()));
+  return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox(), growth));
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted, std::size_t maximum,
-                                     bool may_limit)
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted,
+                                     const Relaxation_options& options, bool may_limit)
 {
   constexpr int turns = 2, turns_beyond_circles = 3;
+  const std::size_t maximum = options.maximum_number_of_bubbles;
+  const double growth = options.size_growth;
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
   if (!may_limit)
     return {wanted, nullptr};
-  std::vector<Size_source_2> sources = Outline_sizes_2(domain, given, wanted, {})(turns);
-  auto cut = std::make_shared<const Cut_domain_2>(domain, limited_sizes(wanted, sources, domain));
+  Limited_sizes_2 limited{wanted, {}};
+  Outline_sizes_2(domain, given, growth)(turns, limited);
+  auto cut = std::make_shared<const Cut_domain_2>(domain, limited.sizes, growth);
   if (cut->is_cut())
     cut->cut(given);
   else
     cut = nullptr;
   const Domain_2& rest = cut ? cut->domain() : domain;
-  sources = Outline_sizes_2(rest, given, wanted, std::move(sources))(turns_beyond_circles);
-  Sizes_2 sizes = limited_sizes(wanted, sources, rest);
-  if (!sources.empty())
+  Outline_sizes_2(rest, given, growth)(turns_beyond_circles, limited);
+  Sizes_2 sizes = limited.in_one(wanted, rest, growth);
+  if (!limited.sources.empty())
     count_bubbles(rest, maximum, "the sizing function and the fine parts of the outline (limit_by_outline)", sizes);
   return {sizes, cut};
 }
@@ -76,7 +79,7 @@ Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& re
   Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, progress, report), report);
   if (problem.cut != nullptr)
     problem.cut->join(mesh);
-  evaluate(mesh, problem.wanted, problem.options.threads, report);
+  evaluate(mesh, problem, report);
   return mesh;
 }
 

@@ -120,6 +120,24 @@ struct Bubble_mesh_2
   Point point(Index t, int i) const { return bubbles.point(static_cast<std::size_t>(triangles.vertices[t][i])); }
 };
 
+/// The sine of the smallest angle of a triangle, and the vertex where it is.
+struct Smallest_angle_2
+{
+  double sine;
+  int vertex;
+
+  Smallest_angle_2(const Bubble_mesh_2& mesh, Index t)
+  {
+    std::array<double, 3> squared; // lengths of the sides opposite to the vertices
+    for (int i = 0; i < 3; ++i)
+      squared[i] = CGAL::squared_distance(mesh.point(t, ccw(i)), mesh.point(t, cw(i)));
+    vertex = static_cast<int>(std::min_element(squared.begin(), squared.end()) - squared.begin());
+    const Kernel::Vector_2 u = mesh.point(t, ccw(vertex)) - mesh.point(t, vertex),
+                           v = mesh.point(t, cw(vertex)) - mesh.point(t, vertex);
+    sine = (u.x() * v.y() - u.y() * v.x()) / std::sqrt(squared[ccw(vertex)] * squared[cw(vertex)]);
+  }
+};
+
 } // namespace CGAL::Bubble_relaxation_2::internal
 
 #ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED

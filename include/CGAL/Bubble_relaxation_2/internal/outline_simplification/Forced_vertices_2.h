@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FORCED_VERTICES_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FORCED_VERTICES_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
@@ -52,7 +53,10 @@ public:
   /// how many more there are at least
   double forced(double wanted) const
   {
-    return m_sources.empty() ? 0 : integral(limited_sizes(m_wanted, m_sources, m_domain)) - wanted;
+    if (m_sources.empty())
+      return 0;
+    const Sizes_2 forced(Outline_field_2(m_sources, m_domain.bbox(), default_size_growth));
+    return integral(smaller_of(m_wanted, forced)) - wanted;
   }
 
 private:
@@ -130,7 +134,7 @@ private:
     const double d = diameter + 2 * e.tolerance, off = 0.5 * diameter + e.tolerance; // of a piece's end from the middle
     if (d < e.size)
       m_sources.push_back({Point(0.5 * (e.least[0] + e.largest[0]), 0.5 * (e.least[1] + e.largest[1])),
-                           d + Outline_field_2::gradation * off});
+                           d + default_size_growth * off});
   }
 
   void add_narrows()
@@ -153,7 +157,7 @@ private:
     const double tolerance = (std::max)(m_demands.tolerance[v], m_demands.tolerance[other]),
                  d = size_over_width * (distance(m_outline.points[v], place) + 2 * tolerance);
     if (d < m_demands.size[v])
-      m_sources.push_back({m_outline.points[v], d + Outline_field_2::gradation * tolerance});
+      m_sources.push_back({m_outline.points[v], d + default_size_growth * tolerance});
   }
 
   const Outline_2& m_outline;

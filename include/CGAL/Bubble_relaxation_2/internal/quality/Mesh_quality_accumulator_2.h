@@ -44,7 +44,7 @@ struct Mesh_statistics_2
 {
   static constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-  std::size_t vertices = 0, triangles = 0, interior = 0, irregular = 0;
+  std::size_t vertices = 0, triangles = 0, interior = 0, irregular = 0, obtuse = 0;
   double minimum_quality = undefined, mean_quality = undefined;
   double worst_x = undefined, worst_y = undefined;
   double minimum_angle = undefined, maximum_angle = undefined;
@@ -91,6 +91,7 @@ public:
     m.vertices += other.m.vertices;
     m.interior += other.m.interior;
     m.irregular += other.m.irregular;
+    m.obtuse += other.m.obtuse;
     if (!other.m_qualities.empty()) {
       if (may_be_smallest(other.m_largest_cotangent))
         add_smallest(other.m_largest_cotangent, other.m.minimum_angle);
@@ -104,12 +105,14 @@ public:
   /// of what all of a team have; to be called once
   Mesh_statistics_2 statistics(const Team& all = Team())
   {
-    std::array<std::size_t, 5> counts{m.vertices, m.interior, m.irregular, m_qualities.size(), m_lengths.size()};
+    std::array<std::size_t, 6> counts{m.vertices,  m.interior, m.irregular, m_qualities.size(), m_lengths.size(),
+                                      m.obtuse};
     all.add_up(counts.data(), counts.size());
     m.vertices = counts[0];
     m.interior = counts[1];
     m.irregular = counts[2];
     m.triangles = counts[3];
+    m.obtuse = counts[5];
     if (m.triangles > 0) {
       finish_extremes(all);
       finish_qualities(all);
@@ -153,6 +156,7 @@ private:
     const double scale = (std::max)(std::abs(ux) + std::abs(uy), std::abs(vx) + std::abs(vy));
     const double cross = std::abs(ux / scale * (vy / scale) - uy / scale * (vx / scale));
     const double dot = ux / scale * (vx / scale) + uy / scale * (vy / scale);
+    m.obtuse += dot < 0;
     // the cotangent falls as the angle grows, and costs less
     const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
     const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();

@@ -12,7 +12,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 
@@ -23,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -121,6 +124,64 @@ inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& s
   return gradient;
 }
 
+/// The triangles whose smallest angle is smaller than one that is asked for: those at sharp corners of the domain have to
+/// be so.
+class Small_angles_2
+{
+public:
+  Small_angles_2(const Domain_2& domain, double minimum_angle)
+    : m_sine(std::sin(minimum_angle / 57.29577951308232)), m_is_sharp(domain.corners().size(), 0)
+  {
+    for (const Sharp_corner_2& c : sharp_corners(domain, default_size_growth))
+      m_is_sharp[c.corner] = 1;
+  }
+
+  /// adds the triangles of this rank
+  void add(const Bubble_mesh_2& mesh)
+  {
+    const Bubbles_2& b = mesh.bubbles;
+    for (std::size_t k = 0; k < mesh.triangles.number_of_triangles(); ++k) {
+      const Index t = static_cast<Index>(k);
+      const std::array<Index, 3>& v = mesh.triangles.vertices[k];
+      if (!mesh.triangles.inside[k] || !b.is_ours(*std::min_element(v.begin(), v.end())))
+        continue;
+      const Smallest_angle_2 smallest(mesh, t);
+      if (!(smallest.sine < m_sine))
+        continue;
+      const bool is_forced = std::any_of(v.begin(), v.end(), [&](Index i) {
+        return b.is_corner(i) && b.host[i] != no_index && m_is_sharp[b.host[i]];
+      });
+      ++(is_forced ? m_number_of_forced : m_number_of_others);
+      const Point p = mesh.point(t, smallest.vertex);
+      if (is_forced && std::make_pair(smallest.sine, p) < std::make_pair(m_least, m_where)) {
+        m_least = smallest.sine;
+        m_where = p;
+      }
+    }
+  }
+
+  void tell(Report& report, const Team& all = Team()) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<std::size_t, 2> counts{m_number_of_forced, m_number_of_others};
+    all.add_up(counts.data(), counts.size());
+    report.number_of_forced_triangles = counts[0];
+    report.number_of_small_angles = counts[1];
+    if (counts[0] == 0)
+      return;
+    const bool is_here = m_least == all.smallest(m_least);
+    report.forced_x = all.smallest(is_here ? m_where.x() : infinity);
+    report.forced_y = all.smallest(is_here && m_where.x() == report.forced_x ? m_where.y() : infinity);
+  }
+
+private:
+  double m_sine;
+  std::vector<char> m_is_sharp;
+  std::size_t m_number_of_forced = 0, m_number_of_others = 0;
+  double m_least = std::numeric_limits<double>::infinity(); // sine of a forced angle
+  Point m_where = Point(0, 0);
+};
+
 /// adds the lengths of edges of this rank over d in the midpoints, of those that have their first triangle in a range
 inline void add_lengths(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last, const Sizes_2& sizing,
                         Mesh_quality_accumulator_2& accumulator)
@@ -153,8 +214,9 @@ inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& 
 
 /// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
 /// then the user's triangulation must not have been changed yet.
-inline void evaluate(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Threads& threads, Report& report)
+inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Report& report)
 {
+  const Threads& threads = problem.options.threads;
   const Phase_timer timer(report.seconds.evaluation);
   constexpr std::size_t block_size = 4096;
   const std::size_t n = mesh.triangles.number_of_triangles();
@@ -164,10 +226,13 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Thr
     [&](std::size_t k) {
       const std::size_t first = k * block_size, last = (std::min)(first + block_size, n);
       add_triangles(mesh, first, last, blocks[k]);
-      add_lengths(mesh, first, last, sizing, blocks[k]);
+      add_lengths(mesh, first, last, problem.sizes, blocks[k]);
     },
     1);
-  size_gradient(mesh, sizing, threads).tell(report);
+  size_gradient(mesh, problem.wanted, threads).tell(report);
+  Small_angles_2 small(problem.whole_domain(), problem.options.minimum_angle);
+  small.add(mesh);
+  small.tell(report);
   Mesh_quality_accumulator_2 all;
   add_vertices(mesh, all);
   for (const Mesh_quality_accumulator_2& block : blocks)

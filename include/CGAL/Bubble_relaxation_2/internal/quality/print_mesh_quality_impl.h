@@ -34,6 +34,7 @@ inline void print_table(std::ostream& out, const Mesh_quality_2<double>& q)
                              << q.quality_percentile(50) << '\n';
   out << std::setprecision(2);
   row("angle: smallest, largest") << q.minimum_angle() << "  " << q.maximum_angle() << '\n';
+  row("obtuse triangles") << q.number_of_obtuse_triangles() << '\n';
   row("interior vertices, not of degree 6") << q.number_of_interior_vertices() << "  "
                                             << 100 * q.irregular_share() << " %\n";
   if (!q.has_length_ratios())

@@ -47,7 +47,9 @@ Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks
     return Sizes_2(
       checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
   } else if (reading.free.empty()) { // no mesh yet
-    return sizes_of_domain(reading.domain, reading.given);
+    double growth = default_size_growth;
+    take(np, internal_np::size_growth, growth);
+    return sizes_of_domain(reading.domain, reading.given, growth);
   } else {
     return sizes_of_mesh(marks);
   }
@@ -70,7 +72,7 @@ struct Input_2
   Problem_2 problem() const
   {
     return Problem_2{limits.cut ? limits.cut->domain() : reading.domain, reading.given, options, wanted, limits.sizes,
-                     limits.cut.get()};
+                     limits.cut.get(), &reading.domain};
   }
 
 private:
@@ -80,7 +82,7 @@ private:
   template <class NamedParameters>
   Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
     : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
-      limits(limit_by_outline(reading.domain, reading.given, wanted, options.maximum_number_of_bubbles,
+      limits(limit_by_outline(reading.domain, reading.given, wanted, options,
                               options.limit_by_outline && (reading.free.empty() || has_sizing_function<NamedParameters>)))
   {
     options.threads = threads_of<Concurrency<NamedParameters>>();

@@ -44,26 +44,38 @@ inline std::size_t count_ours(const Bubbles_2& bubbles, const std::vector<Index>
     std::count_if(those.begin(), those.end(), [&bubbles](Index i) { return bubbles.is_ours(i); }));
 }
 
-/// At first, while bubbles are inserted, a coarse rest will do. Then it is to be as fine as is asked for, and bubbles are
-/// deleted only. The few that do not come to rest then swing to and fro, which shorter steps end.
-inline void choose_step(std::size_t round, std::size_t number_of_rounds, Simulation_2& simulation)
+/// In the second half of the rounds what still does not rest swings to and fro, which shorter and shorter steps end.
+inline void choose_step(std::size_t round, const Relaxation_options& options, Simulation_2& simulation)
 {
-  constexpr std::size_t coarse_rounds = 2, rounds_with_whole_steps = 5;
-  if (round >= (std::min)(coarse_rounds, number_of_rounds / 2))
+  const std::size_t half = (options.number_of_rounds + 1) / 2;
+  if (round < half)
+    return;
+  simulation.rest_finely();
+  if (options.population == Bubble_population::DELAUNAY)
+    simulation.shorten_steps(std::ldexp(1., -1 - static_cast<int>((std::min)(round - half, std::size_t(20)))));
+}
+
+/// Changes the population. When few bubbles come in, the time of coarse rest and insertions is over.
+inline void change_population(const Population_change& change, const Relaxation_options& options,
+                              Simulation_2& simulation, Bubbles_2& bubbles, Team& team)
+{
+  constexpr std::size_t many = 50; // one in so many
+  const std::size_t before = team.number_of_all(bubbles);
+  simulation.apply(change);
+  if (options.population == Bubble_population::DELAUNAY && many * (team.number_of_all(bubbles) - before) < before)
     simulation.rest_finely();
-  if (round >= rounds_with_whole_steps)
-    simulation.shorten_steps(std::ldexp(1., static_cast<int>(rounds_with_whole_steps) - static_cast<int>(round) - 1));
 }
 
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
-/// the population, and again, until the bubbles rest and their population stays.
+/// the population, and again, until the bubbles rest and their population stays. At first a coarse rest will do, and
+/// bubbles are inserted; then it is to be as fine as is asked for, and they are deleted.
 inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Progress& progress, Report& report)
 {
   const std::size_t number_of_rounds = problem.options.number_of_rounds;
   Simulation_2 simulation(problem, bubbles, team);
   simulation.rest_coarsely();
   for (std::size_t round = team.resume(simulation, bubbles, report); round < number_of_rounds; ++round) {
-    choose_step(round, number_of_rounds, simulation);
+    choose_step(round, problem.options, simulation);
     progress.start_round(round);
     const Round_result result = simulation.run_round(progress, report.seconds);
     add_to_report(result, simulation.evaluations_per_step(), report);
@@ -84,7 +96,7 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Prog
     }
     if (is_last)
       break; // what is inserted now would not be relaxed
-    simulation.apply(change);
+    change_population(change, problem.options, simulation, bubbles, team);
     report.number_of_insertions += change.inserted.size();
     report.number_of_deletions += count_ours(bubbles, change.deleted);
     team.end_round(simulation, bubbles, report);

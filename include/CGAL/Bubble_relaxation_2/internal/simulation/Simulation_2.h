@@ -121,7 +121,8 @@ public:
   /// While bubbles are still inserted and deleted, rest need not be what it shall be in the end.
   void rest_coarsely()
   {
-    if (m_options.population == Bubble_population::NONE)
+    if (m_options.population != Bubble_population::DELAUNAY &&
+        !(m_integrator->lets_bubbles_sleep() && m_options.population == Bubble_population::OVERLAP_RATIO))
       return;
     m_rests_coarsely = true;
     m_tolerance = coarse_tolerance * m_options.displacement_tolerance;

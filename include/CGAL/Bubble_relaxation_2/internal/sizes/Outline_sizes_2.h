@@ -45,20 +45,19 @@ struct Size_source_2
 class Outline_field_2
 {
 public:
-  static constexpr double gradation = 0.2;
-
-  Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box)
-    : m_sources({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
+  /// `growth`: g
+  Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box, double growth)
+    : m_growth(growth), m_sources({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
                  0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), 0},
-                sources, Fill())
+                sources, Fill{growth})
   {}
 
   double operator()(double x, double y) const
   {
     const Sources& sources = m_sources(x, y);
-    double least = size_from(sources.front(), x, y);
+    double least = size_from(sources.front(), m_growth, x, y);
     for (const Size_source_2& s : sources)
-      least = (std::min)(least, size_from(s, x, y));
+      least = (std::min)(least, size_from(s, m_growth, x, y));
     return least;
   }
 
@@ -71,34 +70,30 @@ private:
   using Sources = std::vector<Size_source_2>;
   using Tree = Quadtree_2<Sources>;
 
-  static double size_from(const Size_source_2& s, double x, double y)
+  static double size_from(const Size_source_2& s, double growth, double x, double y)
   {
     const double dx = x - s.point.x(), dy = y - s.point.y();
-    return s.d + gradation * std::sqrt(dx * dx + dy * dy);
-  }
-
-  static const Size_source_2& nearest(const Sources& sources, double x, double y)
-  {
-    const Size_source_2* best = &sources.front();
-    for (const Size_source_2& s : sources) {
-      const double d = size_from(s, x, y), least = size_from(*best, x, y);
-      if (d < least || (d == least && s.point < best->point))
-        best = &s;
-    }
-    return *best;
+    return s.d + growth * std::sqrt(dx * dx + dy * dy);
   }
 
   struct Fill
   {
+    double growth;
+
     template <class Divide>
     void operator()(const Tree::Square& c, const Sources& sources, Sources& leaf, const Divide& divide) const
     {
       // within the cell two sources cannot change their order if they differ by more than this
-      const double slack = 2 * gradation * std::sqrt(2.) * c.half;
-      const double least = size_from(nearest(sources, c.x, c.y), c.x, c.y);
+      const double slack = 2 * growth * std::sqrt(2.) * c.half;
+      std::vector<double> sizes;
+      sizes.reserve(sources.size());
+      for (const Size_source_2& s : sources)
+        sizes.push_back(size_from(s, growth, c.x, c.y));
+      const double least = *std::min_element(sizes.begin(), sizes.end());
       Sources kept;
-      std::copy_if(sources.begin(), sources.end(), std::back_inserter(kept),
-                   [&](const Size_source_2& s) { return size_from(s, c.x, c.y) <= least + slack; });
+      for (std::size_t k = 0; k < sources.size(); ++k)
+        if (sizes[k] <= least + slack)
+          kept.push_back(sources[k]);
       // far from a finely divided outline many sources stay, but d hardly changes within the cell
       const bool is_even = slack <= 0.5 * least || c.depth == deepest;
       if (kept.size() > most_sources && !is_even)
@@ -109,8 +104,23 @@ private:
       else
         leaf = std::move(kept);
     }
+
+    const Size_source_2& nearest(const Sources& sources, double x, double y) const
+    {
+      const Size_source_2* best = &sources.front();
+      double least = size_from(*best, growth, x, y);
+      for (const Size_source_2& s : sources) {
+        const double d = size_from(s, growth, x, y);
+        if (d < least || (d == least && s.point < best->point)) {
+          best = &s;
+          least = d;
+        }
+      }
+      return *best;
+    }
   };
 
+  const double m_growth;
   Tree m_sources;
 };
 
@@ -121,7 +131,7 @@ inline double extent(const Domain_2& domain)
 }
 
 /// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent.
-constexpr double smallest_size = 1e-6;
+constexpr double smallest_size = 1e-12;
 
 /// At each vertex of a constraint the length of the shorter constraint beside it. `splits`: what counts as vertices of
 /// edges between their ends, if anything
@@ -150,39 +160,57 @@ inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
   return result;
 }
 
-/// what is wanted, and less where sources of sizes ask for it
-inline Sizes_2 limited_sizes(const Sizes_2& wanted, const std::vector<Size_source_2>& sources, const Domain_2& domain)
+/// Sizes that are followed, and where the outline asks for less than is wanted.
+struct Limited_sizes_2
 {
-  return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox())));
-}
+  Sizes_2 sizes;
+  std::vector<Size_source_2> sources;
+
+  /// `growth`: how fast sizes grow away from sources
+  void add(const std::vector<Size_source_2>& more, const Domain_2& domain, double growth)
+  {
+    if (more.empty())
+      return;
+    sizes = smaller_of(sizes, Sizes_2(Outline_field_2(more, domain.bbox(), growth)));
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
+
+  /// the same with all sources in one field, which is asked faster
+  Sizes_2 in_one(const Sizes_2& wanted, const Domain_2& domain, double growth) const
+  {
+    return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox(), growth)));
+  }
+};
 
 /// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed there,
-/// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .8. Only in a
+/// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .9. Only in a
 /// corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
 class Outline_sizes_2
 {
 public:
-  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
-                  std::vector<Size_source_2> known)
-    : m_domain(domain), m_given(given), m_wanted(wanted), m_sources(std::move(known))
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, double growth)
+    : m_domain(domain), m_given(given), m_growth(growth)
   {}
 
   /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
   /// more places
-  std::vector<Size_source_2> operator()(int turns)
+  void operator()(int turns, Limited_sizes_2& limited)
   {
     for (const Size_source_2& s : sizes_of_pieces(m_domain))
-      limit(s.point, s.d, m_wanted);
-    for (std::size_t last = m_sources.size() + 1; turns > 0 && m_sources.size() != last; --turns) {
-      last = m_sources.size();
-      add_widths();
+      limit(s.point, s.d, limited.sizes);
+    bool is_found = true;
+    for (int turn = 0; turn < turns && is_found; ++turn) {
+      limited.add(m_found, m_domain, m_growth);
+      m_found.clear();
+      add_widths(limited.sizes);
+      is_found = !m_found.empty();
     }
-    return std::move(m_sources);
+    limited.add(m_found, m_domain, m_growth);
   }
 
 private:
-  /// One row of triangles in a channel is no worse when it is lower by a fifth than it should be.
-  static constexpr double tolerated = 1.25;
+  /// One row of triangles in a channel is hardly worse when it is a little lower than it should be.
+  static constexpr double tolerated = 1.1;
 
   /// Sizes that differ by less are left alone: else each turn would find many that are a little smaller.
   static constexpr double notable = 0.9;
@@ -191,13 +219,12 @@ private:
   {
     const double d = tolerated * distance;
     if (d < notable * followed(p))
-      m_sources.push_back(Size_source_2{p, (std::max)(d, smallest_size * extent(m_domain))});
+      m_found.push_back(Size_source_2{p, (std::max)(d, smallest_size * extent(m_domain))});
   }
 
   /// divides the constraints by the sizes found so far, and measures across the triangles between them
-  void add_widths()
+  void add_widths(const Sizes_2& field)
   {
-    const Sizes_2 field = limited_sizes(m_wanted, m_sources, m_domain);
     const Bubbles_2 nodes = nodes_on_constraints(field);
     std::vector<Point> points;
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -284,8 +311,8 @@ private:
 
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
-  const Sizes_2& m_wanted;
-  std::vector<Size_source_2> m_sources;
+  const double m_growth;
+  std::vector<Size_source_2> m_found; // in this turn
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Angle_refinement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
 
@@ -218,6 +219,8 @@ inline Bubble_mesh_2 triangulate_and_treat(const Problem_2& problem, Bubbles_2 b
   Treatment_counts counts = treat_defects(problem.domain, problem.options, mesh);
   if (keeps_given_bubbles(problem.options))
     keep_the_better(problem, mesh, counts);
+  if (problem.options.population != Bubble_population::NONE)
+    counts.inserted += refine_small_angles(problem, mesh);
   counts.add_to(report);
   return mesh;
 }

@@ -123,7 +123,7 @@ inline std::string choose_word(double value, std::initializer_list<const char*> 
 inline std::string true_or_false(double value) { return choose_word(value, {"false", "true"}); }
 
 /// The parameters on which it depends where bubbles go, once they are placed in some way, as long as they go on.
-inline std::array<Named_value, 13> steering_parameters(const Relaxation_options& o)
+inline std::array<Named_value, 15> steering_parameters(const Relaxation_options& o)
 {
   return {{{"integrator", static_cast<double>(o.integrator), // other defaults depend on it
             [](double v) { return choose_word(v, {"RUNGE_KUTTA_4", "SEMI_IMPLICIT_EULER"}); }},
@@ -139,6 +139,8 @@ inline std::array<Named_value, 13> steering_parameters(const Relaxation_options&
            {"population_control", static_cast<double>(o.population),
             [](double v) { return choose_word(v, {"NONE", "OVERLAP_RATIO", "DELAUNAY"}); }},
            {"limit_by_outline", static_cast<double>(o.limit_by_outline), true_or_false},
+           {"size_growth", o.size_growth},
+           {"minimum_angle", o.minimum_angle},
            {"displacement_tolerance", o.displacement_tolerance},
            {"exchange_interval", static_cast<double>(o.exchange_interval)}}};
 }
@@ -236,7 +238,7 @@ std::unique_ptr<Input_2<Cdt>> read_same_input(const Cdt& cdt, const NamedParamet
   check_same_options(comm, input->options);
   check_same_domain(comm, input->reading.domain);
   check_same_vertices(comm, input->reading.given);
-  check_same_sizes(comm, input->sizes.expected_number);
+  check_same_sizes(comm, input->limits.sizes.expected_number);
   comm.agree_after([&] { input->options.callback = agreed_callback(input->options.callback, comm); });
   return input;
 }

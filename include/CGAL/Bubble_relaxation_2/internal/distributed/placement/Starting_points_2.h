@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_STARTING_POINTS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
@@ -43,17 +44,18 @@ public:
     std::int64_t number; ///< along the curve, among all
   };
 
-  /// Collective. `points`: what this rank has of them.
+  /// Collective. `points`: what this rank has of them, in the domain before corners were cut off.
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
-  Starting_points_2(Communicator& comm, const Domain_2& domain,
-                  const Given_mesh_2& given, const Bubbles_2& points)
-    : m_comm(comm), m_domain(domain), m_given(given),
-      m_outline{given.pinned, given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
-      m_distribution(domain, comm)
+  Starting_points_2(Communicator& comm, const Problem_2& problem, const Bubbles_2& points)
+    : m_comm(comm), m_domain(problem.whole_domain()), m_given(problem.given),
+      m_outline{m_given.pinned, m_given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
+      m_distribution(m_domain, comm)
   {
-    if (m_are_points)
+    if (m_are_points) {
       distribute(points);
-    else
+      if (problem.cut != nullptr)
+        problem.cut->cut(m_outline);
+    } else
       take_share();
     m_has_free = comm.any(!m_free.empty());
   }

@@ -154,7 +154,7 @@ inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& d
 /// has some; they take the place of the free vertices of the domain's triangulation.
 inline Placed_part_2 place_distributed(Communicator& comm, const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Starting_points_2 given(comm, problem.domain, problem.given, points);
+  const Starting_points_2 given(comm, problem, points);
   Placement_2 placed = place_by_all(comm, problem, given);
   comm.agree();
   return bring_home_and_number(comm, problem.domain, placed);
@@ -164,7 +164,7 @@ inline Placed_part_2 place_distributed(Communicator& comm, const Problem_2& prob
 inline Placed_part_2 given_bubbles_distributed(Communicator& comm,
                                                const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Starting_points_2 given(comm, problem.domain, problem.given, points);
+  const Starting_points_2 given(comm, problem, points);
   Placement_2 placed(place_on_outline(problem.domain, given.outline(), On_edges::KEEP, problem.sizes), comm);
   keep_given(problem.domain, given, problem.sizes, placed);
   comm.agree();

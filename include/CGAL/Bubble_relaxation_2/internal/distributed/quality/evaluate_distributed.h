@@ -93,16 +93,21 @@ inline Mesh_quality_2<double> distributed_quality(const Distributed_mesh_2& mesh
 
 /// Collective. Puts the statistics of the mesh of all ranks into the report, as `evaluate()` does of that of one.
 /// What d throws on one rank all throw.
-inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Sizes_2& sizing, Communicator& comm,
+inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Problem_2& problem, Communicator& comm,
                                  Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
-  report.quality = distributed_quality(mesh, &sizing, comm);
+  report.quality = distributed_quality(mesh, &problem.sizes, comm);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
   Size_gradient_2 gradient(Report::steep_size_gradient);
-  comm.agree_after([&] { gradient = size_gradient(mesh, sizing, Threads()); });
+  Small_angles_2 small(problem.whole_domain(), problem.options.minimum_angle);
+  comm.agree_after([&] {
+    gradient = size_gradient(mesh, problem.wanted, Threads());
+    small.add(mesh);
+  });
   gradient.tell(report, Values_of_all_ranks(comm));
+  small.tell(report, Values_of_all_ranks(comm));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -116,29 +116,6 @@ public:
   void share(std::vector<char>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
   void share(std::vector<double>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
 
-  /// All ranks have the outline of the domain, and now all its bubbles.
-  void share_outline(const Domain_2& domain, const Bubbles_2& b, Outline_bubbles_2& result) const override
-  {
-    std::vector<Bubble_record_2> all = gather_outline(m_comm, b);
-    std::sort(all.begin(), all.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) {
-      return std::tie(p.dimension, p.host, p.s, p.id) < std::tie(q.dimension, q.host, q.s, q.id);
-    });
-    std::unordered_map<std::int64_t, Index> indices;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_on_edge(i) || b.is_corner(i))
-        indices[b.id[i]] = static_cast<Index>(i);
-    result.on_edge.assign(domain.edges().size(), {});
-    result.on_corner.assign(domain.corners().size(), Outline_bubble_2{0, 0, 1, 0, no_index});
-    for (const Bubble_record_2& p : all) {
-      const auto found = indices.find(p.id);
-      const Outline_bubble_2 bubble{p.x, p.y, p.d, p.s, found == indices.end() ? no_index : found->second};
-      if (p.dimension == Bubbles_2::EDGE)
-        result.on_edge[p.host].push_back(bubble);
-      else
-        result.on_corner[p.host] = bubble;
-    }
-  }
-
   /// \pre they are sorted along the curve
   void number(Bubbles_2& inserted) override
   {

@@ -22,6 +22,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -49,16 +51,26 @@ inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<st
 }
 
 /// Removes bubbles of ours that cannot be told apart on edges, as `remove_crowded_on_edges()` does of all.
-inline void remove_crowded_of_ours(const Domain_2& domain, const Population_team_2& team, Bubbles_2& b)
+inline void remove_crowded_of_ours(Communicator& comm, const Domain_2& domain, Bubbles_2& b)
 {
-  Outline_bubbles_2 outline;
-  outline.on_corner.resize(domain.corners().size());
-  team.share_outline(domain, b, outline);
-  for (std::size_t e = 0; e < outline.on_edge.size(); ++e) {
-    Crowd_on_edge crowd(domain.length(static_cast<Index>(e)));
-    for (const Outline_bubble_2& bubble : outline.on_edge[e])
-      if (crowd.has(bubble.s, bubble.d) && bubble.index != no_index)
-        b.remove(bubble.index);
+  std::vector<Bubble_record_2> all = gather_outline(comm, b);
+  std::sort(all.begin(), all.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) {
+    return std::tie(p.dimension, p.host, p.s, p.id) < std::tie(q.dimension, q.host, q.s, q.id);
+  });
+  std::unordered_map<std::int64_t, Index> index;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_on_edge(i))
+      index[b.id[i]] = static_cast<Index>(i);
+  for (auto first = all.begin(), end = first; first != all.end(); first = end) {
+    end = std::find_if(first, all.end(), [first](const Bubble_record_2& r) {
+      return r.dimension != first->dimension || r.host != first->host;
+    });
+    if (first->dimension != Bubbles_2::EDGE)
+      continue;
+    Crowd_on_edge crowd(domain.length(first->host));
+    for (auto r = first; r != end; ++r)
+      if (const auto known = index.find(r->id); crowd.has(r->s, r->d) && known != index.end())
+        b.remove(known->second);
   }
 }
 
@@ -120,7 +132,7 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
   relax(problem, bubbles, team, progress, report);
   if (traffic)
     *traffic = team.traffic();
-  remove_crowded_of_ours(problem.domain, team.population(), bubbles);
+  remove_crowded_of_ours(comm, problem.domain, bubbles);
   return bring_home_and_number(comm, team.partition(), team.population().next_number(),
                                std::move(bubbles));
 }

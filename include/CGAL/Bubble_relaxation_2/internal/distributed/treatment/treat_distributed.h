@@ -129,6 +129,7 @@ private:
     Mesh_piece_2 piece;
     double reach;    ///< 0: the part of each rank alone
     bool is_as_wide; ///< as `reach` says
+    bool has_changed_outline = false; ///< by surgery
   };
 
   /// when it is too narrow: makes it as wide as it was, or twice as wide
@@ -213,24 +214,28 @@ private:
 
   void operate(Treated_piece& piece, double smallest, Treatment_counts& counts) const
   {
+    if (smallest >= bad_qualities[0])
+      return; // ranks need not know more of each other
+    Treatment_counts changes;
+    std::optional<Treated_piece> last;
     for (double bad_quality : bad_qualities) {
-      if (smallest >= bad_quality)
+      std::optional<Treated_piece> next = operate_once(last ? *last : piece, bad_quality, changes);
+      if (!next)
         break;
-      Treatment_counts changes;
-      std::optional<Treated_piece> changed = operate_once(piece, bad_quality, changes);
-      if (!changed)
-        break;
-      double smallest_now = smallest_quality(changed->piece.mesh);
-      changes.treated = smooth(*changed, smallest_now);
-      if (smallest_now < smallest)
-        break;
-      smallest = smallest_now;
-      piece = std::move(*changed);
-      counts += changes;
+      last = std::move(next);
     }
+    if (!last)
+      return;
+    double smallest_now = smallest_quality(last->piece.mesh);
+    // rounding can make a mess of a change; then what was there is good
+    if (smallest_now < smallest || (m_comm.any(last->has_changed_outline) && !has_valid_outline(last->piece.mesh)))
+      return;
+    changes.treated = smooth(*last, smallest_now);
+    piece = std::move(*last);
+    counts += changes;
   }
 
-  /// inserts and deletes bubbles around the worst triangles; returns nothing if there is nothing to be done
+  /// inserts and deletes bubbles around bad triangles; returns nothing if there is nothing to be done
   std::optional<Treated_piece> operate_once(Treated_piece& p, double bad_quality, Treatment_counts& counts) const
   {
     const std::int64_t end = number_of_bubbles(p.piece.mesh);
@@ -243,15 +248,13 @@ private:
       const Patch_changes_2 changes = surgery.operate(end);
       if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
         return std::nullopt;
-      Treated_piece changed{p.piece, p.reach, false};
+      Treated_piece changed{p.piece, p.reach, false, p.has_changed_outline};
       Piece_stitching_2 stitch(changed.piece, m_comm);
       if (!stitch(changes, end))
         continue;
-      // rounding can make a mess of a change; then what was there is good
-      if (stitch.has_changed_outline && !has_valid_outline(changed.piece.mesh))
-        return std::nullopt;
-      counts.inserted = static_cast<std::size_t>(surgery.number_of_insertions);
-      counts.deleted = static_cast<std::size_t>(surgery.number_of_deletions);
+      changed.has_changed_outline = changed.has_changed_outline || stitch.has_changed_outline;
+      counts.inserted += static_cast<std::size_t>(surgery.number_of_insertions);
+      counts.deleted += static_cast<std::size_t>(surgery.number_of_deletions);
       return changed;
     }
   }
@@ -261,6 +264,18 @@ private:
   Communicator& m_comm;
   const double m_first_reach;
 };
+
+/// Collective. `Cut_domain_2::join()` by ranks.
+inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
+                                           const Hilbert_partition_2& partition, Communicator& comm)
+{
+  Bubbles_2 own;
+  comm.agree_after([&] {
+    own = own_bubbles(mesh, comm.rank());
+    cut.join(own);
+  });
+  return distributed_triangulate(cut.whole(), send_home(comm, partition, std::move(own)), partition, comm);
+}
 
 /// `keep_the_better()` by ranks: given bubbles whose mesh is better than what was made of them are treated instead.
 inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& points, bool may_operate,
@@ -278,6 +293,40 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
   mesh = std::move(given_mesh);
 }
 
+/// Collective. `refine_small_angles()` by ranks.
+inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hilbert_partition_2& partition,
+                                              Communicator& comm, Distributed_mesh_2& mesh)
+{
+  std::size_t result = 0;
+  for (int round = 0; round < most_rounds_of_refinement; ++round) {
+    std::vector<Steiner_point_2> wanted;
+    comm.agree_after([&] { wanted = wanted_points(problem, mesh, mesh.is_owned); });
+    wanted = Angle_refinement_2::independent(gather_records(comm, wanted));
+    if (wanted.empty())
+      break;
+    Bubbles_2 own;
+    comm.agree_after([&] { own = own_bubbles(mesh, comm.rank()); });
+    const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
+    comm.agree_after([&] {
+      for (std::size_t k = 0; k < wanted.size(); ++k) {
+        const Steiner_point_2& p = wanted[k];
+        if (partition.owner(p.x, p.y) != comm.rank())
+          continue;
+        Bubbles_2 one;
+        one.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
+        add_own(own, record(one, 0, end + static_cast<std::int64_t>(k)));
+      }
+    });
+    try {
+      mesh = distributed_triangulate(problem.domain, send_home(comm, partition, std::move(own)), partition, comm);
+    } catch (const std::runtime_error&) {
+      break; // on all ranks: finer than coordinates can tell
+    }
+    result += wanted.size();
+  }
+  return result;
+}
+
 /// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
 inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
@@ -293,6 +342,8 @@ inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubb
   Treatment_counts counts = treat(mesh, may_operate);
   if (keeps_given_bubbles(options))
     keep_the_better_of_all(problem, points, may_operate, comm, mesh, counts);
+  if (may_operate)
+    counts.inserted += refine_small_angles_of_all(problem, part.partition, comm, mesh);
   counts.add_to(report);
   return mesh;
 }

@@ -80,9 +80,9 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value,
                      input->options);
   Bubbles_2 given;
-  ranks.agree_after([&] { given = read_bubbles(points, read_domain, input->sizes); });
+  ranks.agree_after([&] { given = read_bubbles(points, read_domain, input->limits.sizes); });
   Problem_2 problem = input->problem();
-  problem.sizes = agreed_sizes(input->sizes, ranks, Hilbert_curve_2(read_domain.bbox()).side());
+  problem.sizes = agreed_sizes(input->limits.sizes, ranks, Hilbert_curve_2(read_domain.bbox()).side());
   reading_time.stop();
   Progress progress(input->options.callback, input->options.number_of_rounds);
   const Placed_part_2 part = simulate_distributed(ranks, problem, progress, report, given);
@@ -90,15 +90,17 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   reduce<std::int64_t>(ranks, counts_of_rank(report), MPI_SUM);
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK) {
     Distributed_mesh_2 mesh = treat_distributed(problem, given, part, ranks, report);
-    evaluate_distributed(mesh, input->wanted, ranks, report);
+    if (problem.cut != nullptr)
+      mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
+    evaluate_distributed(mesh, problem, ranks, report);
     const Phase_timer writing_time(report.seconds.writing);
     Point_replacement_2<PointSet> replacement(points);
     Bubbles_2 bubbles;
     ranks.agree_after([&] {
-      ask_own_sizes(mesh, ranks.rank(), input->sizes);
+      ask_own_sizes(mesh, ranks.rank(), input->limits.sizes);
       bubbles = own_bubbles(mesh, ranks.rank());
     });
-    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->sizes, report);
+    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->limits.sizes, report);
     ranks.agree_after([&] {
       replacement.prepare(bubbles);
       progress.report(1);

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_ANGLE_REFINEMENT_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_ANGLE_REFINEMENT_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+
+#include <CGAL/Kernel/global_functions_2.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// A vertex that a triangle with a small angle asks for: its circumcentre, or the middle of a piece of the outline that it
+/// is too near to.
+struct Steiner_point_2
+{
+  double sine; ///< of the angle: the smallest comes first
+  double x, y, s, radius;
+  Index host;
+  Bubbles_2::Dimension dimension;
+
+  bool operator<(const Steiner_point_2& p) const { return std::tie(sine, x, y) < std::tie(p.sine, p.x, p.y); }
+};
+
+/// Finds what Ruppert's algorithm inserts (A Delaunay refinement algorithm for quality 2-dimensional mesh generation, J.
+/// Algorithms 18, 1995) where simulation and surgery have left a triangle with a small angle. Up to 20.7 degrees it ends
+/// by proof if the edges of the domain meet in 60 degrees or more, as they do when sharp corners are cut off; and in
+/// practice up to more than 30.
+class Angle_refinement_2
+{
+public:
+  Angle_refinement_2(const Domain_2& domain, const Bubble_mesh_2& mesh, double minimum_angle)
+    : m_domain(domain), m_mesh(mesh), m_sine(std::sin(minimum_angle / degrees)),
+      m_on_edge(bubbles_on_edges(domain, mesh.bubbles))
+  {}
+
+  /// whether an angle is too small, and no angle between two edges of the domain
+  bool is_bad(Index t) const
+  {
+    const Smallest_angle_2 smallest(m_mesh, t);
+    const auto& edges = m_mesh.triangles.edges[t];
+    return smallest.sine < m_sine &&
+           (edges[ccw(smallest.vertex)] == no_index || edges[cw(smallest.vertex)] == no_index);
+  }
+
+  /// what triangle `t` asks for, if it can be had
+  std::optional<Steiner_point_2> operator()(Index t)
+  {
+    const Point p = m_mesh.point(t, 0), q = m_mesh.point(t, 1), r = m_mesh.point(t, 2),
+                center = CGAL::circumcenter(p, q, r), centroid = CGAL::centroid(p, q, r);
+    const Index start = m_domain.locate_inside(centroid, m_hint);
+    if (start == no_index)
+      return std::nullopt;
+    const Walk_end end = m_domain.walk(start, centroid, center);
+    Steiner_point_2 result{Smallest_angle_2(m_mesh, t).sine, center.x(), center.y(), 0,
+                           std::sqrt(CGAL::squared_distance(center, p)), end.triangle, Bubbles_2::FACE};
+    if (end.is_blocked())
+      return split(m_domain.edge(end.triangle, end.edge), crossing(end, centroid, center), result);
+    for (std::size_t e = 0; e < m_on_edge.size(); ++e)
+      if (const std::optional<double> s = encroached(static_cast<Index>(e), end.triangle, center))
+        return split(static_cast<Index>(e), *s, result);
+    return result;
+  }
+
+  /// of those that are nearer to each other than the radius of one of them the first
+  static std::vector<Steiner_point_2> independent(std::vector<Steiner_point_2> points)
+  {
+    std::sort(points.begin(), points.end());
+    std::vector<Steiner_point_2> result;
+    for (const Steiner_point_2& p : points)
+      if (std::none_of(result.begin(), result.end(), [&p](const Steiner_point_2& q) {
+            return std::hypot(p.x - q.x, p.y - q.y) < (std::max)(p.radius, q.radius);
+          }))
+        result.push_back(p);
+    return result;
+  }
+
+private:
+  static constexpr double degrees = 57.29577951308232;
+
+  /// where on an edge of the domain a walk ended
+  double crossing(const Walk_end& end, const Point& from, const Point& to) const
+  {
+    const Index e = m_domain.edge(end.triangle, end.edge);
+    const Kernel::Vector_2 u = m_domain.target(e) - m_domain.source(e), v = to - from, w = from - m_domain.source(e);
+    const double s = (w.x() * v.y() - w.y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
+    return (std::max)(0., (std::min)(1., s));
+  }
+
+  /// the ends of the piece of an edge that a position is in
+  std::array<double, 2> piece(Index e, double s) const
+  {
+    std::array<double, 2> ends{0, 1};
+    for (Index i : m_on_edge[e]) {
+      const double at = m_mesh.bubbles.s[i];
+      ends = at <= s ? std::array<double, 2>{at, ends[1]} : std::array<double, 2>{ends[0], (std::min)(ends[1], at)};
+    }
+    return ends;
+  }
+
+  /// a position in a piece of an edge whose diametral circle contains a point that sees it
+  std::optional<double> encroached(Index e, Index triangle, const Point& p) const
+  {
+    const Point &a = m_domain.source(e), &b = m_domain.target(e);
+    if (CGAL::angle(a, p, b) != OBTUSE)
+      return std::nullopt; // then no piece of it is
+    const Kernel::Vector_2 u = b - a;
+    const std::array<double, 2> ends = piece(e, ((p - a) * u) / (u * u));
+    const double middle = 0.5 * (ends[0] + ends[1]);
+    const Point m = m_domain.point_on_edge(e, middle);
+    if (CGAL::angle(m_domain.point_on_edge(e, ends[0]), p, m_domain.point_on_edge(e, ends[1])) != OBTUSE)
+      return std::nullopt;
+    const Walk_end end = m_domain.walk(triangle, p, m);
+    return !end.is_blocked() || m_domain.edge(end.triangle, end.edge) == e ? std::optional<double>(middle) : std::nullopt;
+  }
+
+  /// the middle of a piece of an edge instead
+  std::optional<Steiner_point_2> split(Index e, double s, Steiner_point_2 result) const
+  {
+    if (!m_domain.edges()[e].takes_bubbles)
+      return std::nullopt;
+    const std::array<double, 2> ends = piece(e, s);
+    result.s = 0.5 * (ends[0] + ends[1]);
+    const Point p = m_domain.point_on_edge(e, result.s);
+    result.x = p.x();
+    result.y = p.y();
+    result.radius = 0.5 * (ends[1] - ends[0]) * m_domain.length(e);
+    result.host = e;
+    result.dimension = Bubbles_2::EDGE;
+    return result;
+  }
+
+  const Domain_2& m_domain;
+  const Bubble_mesh_2& m_mesh;
+  const double m_sine;
+  const std::vector<std::vector<Index>> m_on_edge;
+  Index m_hint = 0;
+};
+
+/// What those triangles ask for that have a smaller angle than they need and belong to the domain, or to a rank.
+inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, const Bubble_mesh_2& mesh,
+                                                  const std::vector<char>& is_counted)
+{
+  std::vector<Steiner_point_2> result;
+  Angle_refinement_2 refine(problem.domain, mesh, problem.options.minimum_angle);
+  for (std::size_t t = 0; t < is_counted.size(); ++t)
+    if (is_counted[t] && refine.is_bad(static_cast<Index>(t)))
+      if (const auto point = refine(static_cast<Index>(t)))
+        result.push_back(*point);
+  return result;
+}
+
+constexpr int most_rounds_of_refinement = 50;
+
+/// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so. Returns how many.
+inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& mesh)
+{
+  std::size_t result = 0;
+  for (int round = 0; round < most_rounds_of_refinement; ++round) {
+    const std::vector<Steiner_point_2> wanted =
+      Angle_refinement_2::independent(wanted_points(problem, mesh, mesh.triangles.inside));
+    if (wanted.empty())
+      break;
+    Bubble_mesh_2 refined{mesh.bubbles, {}};
+    for (const Steiner_point_2& p : wanted)
+      refined.bubbles.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
+    if (!try_to_triangulate(cut_edges(problem.domain, refined.bubbles), refined))
+      break; // finer than coordinates can tell
+    result += wanted.size();
+    mesh = std::move(refined);
+  }
+  return result;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_ANGLE_REFINEMENT_2_H
