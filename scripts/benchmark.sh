@@ -4,6 +4,8 @@
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
 #   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, a grid, CGAL's searches, nanoflann
 #   benchmark.sh phases                           nanoseconds a node of each phase
+#   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, as they are and simplified: this package, CGAL's
+#                                                 2D Meshes and Gmsh: table, SVG
 #   benchmark.sh compile [--runs 3]               the compiler's time and memory: README's program, compiled core, EFG
 #   benchmark.sh distributed [speed [1e5 ...]]    two MPI ranks against one: seconds, and whether the bits are equal
 #   benchmark.sh distributed [counts [1e5]]       what up to 64 ranks hold and send, and a model of their efficiency
@@ -13,13 +15,26 @@ cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | influence | phases | compile | distributed) benchmark=$1; shift ;;
+  scaling | compare | coasts | influence | phases | compile | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then
   scripts/install_dependencies.sh libgmsh-dev
   benchmark=compare_meshers
   set -- --json compare_meshers.json --svg compare_meshers.svg "$@"
+fi
+if [ "$benchmark" = coasts ]; then
+  scripts/install_dependencies.sh libgmsh-dev gmt gmt-gshhg-low gmt-gshhg-high
+  mkdir -p output/coasts
+  cp benchmark/Bubble_relaxation_2/coasts.txt output/coasts/
+  while read -r name west east south north _; do
+    for resolution in low intermediate high; do
+      file=output/coasts/${name}_$resolution.txt
+      [ -s "$file" ] || gmt coast "-R$west/$east/$south/$north" "-D${resolution:0:1}" -M -W \
+        --FORMAT_FLOAT_OUT=%.9g > "$file"
+    done
+  done < <(grep -v '^#' output/coasts/coasts.txt)
+  set -- coasts --svg coast.svg "$@"
 fi
 if [ "$benchmark" = influence ]; then
   scripts/install_dependencies.sh libnanoflann-dev

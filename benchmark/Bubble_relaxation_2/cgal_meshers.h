@@ -21,6 +21,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 /// this package, with its defaults
@@ -46,6 +47,8 @@ class Cgal_mesher
                                             CGAL::Delaunay_mesh_face_base_2<K>>>;
 
 public:
+  explicit Cgal_mesher(const paper::Domain& domain) : m_domain(domain) {}
+
   /// looks for the scale that gives about as many vertices
   Cgal_mesher(const paper::Domain& domain, std::size_t wanted_vertices) : m_domain(domain)
   {
@@ -66,14 +69,14 @@ public:
     CDT cdt;
     for (const paper::Outline& o : m_domain.outlines)
       cdt.insert_constraint(o.begin(), o.end(), true);
-    const std::vector<paper::Point> seeds = points_in_holes();
+    const std::vector<paper::Point> seeds(1, point_in_domain(cdt));
     const auto scaled = [scale = m_scale, &d = m_domain.d](const paper::Point& p) { return scale * d(p); };
     using Criteria = CGAL::Bubble_mesh_criteria_2<CDT, decltype(scaled)>;
 
     Meshing result;
     const double start = cpu_seconds();
     CGAL::Delaunay_mesher_2<CDT, Criteria> mesher(cdt, Criteria(scaled));
-    mesher.set_seeds(seeds.begin(), seeds.end());
+    mesher.set_seeds(seeds.begin(), seeds.end(), true);
     mesher.refine_mesh();
     if (number_of_iterations > 0)
       optimize(cdt, seeds, number_of_iterations);
@@ -85,13 +88,15 @@ public:
   }
 
 private:
-  /// the holes of the compared domains are convex, and all outlines but the first
-  std::vector<paper::Point> points_in_holes() const
+  /// the domain is connected: one is enough
+  static paper::Point point_in_domain(const CDT& outlines)
   {
-    std::vector<paper::Point> seeds;
-    for (std::size_t i = 1; i < m_domain.outlines.size(); ++i)
-      seeds.push_back(CGAL::centroid(m_domain.outlines[i].begin(), m_domain.outlines[i].end()));
-    return seeds;
+    std::size_t t = 0;
+    const std::vector<char> is_inside = faces_in_domain(outlines);
+    for (CDT::Face_handle f : outlines.all_face_handles())
+      if (is_inside[t++])
+        return CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    throw std::runtime_error("the outlines have no inside");
   }
 
   /// all iterations: neither do vertices freeze nor does it end when they move little
@@ -101,10 +106,11 @@ private:
     CGAL::lloyd_optimize_mesh_2(cdt, CGAL::parameters::max_iteration_number = number_of_iterations,
                                 CGAL::parameters::convergence = 0., CGAL::parameters::freeze_bound = 0.,
                                 CGAL::parameters::seeds_begin = seeds.begin(),
-                                CGAL::parameters::seeds_end = seeds.end());
+                                CGAL::parameters::seeds_end = seeds.end(), CGAL::parameters::mark = true);
 #else
     CGAL::lloyd_optimize_mesh_2(
-      cdt, CGAL::parameters::number_of_iterations(number_of_iterations).convergence(0).freeze_bound(0).seeds(seeds));
+      cdt, CGAL::parameters::number_of_iterations(number_of_iterations).convergence(0).freeze_bound(0).seeds(seeds)
+             .seeds_are_in_domain(true));
 #endif
   }
 

@@ -14,6 +14,7 @@
 #include "files/domain_file.h"
 #include "files/file_names.h"
 #include "files/mesh_file.h"
+#include "files/simplify_domain.h"
 #include "mesh_warnings.h"
 #include "size_formula.h"
 #include "svg_picture.h"
@@ -86,6 +87,10 @@ po::options_description all_options()
      "by how much the length grows per unit of length away from where the domain is finer than it")
     ("minimum-angle", po::value<double>()->default_value(defaults::default_minimum_angle),
      "smaller angles are refined, in degrees, but for those between two segments; 0: never")
+    ("tolerance", po::value<double>(), "replace the outline by one with pieces as long as --size, within this share of "
+                                       "it, such as 0.1")
+    ("min-island", po::value<double>()->default_value(0), "with --tolerance: drop islands with a smaller area")
+    ("min-gap", po::value<double>()->default_value(0), "with --tolerance: fill where the domain is narrower")
     ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh), or .node or .ele "
                                            "(Triangle; both, and .poly)")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
@@ -156,6 +161,10 @@ void check_arguments(const po::variables_map& arguments)
   }
   if (arguments.count("gradation") > 0 && !(arguments["gradation"].as<double>() > 0))
     throw std::runtime_error("--gradation must be positive");
+  if (arguments.count("tolerance") > 0 && arguments.count("size") == 0)
+    throw std::runtime_error("--tolerance needs --size");
+  if (arguments.count("tolerance") == 0 && !(arguments["min-island"].defaulted() && arguments["min-gap"].defaulted()))
+    throw std::runtime_error("--min-island and --min-gap need --tolerance");
   if (arguments["threads"].as<int>() < 0)
     throw std::runtime_error("--threads must not be negative");
 #ifndef CGAL_LINKED_WITH_TBB
@@ -210,6 +219,9 @@ std::string in_words_of_options(std::string text)
     {"gradation", "--gradation"},
     {"size_growth", "--size-growth"},
     {"minimum_angle", "--minimum-angle"},
+    {"relative_outline_tolerance", "--tolerance"},
+    {"minimum_island_area", "--min-island"},
+    {"minimum_gap", "--min-gap"},
     {"number_of_rounds", "--rounds"},
     {"number_of_iterations", "--iterations"},
     {"parameter --", "--"},
@@ -263,6 +275,22 @@ try {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
+/// Replaces the outline if --tolerance asks for it, and tells what it was replaced by.
+/// \throws std::runtime_error with the name of the input
+void simplify(Domain& domain, const po::variables_map& arguments, const Size& size)
+try {
+  if (arguments.count("tolerance") == 0)
+    return;
+  const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
+                                                .relative_outline_tolerance(arguments["tolerance"].as<double>())
+                                                .minimum_island_area(arguments["min-island"].as<double>())
+                                                .minimum_gap(arguments["min-gap"].as<double>()));
+  if (arguments.count("quiet") == 0)
+    std::cout << "outline\n" << report;
+} catch (const std::exception& e) {
+  throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
+}
+
 void print_statistics(const Report& report)
 {
   std::cout << report.quality << "  worst triangle, at" << std::string(19, ' ')
@@ -310,6 +338,7 @@ try {
   };
   for (const std::string& warning : domain.warnings)
     warn(warning);
+  simplify(domain, arguments, size);
   const Segment_markers markers(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
   size = limited_size(domain, arguments, size);

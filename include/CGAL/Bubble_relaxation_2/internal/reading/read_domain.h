@@ -85,6 +85,23 @@ private:
   void find_ring(const Flat_triangulation_2& tr, Index triangle, Index v, std::vector<Index>& ring) const;
 };
 
+/// The order of a triangulation's vertices by their points.
+template <class Cdt>
+struct Vertex_order
+{
+  static constexpr Is_before is_before()
+  {
+    if constexpr (std::is_same<typename Cdt::Geom_traits::FT, double>::value)
+      return nullptr;
+    else
+      return [](const void* u, const void* v) {
+        using Vertex = typename Cdt::Vertex;
+        return CGAL::lexicographically_xy_smaller(static_cast<const Vertex*>(u)->point(),
+                                                  static_cast<const Vertex*>(v)->point()) == true;
+      };
+  }
+};
+
 /// What is read from a triangulation of a certain type. It knows the handles of vertices.
 template <class Cdt>
 class Domain_reading_2 : public Read_domain_2
@@ -95,7 +112,7 @@ public:
   /// `is_pinned(vertex)`: what the user pinned
   template <class Is_pinned>
   Domain_reading_2(const Cdt& cdt, const Domain_marks_2<Cdt>& marks, const Is_pinned& is_pinned)
-    : Read_domain_2(marks, is_before())
+    : Read_domain_2(marks, Vertex_order<Cdt>::is_before())
   {
     for (std::size_t v = 0; v < m_is_pinned.size(); ++v)
       if (m_is_of_domain[v])
@@ -108,18 +125,6 @@ public:
   Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices.addresses[v]); }
 
 private:
-  static constexpr Is_before is_before()
-  {
-    if constexpr (std::is_same<typename Cdt::Geom_traits::FT, double>::value)
-      return nullptr;
-    else
-      return [](const void* u, const void* v) {
-        using Vertex = typename Cdt::Vertex;
-        return CGAL::lexicographically_xy_smaller(static_cast<const Vertex*>(u)->point(),
-                                                  static_cast<const Vertex*>(v)->point()) == true;
-      };
-  }
-
   /// Only vertices that were not given as points of a constraint, on pieces that belong to one constraint only, may
   /// merely split it. Without a hierarchy nothing is known of that.
   void read_hierarchy(const Cdt& cdt, const Domain_marks_2<Cdt>& marks)

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_OUTLINE_TRIANGULATION_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_OUTLINE_TRIANGULATION_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// The triangles of an outline and their regions, for rules that change it: triangles are taken out of the domain or
+/// into it, and what bounds the domain then is the new outline.
+class Outline_triangulation_2
+{
+public:
+  explicit Outline_triangulation_2(const Outline_2& outline) : m_outline(outline)
+  {
+    // along a curve each point is near to the one before; the triangles depend on that where four are on a circle only
+    Bbox_2 box;
+    for (const Point& p : outline.points)
+      box += p.bbox();
+    const std::vector<Index> order = hilbert_order(Hilbert_curve_2(box), outline.points), number = inverse(order);
+    std::vector<Point> points;
+    for (Index v : order)
+      points.push_back(outline.points[v]);
+    std::vector<Domain_edge_2> edges;
+    for (const Outline_segment_2& s : outline.segments)
+      edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
+    if (mark_triangulation(points, edges, m_marked) != Marking_error::NONE)
+      throw std::invalid_argument("Bubble_relaxation_2: constraints of the triangulation lie so near to each other "
+                                  "that they cross when rounded to double");
+    m_marked.points = outline.points;
+    for (auto& triangle : m_marked.vertices)
+      for (Index& v : triangle)
+        v = order[v];
+    m_was_inside = m_marked.inside;
+  }
+
+  const Outline_2& outline() const { return m_outline; }
+  const Flat_triangulation_2& tr() const { return m_marked; }
+  std::size_t size() const { return m_marked.inside.size(); }
+
+  bool is_inside(Index t) const { return t != no_index && m_marked.inside[t]; }
+  bool was_inside(Index t) const { return t != no_index && m_was_inside[t]; }
+  void set_inside(Index t, bool inside) { m_marked.inside[t] = inside; }
+
+  /// the segment on a side of a triangle, `no_index` if there is none
+  Index segment(Index t, int i) const { return m_marked.edges[t][i]; }
+  Index neighbor(Index t, int i) const { return tr().neighbors[t][i]; }
+
+  double area(Index t) const
+  {
+    const Point &a = tr().point(t, 0), &b = tr().point(t, 1), &c = tr().point(t, 2);
+    return 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
+  }
+
+  double area(const std::vector<Index>& triangles) const
+  {
+    double sum = 0;
+    for (Index t : triangles)
+      sum += area(t);
+    return sum;
+  }
+
+  /// The triangles with a property, in sets that are connected over sides without a segment.
+  template <class Property>
+  std::vector<std::vector<Index>> regions(const Property& has_property) const
+  {
+    std::vector<std::vector<Index>> result;
+    std::vector<char> is_done(size(), 0);
+    for (std::size_t k = 0; k < size(); ++k) {
+      if (is_done[k] || !has_property(static_cast<Index>(k)))
+        continue;
+      is_done[k] = 1;
+      std::vector<Index> region{static_cast<Index>(k)};
+      for (std::size_t j = 0; j < region.size(); ++j)
+        for (int i = 0; i < 3; ++i) {
+          const Index t = region[j], n = neighbor(t, i);
+          if (n == no_index || is_done[n] || segment(t, i) != no_index || !has_property(n))
+            continue;
+          is_done[n] = 1;
+          region.push_back(n);
+        }
+      result.push_back(std::move(region));
+    }
+    return result;
+  }
+
+  /// What bounds the domain now, and the segments within it and outside of it that are no boundary.
+  Outline_2 new_outline() const
+  {
+    std::vector<Outline_segment_2> segments;
+    for (std::size_t k = 0; k < size(); ++k)
+      for (int i = 0; i < 3; ++i)
+        add_side(static_cast<Index>(k), i, segments);
+    Outline_2 result = m_outline;
+    result.segments = std::move(segments);
+    result.sort_segments();
+    return without_idle_vertices(result);
+  }
+
+private:
+  void add_side(Index t, int i, std::vector<Outline_segment_2>& segments) const
+  {
+    const Index n = neighbor(t, i), e = segment(t, i);
+    if (n != no_index && n < t)
+      return; // was seen from there
+    const bool left = is_inside(t), right = is_inside(n);
+    const bool is_kept = e != no_index && ((left && right) || !(was_inside(t) || was_inside(n)));
+    if (left == right && !is_kept)
+      return;
+    const Index a = tr().vertices[t][ccw(i)], b = tr().vertices[t][cw(i)],
+                origin = e == no_index ? no_index : m_outline.segments[e].origin;
+    segments.push_back(a < b ? Outline_segment_2{a, b, left, right, origin}
+                             : Outline_segment_2{b, a, right, left, origin});
+  }
+
+  const Outline_2& m_outline;
+  Marked_triangulation_2 m_marked;
+  std::vector<char> m_was_inside;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_OUTLINE_TRIANGULATION_2_H

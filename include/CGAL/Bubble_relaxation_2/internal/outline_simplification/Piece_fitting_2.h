@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_PIECE_FITTING_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_PIECE_FITTING_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/piece_cost.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Replaces a span by pieces between points of it, of the least cost: a shortest path over all pieces that stay within
+/// the tolerance. A piece does so if all vertices of the span between its ends are near to it; then every point of the
+/// span between them is, and every point of the piece is near to one of the span, which goes from one end to the other.
+class Piece_fitting_2
+{
+  static constexpr std::size_t small_ring = 200; // places on a ring, up to which other starts are tried
+
+public:
+  static constexpr int parts_of_size = 16; ///< places on long segments are this part of d apart
+
+  Piece_fitting_2(const Outline_2& outline, const Outline_span_2& span, const Outline_demands_2& demands)
+    : m_outline(outline), m_span(span), m_demands(demands)
+  {
+    for (std::size_t k = 0; k < span.size(); ++k)
+      add_places(k);
+    if (!span.is_ring)
+      m_places.push_back(place_at_vertex(span.size()));
+    m_pieces.resize(m_places.size());
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+      find_pieces(i);
+  }
+
+  /// how many places there are from the first to the last, or once around
+  std::size_t number_of_steps() const { return m_span.is_ring ? m_places.size() : m_places.size() - 1; }
+
+  /// The place at which pieces should begin. A ring has the choice: all around from somewhere, and then from the other
+  /// side, where the first way has vertices that did not have to be there. Of a small ring more are tried.
+  std::size_t best_start() const
+  {
+    if (!m_span.is_ring)
+      return 0;
+    const std::size_t n = m_places.size();
+    std::vector<double> cost = costs_to_end(0);
+    if (n > small_ring) {
+      std::size_t place = 0;
+      while (place < n / 2)
+        place = ends_of_pieces(place, 0, cost).front();
+      return costs_to_end(place % n).front() < cost.front() ? place % n : 0;
+    }
+    std::size_t best = 0;
+    double least = cost.front();
+    for (std::size_t k = 1; k < 8; ++k) {
+      const double other = costs_to_end(k * n / 8).front();
+      if (other < least) {
+        least = other;
+        best = k * n / 8;
+      }
+    }
+    return best;
+  }
+
+  /// the least cost of a way from each place to the last, or from each place on once around; counted from `start`
+  std::vector<double> costs_to_end(std::size_t start) const
+  {
+    const std::size_t n = m_places.size(), end = number_of_steps();
+    std::vector<double> cost(end + 1, (std::numeric_limits<double>::infinity)());
+    cost[end] = 0;
+    for (std::size_t i = end; i-- > 0;)
+      for (const Piece& piece : m_pieces[(start + i) % n])
+        if (i + piece.steps <= end)
+          cost[i] = (std::min)(cost[i], piece.cost + cost[i + piece.steps]);
+    return cost;
+  }
+
+  /// where pieces from a place end, those of the best ways first
+  std::vector<std::size_t> ends_of_pieces(std::size_t place, std::size_t start,
+                                          const std::vector<double>& cost_to_end) const
+  {
+    std::vector<std::pair<double, std::size_t>> ends;
+    for (const Piece& piece : m_pieces[place % m_places.size()]) {
+      const std::size_t end = place + piece.steps;
+      if (end - start < cost_to_end.size())
+        ends.emplace_back(piece.cost + cost_to_end[end - start], end);
+    }
+    std::sort(ends.begin(), ends.end());
+    std::vector<std::size_t> result;
+    for (const auto& e : ends)
+      result.push_back(e.second);
+    return result;
+  }
+
+  /// the vertex at a place; places of a ring after the end have later segments
+  Fitted_vertex_2 vertex(std::size_t place) const
+  {
+    const std::size_t n = m_places.size();
+    const Place& p = m_places[place % n];
+    const Index turn = m_span.is_ring ? static_cast<Index>(place / n * m_span.size()) : 0;
+    return {p.point, p.segment + turn, p.is_vertex ? m_span.vertices[p.segment] : no_index};
+  }
+
+private:
+  struct Place
+  {
+    Point point;
+    Index segment;
+    bool is_vertex; // the first end of its segment
+    double size, tolerance;
+  };
+
+  struct Piece
+  {
+    std::size_t steps;
+    double cost;
+  };
+
+  const Point& point(std::size_t k) const { return m_outline.points[m_span.vertices[k]]; }
+
+  Place place_at_vertex(std::size_t k) const
+  {
+    const Index v = m_span.vertices[k];
+    return {point(k), static_cast<Index>(k), true, m_demands.size[v], m_demands.tolerance[v]};
+  }
+
+  /// the first vertex of a segment, and equal parts of it; these are counted from the end that comes first in the order
+  /// of vertices, so that they have the same bits from both sides
+  void add_places(std::size_t k)
+  {
+    const Place a = place_at_vertex(k), b = place_at_vertex(k + 1);
+    m_places.push_back(a);
+    const double size = (std::min)(a.size, b.size);
+    const int n = static_cast<int>((std::min)(1e6, std::ceil(parts_of_size * distance(a.point, b.point) / size)));
+    const bool is_forward = m_span.vertices[k] < m_span.vertices[k + 1];
+    const Point &from = is_forward ? a.point : b.point, &to = is_forward ? b.point : a.point;
+    for (int i = 1; i < n; ++i) {
+      const double t = static_cast<double>(i) / n, s = is_forward ? t : static_cast<double>(n - i) / n;
+      m_places.push_back({Point(from.x() + s * (to.x() - from.x()), from.y() + s * (to.y() - from.y())),
+                          static_cast<Index>(k), false, a.size + t * (b.size - a.size),
+                          (std::min)(a.tolerance, b.tolerance)});
+    }
+  }
+
+  void find_pieces(std::size_t i)
+  {
+    const std::size_t n = m_places.size(), last = m_span.is_ring ? i + n - 1 : n - 1;
+    const Place& p = m_places[i];
+    m_between.clear();
+    for (std::size_t j = i + 1; j <= last; ++j) {
+      const Place& q = m_places[j % n];
+      const double length = distance(p.point, q.point), size = 0.5 * (p.size + q.size);
+      if (length > longest_piece * size + p.tolerance && j > i + 1)
+        break; // no later piece is near to here
+      double deviation = 0;
+      if (length > 0 && (j == i + 1 || (length <= longest_piece * size && is_near(p.point, q.point, deviation))))
+        m_pieces[i].push_back({j - i, piece_cost(length / size, deviation)});
+      if (q.is_vertex)
+        m_between.push_back(j % n);
+    }
+  }
+
+  /// whether the vertices between two places are within their tolerances of the segment between these
+  bool is_near(const Point& a, const Point& b, double& deviation) const
+  {
+    for (auto m = m_between.rbegin(); m != m_between.rend(); ++m) {
+      const Place& v = m_places[*m];
+      const double off = distance_to_segment(v.point, a, b) / v.tolerance;
+      if (!(off <= 1))
+        return false;
+      deviation = (std::max)(deviation, off);
+    }
+    return true;
+  }
+
+  const Outline_2& m_outline;
+  const Outline_span_2& m_span;
+  const Outline_demands_2& m_demands;
+  std::vector<Place> m_places;
+  std::vector<std::vector<Piece>> m_pieces; // from each place
+  std::vector<std::size_t> m_between;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_PIECE_FITTING_2_H

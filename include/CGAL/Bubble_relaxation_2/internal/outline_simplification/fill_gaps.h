@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// The outline with its segments cut in parts no longer than a length.
+inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
+{
+  std::vector<std::pair<Point, Index>> points; // and the vertex, or behind these the new one
+  for (std::size_t v = 0; v < outline.points.size(); ++v)
+    points.emplace_back(outline.points[v], static_cast<Index>(v));
+  Outline_2 cut = outline;
+  cut.segments.clear();
+  for (Outline_segment_2 s : outline.segments) {
+    const Point &a = outline.points[s.source], &b = outline.points[s.target];
+    const double n = std::ceil(distance(a, b) / length);
+    const Index target = s.target;
+    for (double i = 1; i < n && s.is_in_domain(); ++i) {
+      s.target = static_cast<Index>(points.size());
+      points.emplace_back(Point(a.x() + i / n * (b.x() - a.x()), a.y() + i / n * (b.y() - a.y())), s.target);
+      cut.segments.push_back(s);
+      s.source = s.target;
+    }
+    s.target = target;
+    cut.segments.push_back(s);
+  }
+  std::sort(points.begin(), points.end());
+  std::vector<Index> number(points.size());
+  cut = Outline_2{{}, {}, {}, std::move(cut.segments)};
+  for (const auto& p : points) {
+    number[p.second] = static_cast<Index>(cut.points.size());
+    const bool is_old = static_cast<std::size_t>(p.second) < outline.points.size();
+    cut.points.push_back(p.first);
+    cut.is_fixed.push_back(is_old && outline.is_fixed[p.second]);
+    cut.given.push_back(is_old ? outline.given[p.second] : no_index);
+  }
+  for (Outline_segment_2& s : cut.segments) {
+    s.source = number[s.source];
+    s.target = number[s.target];
+    if (s.target < s.source) {
+      std::swap(s.source, s.target);
+      std::swap(s.inside_left, s.inside_right);
+    }
+  }
+  cut.sort_segments();
+  return cut;
+}
+
+/// The rule `minimum_gap`: takes out of the domain what no disc of that diameter within it reaches: channels and the
+/// room between islands. These are triangles between densely cut segments whose circumscribed circles are smaller, as
+/// in an alpha shape. Open corners are no gaps, nor is what is wider than deep.
+class Gap_rule_2
+{
+  static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
+  static constexpr double shallow = 0.03;      // what is no deeper, over the least width, is no gap
+  static constexpr double open_depth = 0.52;   // over the width of the mouth: an angle of about 88 degrees
+  static constexpr double open_mouth = 0.7;    // over the least width
+  static constexpr double least_basin = 3.14;  // over the square of the width: a disc of twice the width
+
+public:
+  Gap_rule_2(const Outline_2& outline, double width)
+    : m_outline(with_cut_segments(outline, cut * width)), m_triangulation(m_outline), m_width(width)
+  {}
+
+  Outline_2 operator()(Outline_simplification_report_2<double>& report)
+  {
+    fill_narrow();
+    do
+      fill_basins();
+    while (fill_pinches());
+    tell(report);
+    return m_triangulation.new_outline();
+  }
+
+private:
+  using Region = std::vector<Index>;
+  const Flat_triangulation_2& tr() const { return m_triangulation.tr(); }
+
+  void fill(const Region& region)
+  {
+    for (Index t : region)
+      m_triangulation.set_inside(t, false);
+  }
+
+  void fill_narrow()
+  {
+    std::vector<char> is_narrow(m_triangulation.size(), 0);
+    for (std::size_t t = 0; t < is_narrow.size(); ++t)
+      is_narrow[t] = m_triangulation.is_inside(static_cast<Index>(t)) && is_narrow_triangle(static_cast<Index>(t));
+    for (const Region& region : m_triangulation.regions([&](Index t) { return is_narrow[t] != 0; }))
+      if (!is_open(region, is_narrow))
+        fill(region);
+  }
+
+  bool is_narrow_triangle(Index t) const
+  {
+    double squares[3], largest = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (m_outline.is_fixed[tr().vertices[t][i]] && m_outline.given[tr().vertices[t][i]] != no_index)
+        return false; // nothing of what stays is filled
+      squares[i] = squared_distance(tr().point(t, ccw(i)), tr().point(t, cw(i)));
+      largest = (std::max)(largest, squares[i]);
+    }
+    for (int i = 0; i < 3; ++i) // a vertex very near to a part of a segment
+      if (m_triangulation.segment(t, i) != no_index && 2 * squares[i] > squares[0] + squares[1] + squares[2])
+        return true;
+    const double twice = 2 * m_triangulation.area(t);
+    return squares[0] * squares[1] * squares[2] < m_width * m_width * twice * twice; // diameter < width
+  }
+
+  /// whether a region is only what is left in an open corner: one mouth, wider than deep
+  bool is_open(const Region& region, const std::vector<char>& is_narrow) const
+  {
+    std::vector<std::pair<Point, Point>> mouths;
+    for (Index t : region)
+      for (int i = 0; i < 3; ++i) {
+        const Index n = m_triangulation.neighbor(t, i);
+        if (m_triangulation.segment(t, i) == no_index && m_triangulation.is_inside(n) && !is_narrow[n])
+          mouths.emplace_back(tr().point(t, ccw(i)), tr().point(t, cw(i)));
+      }
+    if (mouths.size() != 1)
+      return false;
+    const double width = distance(mouths[0].first, mouths[0].second);
+    double depth = 0;
+    for (Index t : region)
+      for (int i = 0; i < 3; ++i)
+        depth = (std::max)(depth, distance_to_segment(tr().point(t, i), mouths[0].first, mouths[0].second));
+    return depth < shallow * m_width || (width > open_mouth * m_width && depth < open_depth * width);
+  }
+
+  /// fills what was cut off and has no more room than for few triangles
+  void fill_basins()
+  {
+    for (const Region& region : m_triangulation.regions([this](Index t) { return m_triangulation.is_inside(t); }))
+      if (m_triangulation.area(region) < least_basin * m_width * m_width && touches_filled(region))
+        fill(region);
+  }
+
+  bool touches_filled(const Region& region) const
+  {
+    for (Index t : region)
+      for (Index n : tr().neighbors[t])
+        if (m_triangulation.was_inside(n) && !m_triangulation.is_inside(n))
+          return true;
+    return false;
+  }
+
+  /// Fills triangles at vertices where the domain meets itself, all but those of the widest part there; returns whether
+  /// there are such vertices.
+  bool fill_pinches()
+  {
+    std::map<Index, std::vector<Index>> around; // triangles of the domain at vertices with more than two boundary sides
+    std::vector<int> sides(m_outline.points.size(), 0);
+    for_each_boundary_side([&](Index t, int i) {
+      ++sides[tr().vertices[t][ccw(i)]];
+      ++sides[tr().vertices[t][cw(i)]];
+    });
+    for (std::size_t k = 0; k < m_triangulation.size(); ++k)
+      if (m_triangulation.is_inside(static_cast<Index>(k)))
+        for (Index v : tr().vertices[k])
+          if (sides[v] > 2 && !m_outline.is_fixed[v])
+            around[v].push_back(static_cast<Index>(k));
+    for (const auto& pinch : around)
+      keep_widest(pinch.first, pinch.second);
+    return !around.empty();
+  }
+
+  template <class Visitor>
+  void for_each_boundary_side(const Visitor& visit) const
+  {
+    for (std::size_t k = 0; k < m_triangulation.size(); ++k)
+      for (int i = 0; i < 3; ++i)
+        if (m_triangulation.is_inside(static_cast<Index>(k)) && !m_triangulation.is_inside(tr().neighbors[k][i]))
+          visit(static_cast<Index>(k), i);
+  }
+
+  double angle_at(Index t, Index v) const
+  {
+    const int i = tr().vertices[t][0] == v ? 0 : tr().vertices[t][1] == v ? 1 : 2;
+    const Point &p = tr().point(t, i), &a = tr().point(t, ccw(i)), &b = tr().point(t, cw(i));
+    return std::atan2(2 * m_triangulation.area(t),
+                      (a.x() - p.x()) * (b.x() - p.x()) + (a.y() - p.y()) * (b.y() - p.y()));
+  }
+
+  void keep_widest(Index v, const std::vector<Index>& triangles)
+  {
+    std::vector<Region> fans;
+    double widest = -1;
+    std::size_t kept = 0;
+    std::vector<char> is_done(triangles.size(), 0);
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      if (is_done[k] || !m_triangulation.is_inside(triangles[k]))
+        continue;
+      Region fan{triangles[k]};
+      is_done[k] = 1;
+      for (std::size_t j = 0; j < fan.size(); ++j)
+        for (std::size_t l = 0; l < triangles.size(); ++l)
+          if (!is_done[l] && m_triangulation.is_inside(triangles[l]) && are_neighbors(fan[j], triangles[l])) {
+            is_done[l] = 1;
+            fan.push_back(triangles[l]);
+          }
+      double angle = 0;
+      for (Index t : fan)
+        angle += angle_at(t, v);
+      if (angle > widest) {
+        widest = angle;
+        kept = fans.size();
+      }
+      fans.push_back(std::move(fan));
+    }
+    for (std::size_t f = 0; f < fans.size(); ++f)
+      if (f != kept)
+        fill(fans[f]);
+  }
+
+  bool are_neighbors(Index s, Index t) const
+  {
+    const auto& n = tr().neighbors[s];
+    return std::find(n.begin(), n.end(), t) != n.end();
+  }
+
+  void tell(Outline_simplification_report_2<double>& report) const
+  {
+    const auto is_filled = [this](Index t) { return m_triangulation.was_inside(t) && !m_triangulation.is_inside(t); };
+    for (const Region& region : m_triangulation.regions(is_filled)) {
+      double longest = -1;
+      Point place(0, 0);
+      for (Index t : region)
+        for (int i = 0; i < 3; ++i) {
+          const Point &a = tr().point(t, ccw(i)), &b = tr().point(t, cw(i));
+          const Point middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
+          const double l = squared_distance(a, b);
+          if (l > longest || (l == longest && middle < place)) {
+            longest = l;
+            place = middle;
+          }
+        }
+      report.filled_gaps.push_back({{place.x(), place.y()}, m_triangulation.area(region)});
+    }
+    std::sort(report.filled_gaps.begin(), report.filled_gaps.end(),
+              [](const auto& a, const auto& b) { return a.place < b.place; });
+  }
+
+  Outline_2 m_outline;
+  Outline_triangulation_2 m_triangulation;
+  double m_width;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H

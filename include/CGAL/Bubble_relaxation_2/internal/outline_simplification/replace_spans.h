@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Movable_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Path_improvement_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Piece_fitting_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Span_replacement_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+constexpr int sweeps_of_improvement = 6;
+constexpr double most_places = 3e7; // on the outline: two gigabytes
+
+/// \throws std::invalid_argument if a tolerance is no more than roundings
+inline void check_tolerance(const Point& p, double tolerance)
+{
+  const double largest = (std::max)(std::abs(p.x()), std::abs(p.y()));
+  if (!(tolerance > 1e-12 * largest) || !std::isfinite(tolerance))
+    throw std::invalid_argument("Bubble_relaxation_2: the tolerance " + in_words(tolerance) + " at " +
+                                in_words(p.x(), p.y()) +
+                                " must be finite and greater than the rounding of coordinates there");
+}
+
+/// sizes and tolerances at the vertices
+inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& sizes,
+                                    const Simplification_options& options)
+{
+  Outline_demands_2 result;
+  for (const Point& p : outline.points) {
+    result.size.push_back(sizes(p));
+    result.tolerance.push_back((std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
+    check_tolerance(p, result.tolerance.back());
+  }
+  return result;
+}
+
+/// \throws std::length_error if pieces would be far more than can be wanted
+inline void check_number_of_places(const Outline_2& outline, const Outline_demands_2& demands)
+{
+  double n = 0;
+  for (const Outline_segment_2& s : outline.segments)
+    n += 1 + Piece_fitting_2::parts_of_size * distance(outline.points[s.source], outline.points[s.target]) /
+               (std::min)(demands.size[s.source], demands.size[s.target]);
+  if (!(n < most_places))
+    throw std::length_error("Bubble_relaxation_2: sizing_function asks for about " +
+                            in_words(std::round(n / Piece_fitting_2::parts_of_size)) + " pieces of the outline");
+}
+
+/// The same with tolerances that leave room for roundings.
+inline Outline_demands_2 with_caution(Outline_demands_2 demands, const Outline_2& outline)
+{
+  for (std::size_t v = 0; v < demands.tolerance.size(); ++v) {
+    const double largest = (std::max)(std::abs(outline.points[v].x()), std::abs(outline.points[v].y()));
+    demands.tolerance[v] -= 1e-6 * demands.tolerance[v] + 16 * std::numeric_limits<double>::epsilon() * largest;
+  }
+  return demands;
+}
+
+/// The order in which spans are replaced: long ones first, since they have more to gain.
+inline std::vector<Index> order_of_spans(const std::vector<Outline_span_2>& spans)
+{
+  std::vector<Index> order;
+  for (std::size_t s = 0; s < spans.size(); ++s)
+    order.push_back(static_cast<Index>(s));
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return spans[a].size() > spans[b].size(); });
+  return order;
+}
+
+/// the paths that take the places of the spans
+/// \param obstacles points that no span may pass
+inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const std::vector<Outline_span_2>& spans,
+                                                const Outline_demands_2& demands, const std::vector<Point>& obstacles)
+{
+  Movable_outline_2 movable;
+  std::vector<std::vector<Index>> ids(spans.size());
+  for (std::size_t s = 0; s < spans.size(); ++s)
+    for (std::size_t k = 0; k < spans[s].size(); ++k)
+      ids[s].push_back(movable.insert(outline.points[spans[s].vertices[k]], outline.points[spans[s].vertices[k + 1]],
+                                      demands.size[spans[s].vertices[k]]));
+  const double least_size = *std::min_element(demands.size.begin(), demands.size.end());
+  for (const Point& p : obstacles)
+    movable.insert(p, p, least_size);
+  std::vector<Fitted_path_2> paths(spans.size());
+  const std::vector<Index> order = order_of_spans(spans);
+  for (Index s : order) {
+    Span_replacement_2 replacement(outline, spans[s], demands, ids[s], movable);
+    paths[s] = replacement(Piece_fitting_2(outline, spans[s], demands));
+    ids[s] = replacement.ids();
+  }
+  std::vector<char> is_done(spans.size(), 0);
+  for (int sweep = 0; sweep < sweeps_of_improvement; ++sweep)
+    for (Index s : order)
+      if (!is_done[s])
+        is_done[s] = !Path_improvement_2(outline, spans[s], demands, movable, paths[s], ids[s])();
+  return paths;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPLACE_SPANS_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPORT_SIMPLIFICATION_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPORT_SIMPLIFICATION_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/outline_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Checks, exactly, that paths are within the tolerance of the spans that they replace, and these of them: all vertices
+/// of either near to the segment of the other that they belong to. What is between vertices is near then as well, since
+/// a segment is convex, and the span is connected.
+class Fidelity_check_2
+{
+public:
+  Fidelity_check_2(const Outline_2& outline, const Outline_demands_2& tolerances)
+      : m_outline(outline), m_demands(tolerances)
+  {
+  }
+
+  /// \throws std::runtime_error if a path is not
+  void operator()(const Outline_span_2& span, const Fitted_path_2& path)
+  {
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      const Index segment = path[k].segment;
+      const bool is_last = !span.is_ring && static_cast<std::size_t>(segment) == span.size();
+      const Index a = span.vertex(segment), b = is_last ? a : span.vertex(segment + 1);
+      check(path[k].point, m_outline.points[a], m_outline.points[b],
+            (std::min)(m_demands.tolerance[a], m_demands.tolerance[b]));
+      if (k == 0)
+        continue;
+      for (Index m = path[k - 1].segment + 1; m <= segment; ++m)
+        check(m_outline.points[span.vertex(m)], path[k - 1].point, path[k].point, m_demands.tolerance[span.vertex(m)]);
+    }
+  }
+
+  double largest_share() const { return m_largest_share; }
+
+private:
+  void check(const Point& p, const Point& a, const Point& b, double tolerance)
+  {
+    if (p == a || p == b)
+      return;
+    const double square = std::nextafter(tolerance * tolerance, 0.);
+    const bool is_near = a == b
+                           ? CGAL::compare_squared_distance(p, a, square) != LARGER
+                           : Kernel().compare_squared_distance_2_object()(p, Kernel::Segment_2(a, b), square) != LARGER;
+    if (!is_near)
+      throw std::runtime_error("Bubble_relaxation_2: the new outline is too far from the old one at " +
+                               in_words(p.x(), p.y()) + "; please report this");
+    m_largest_share = (std::max)(m_largest_share, distance_to_segment(p, a, b) / tolerance);
+  }
+
+  const Outline_2& m_outline;
+  const Outline_demands_2& m_demands; // with whole tolerances
+  double m_largest_share = 0;
+};
+
+/// the lengths of pieces in the report, and what they stand for
+inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplified_outline_2& result)
+{
+  auto& report = result.report;
+  const auto place = [](const Point& p) { return Outline_simplification_report_2<double>::Place{p.x(), p.y()}; };
+  std::size_t fitting = 0;
+  report.number_of_segments = result.segments.size();
+  report.shortest_piece = (std::numeric_limits<double>::infinity)();
+  for (const Outline_segment_2& s : result.segments) {
+    const Point &a = result.points[s.source], &b = result.points[s.target];
+    const bool is_new = s.origin == no_index;
+    const Point &c = is_new ? a : given.points[given.segments[s.origin].source],
+                &d = is_new ? b : given.points[given.segments[s.origin].target];
+    report.pieces.push_back({place(a), place(b), place(c), place(d), is_new});
+    const Point middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
+    const double length = distance(a, b) / sizes(middle);
+    fitting += length >= 0.6 && length <= 1.5;
+    if (length < report.shortest_piece) {
+      report.shortest_piece = length;
+      report.shortest_place = place(middle);
+    }
+  }
+  report.share_of_fitting_pieces = static_cast<double>(fitting) / static_cast<double>(result.segments.size());
+}
+
+/// whether a point lies in the domain, as the first segment below it tells
+inline bool is_in_domain(const Simplified_outline_2& outline, const Point& p)
+{
+  bool is_inside = false;
+  double highest = -(std::numeric_limits<double>::infinity)();
+  for (const Outline_segment_2& s : outline.segments) {
+    const bool is_rightward = outline.points[s.source].x() < outline.points[s.target].x();
+    const Point &left = outline.points[is_rightward ? s.source : s.target],
+                &right = outline.points[is_rightward ? s.target : s.source];
+    if (!(left.x() <= p.x() && p.x() < right.x()) || CGAL::orientation(left, right, p) == RIGHT_TURN)
+      continue;
+    const double y = left.y() + (p.x() - left.x()) / (right.x() - left.x()) * (right.y() - left.y());
+    if (y > highest) {
+      highest = y;
+      is_inside = is_rightward ? s.inside_left : s.inside_right;
+    }
+  }
+  return is_inside;
+}
+
+/// the seeds that are still in regions of their kind: a rule may have taken the region away
+inline void report_seeds(const Simplification_problem_2& problem, Simplified_outline_2& result)
+{
+  const bool is_changed = !result.report.dropped_islands.empty() || !result.report.filled_gaps.empty();
+  for (const Point& p : problem.seeds)
+    if (!is_changed || is_in_domain(result, p) == problem.seeds_are_in_domain)
+      result.report.seeds.push_back({p.x(), p.y()});
+}
+
+/// the distance between the outline that was replaced and the new one
+inline double distance_between(const Outline_2& outline, const Simplified_outline_2& result, double size)
+{
+  One_sided_distance_2::Segments before, after;
+  for (const Outline_segment_2& s : outline.segments)
+    before.emplace_back(outline.points[s.source], outline.points[s.target]);
+  for (const Outline_segment_2& s : result.segments)
+    after.emplace_back(result.points[s.source], result.points[s.target]);
+  return hausdorff_distance(before, after, size);
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_REPORT_SIMPLIFICATION_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFY_OUTLINE_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFY_OUTLINE_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Forced_vertices_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_assembly_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/drop_islands.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/fill_gaps.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/read_outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/replace_spans.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/report_simplification.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/write_outline.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// points that no segment may pass, so that they stay in their regions
+inline std::vector<Point> obstacles_of(const Simplification_problem_2& problem)
+{
+  std::vector<Point> obstacles = problem.pins;
+  obstacles.insert(obstacles.end(), problem.seeds.begin(), problem.seeds.end());
+  return obstacles;
+}
+
+/// the outline as the rules leave it
+inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_simplification_report_2<double>& report)
+{
+  Outline_2 outline = without_idle_vertices(problem.outline);
+  if (problem.options.minimum_island_area > 0)
+    outline = Island_rule_2(outline, problem.options.minimum_island_area)(report);
+  if (problem.options.minimum_gap > 0)
+    outline = Gap_rule_2(outline, problem.options.minimum_gap)(report);
+  if (outline.segments.empty())
+    throw std::invalid_argument("Bubble_relaxation_2: parameter minimum_gap = " +
+                                in_words(problem.options.minimum_gap) + " leaves nothing of the domain");
+  return outline;
+}
+
+/// The stages of `CGAL::simplify_outline_2()`, without the user's types.
+inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
+{
+  Outline_simplification_report_2<double> report;
+  Outline_2 outline = apply_rules(problem, report);
+  const Outline_demands_2 demands = demands_of(outline, problem.sizes, problem.options);
+  check_number_of_places(outline, demands);
+  const Forced_vertices_2 forced(outline, demands, problem.sizes);
+  report.wanted_vertices = forced.wanted();
+  report.forced_vertices = forced.forced(report.wanted_vertices);
+  report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
+  const std::vector<Outline_span_2> spans = find_spans(outline);
+  const Outline_demands_2 cautious = with_caution(demands, outline);
+  const std::vector<Fitted_path_2> paths = replace_spans(outline, spans, cautious, obstacles_of(problem));
+  Fidelity_check_2 check(outline, demands);
+  for (std::size_t s = 0; s < spans.size(); ++s)
+    check(spans[s], paths[s]);
+  Simplified_outline_2 result = Outline_assembly_2(outline, spans, paths)();
+  report.largest_share_of_tolerance = check.largest_share();
+  report.hausdorff_distance =
+    distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));
+  report.number_of_old_segments = problem.outline.segments.size();
+  result.report = std::move(report);
+  report_pieces(problem.outline, problem.sizes, result);
+  report_seeds(problem, result);
+  return result;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFY_OUTLINE_H

@@ -1,0 +1,298 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_WRITE_OUTLINE_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_WRITE_OUTLINE_H
+
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/read_outline.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// the identifiers of a triangulation's constraints, if it has some
+template <class Cdt, bool = Has_constraint_hierarchy<Cdt>::value>
+struct Constraint_of
+{
+  using type = typename Cdt::Constraint_id;
+};
+
+template <class Cdt>
+struct Constraint_of<Cdt, false>
+{
+  using type = int;
+};
+
+/// Writes an outline into the triangulation that it was made from: constraints go unless they are of the new outline
+/// too, then vertices come and go, then the new constraints are inserted and the domain is marked. Vertices that stay
+/// are not touched.
+template <class Cdt>
+class Outline_writing_2
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Face_handle = typename Cdt::Face_handle;
+  using Cdt_point = typename Cdt::Point;
+  static constexpr bool has_hierarchy = Has_constraint_hierarchy<Cdt>::value;
+
+public:
+  Outline_writing_2(Cdt& cdt, const Outline_reading_2<Cdt>& reading, const Simplified_outline_2& outline)
+    : m_cdt(cdt), m_reading(reading), m_outline(outline), m_span_of_origin(reading.problem.outline.segments.size())
+  {}
+
+  void operator()()
+  {
+    for (void* v : m_reading.free)
+      m_cdt.remove(Handles<Cdt>::vertex(v));
+    if constexpr (has_hierarchy) {
+      find_spans_of_origins();
+      take_constraints();
+    } else {
+      remove_segments();
+    }
+    insert_vertices();
+    remove_vertices();
+    if constexpr (has_hierarchy)
+      give_constraints();
+    else
+      insert_segments();
+    check();
+    mark_domain();
+  }
+
+private:
+  struct Place_in_span
+  {
+    Index span = no_index;
+    bool is_forward = true;
+  };
+
+  Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices[v]); }
+
+  void remove_segments()
+  {
+    std::set<std::pair<Index, Index>> stay;
+    for (const Outline_segment_2& s : m_outline.segments) {
+      const Index a = m_outline.old_vertices[s.source], b = m_outline.old_vertices[s.target];
+      stay.insert({(std::min)(a, b), (std::max)(a, b)});
+    }
+    for (const Outline_segment_2& s : m_reading.problem.outline.segments)
+      if (stay.count({s.source, s.target}) == 0) {
+        Face_handle f;
+        int i = 0;
+        m_cdt.is_edge(m_reading.vertex(s.source), m_reading.vertex(s.target), f, i);
+        m_cdt.remove_constrained_edge(f, i);
+      }
+  }
+
+  /// those that are not there: CGAL may take what is inserted again for a crossing
+  void insert_segments()
+  {
+    for (const Outline_segment_2& s : m_outline.segments) {
+      Face_handle f;
+      int i = 0;
+      const Vertex_handle a = vertex(s.source), b = vertex(s.target);
+      if (!m_cdt.is_edge(a, b, f, i) || !f->is_constrained(i))
+        m_cdt.insert_constraint(a, b);
+    }
+  }
+
+  void insert_vertices()
+  {
+    Face_handle near; // vertices follow each other along the outline
+    for (std::size_t v = 0; v < m_outline.points.size(); ++v) {
+      const Index old = m_outline.old_vertices[v];
+      const Point& p = m_outline.points[v];
+      const Vertex_handle handle =
+        old != no_index ? m_reading.vertex(old) : m_cdt.insert(Cdt_point(p.x(), p.y()), near);
+      near = handle->face();
+      m_vertices.push_back(&*handle);
+    }
+  }
+
+  /// what was only of the old outline
+  void remove_vertices()
+  {
+    const Outline_2& old = m_reading.problem.outline;
+    std::vector<char> goes(old.points.size(), 0);
+    for (const Outline_segment_2& s : old.segments)
+      goes[s.source] = goes[s.target] = 1;
+    for (std::size_t v = 0; v < goes.size(); ++v)
+      if (old.is_fixed[v])
+        goes[v] = 0;
+    for (Index v : m_outline.old_vertices)
+      if (v != no_index)
+        goes[v] = 0;
+    for (std::size_t v = 0; v < goes.size(); ++v)
+      if (goes[v])
+        m_cdt.remove(m_reading.vertex(static_cast<Index>(v)));
+  }
+
+  /// \throws std::runtime_error if a segment is not there as a whole
+  void check() const
+  {
+    for (const Outline_segment_2& s : m_outline.segments) {
+      Face_handle f;
+      int i = 0;
+      if (!m_cdt.is_edge(vertex(s.source), vertex(s.target), f, i) || !f->is_constrained(i))
+        throw std::runtime_error("Bubble_relaxation_2: the new outline cannot be written: at the segment from " +
+                                 in_words(m_outline.points[s.source].x(), m_outline.points[s.source].y()) + " to " +
+                                 in_words(m_outline.points[s.target].x(), m_outline.points[s.target].y()) +
+                                 " the numbers of the kernel are too coarse");
+    }
+  }
+
+  void mark_domain()
+  {
+    if constexpr (Domain_marks_2<Cdt>::has_marks) {
+      for (Face_handle f : m_cdt.all_face_handles())
+        f->set_in_domain(false);
+      std::vector<void*> stack; // faces
+      const auto mark = [&](Face_handle f, bool inside) {
+        if (!inside || f->is_in_domain())
+          return;
+        f->set_in_domain(true);
+        stack.push_back(&*f);
+      };
+      for (const Outline_segment_2& s : m_outline.segments) {
+        Face_handle f;
+        int i = 0;
+        m_cdt.is_edge(vertex(s.source), vertex(s.target), f, i);
+        const bool f_is_left = f->vertex(m_cdt.ccw(i)) == vertex(s.source);
+        mark(f, f_is_left ? s.inside_left : s.inside_right);
+        mark(f->neighbor(i), f_is_left ? s.inside_right : s.inside_left);
+      }
+      while (!stack.empty()) {
+        const Face_handle f = Handles<Cdt>::face(stack.back());
+        stack.pop_back();
+        for (int i = 0; i < 3; ++i)
+          if (!f->is_constrained(i))
+            mark(f->neighbor(i), true);
+      }
+    }
+  }
+
+  // Constraints of a `Constrained_triangulation_plus_2` keep their identifiers: while the old outline is gone and the
+  // new one is not there yet, they stand for an edge beside the triangulation.
+
+  void find_spans_of_origins()
+  {
+    for (std::size_t s = 0; s < m_outline.spans.size(); ++s) {
+      const Simplified_span_2& span = m_outline.spans[s];
+      bool is_whole = true; // no rule made a part of it
+      for (Index origin : span.origins)
+        is_whole &= origin != no_index;
+      for (std::size_t k = 0; k < span.origins.size() && is_whole; ++k)
+        m_span_of_origin[span.origins[k]] = {static_cast<Index>(s), span.is_forward[k] != 0};
+    }
+  }
+
+  /// the places of the segments of a constraint in the spans; none if a rule took a part of it
+  template <class Constraint_id>
+  std::vector<Place_in_span> places(Constraint_id id) const
+  {
+    const auto& segments = m_reading.problem.outline.segments;
+    std::vector<Place_in_span> result;
+    auto v = m_cdt.vertices_in_constraint_begin(id), end = m_cdt.vertices_in_constraint_end(id);
+    for (auto u = v++; v != end; u = v++) {
+      const Index a = m_reading.number(*u), b = m_reading.number(*v);
+      const auto found =
+        std::lower_bound(segments.begin(), segments.end(), std::make_pair((std::min)(a, b), (std::max)(a, b)),
+                         [](const Outline_segment_2& s, const std::pair<Index, Index>& e) {
+                           return s.source != e.first ? s.source < e.first : s.target < e.second;
+                         });
+      Place_in_span place = m_span_of_origin[static_cast<std::size_t>(found - segments.begin())];
+      if (place.span == no_index)
+        return {};
+      place.is_forward = place.is_forward == (a < b);
+      result.push_back(place);
+    }
+    return result;
+  }
+
+  void take_constraints()
+  {
+    Bbox_2 box;
+    for (const Point& p : m_reading.problem.outline.points)
+      box += p.bbox();
+    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), x = box.xmax() + size;
+    m_beside[0] = &*m_cdt.insert(Cdt_point(x, box.ymin()));
+    m_beside[1] = &*m_cdt.insert(Cdt_point(x, box.ymin() + size));
+    std::vector<typename Cdt::Constraint_id> ids(m_cdt.constraints_begin(), m_cdt.constraints_end());
+    for (auto id : ids) {
+      m_lines.emplace_back(id, line(places(id)));
+      if (m_lines.back().second.empty()) {
+        m_lines.pop_back();
+        m_cdt.remove_constraint(id);
+        continue;
+      }
+      exchange(id, m_cdt.insert_constraint(Handles<Cdt>::vertex(m_beside[0]), Handles<Cdt>::vertex(m_beside[1])));
+    }
+  }
+
+  /// gives a constraint the polyline of another one, which goes
+  template <class Constraint_id>
+  void exchange(Constraint_id id, Constraint_id other)
+  {
+    m_cdt.hierarchy_ref().swap(id, other);
+    m_cdt.remove_constraint(other);
+  }
+
+  /// the vertices of the new outline along places in spans
+  std::vector<Index> line(const std::vector<Place_in_span>& places) const
+  {
+    std::vector<Index> result;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (k > 0 && places[k].span == places[k - 1].span && places[k].is_forward == places[k - 1].is_forward)
+        continue;
+      std::vector<Index> part = m_outline.spans[places[k].span].vertices;
+      if (!places[k].is_forward)
+        std::reverse(part.begin(), part.end());
+      result.insert(result.end(), part.begin() + (result.empty() ? 0 : 1), part.end());
+    }
+    return result;
+  }
+
+  void give_constraints()
+  {
+    for (const auto& l : m_lines) {
+      std::vector<Cdt_point> points;
+      for (Index v : l.second)
+        points.push_back(vertex(v)->point());
+      exchange(l.first, m_cdt.insert_constraint(points.begin(), points.end()));
+    }
+    for (const Simplified_span_2& span : m_outline.spans)
+      for (std::size_t k = 1; k < span.vertices.size(); ++k) {
+        const Vertex_handle a = vertex(span.vertices[k - 1]), b = vertex(span.vertices[k]);
+        if (!m_cdt.is_subconstraint(a, b))
+          m_cdt.insert_constraint(a, b);
+      }
+    for (void* v : m_beside)
+      m_cdt.remove(Handles<Cdt>::vertex(v));
+  }
+
+  Cdt& m_cdt;
+  const Outline_reading_2<Cdt>& m_reading;
+  const Simplified_outline_2& m_outline;
+  std::vector<void*> m_vertices; // of the new outline
+  std::vector<Place_in_span> m_span_of_origin;
+  std::vector<std::pair<typename Constraint_of<Cdt>::type, std::vector<Index>>> m_lines; // of constraints
+  void* m_beside[2] = {nullptr, nullptr}; // an edge beside the triangulation
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_WRITE_OUTLINE_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_OUTLINE_SIMPLIFICATION_REPORT_2_H
+#define CGAL_OUTLINE_SIMPLIFICATION_REPORT_2_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
+What a call of `simplify_outline_2()` did.
+
+\tparam FT_ number type of coordinates and lengths
+*/
+template <class FT_>
+struct Outline_simplification_report_2
+{
+  using FT = FT_;
+  using Place = std::array<FT, 2>; ///< coordinates
+
+  /// An island that was dropped.
+  struct Island
+  {
+    Place place; ///< a vertex of it
+    FT area;
+  };
+
+  /// A part of the domain that was filled.
+  struct Gap
+  {
+    Place place; ///< the middle of its longest side
+    FT area;
+  };
+
+  /// A segment of the new outline, and one of those of the old outline that it stands for: what is known of that one,
+  /// such as a marker, holds for the piece. Where a rule made a piece that stands for none, both old ends are the
+  /// piece's own.
+  struct Piece
+  {
+    Place source, target, old_source, old_target;
+    bool is_new; ///< made by a rule
+  };
+
+  std::size_t number_of_old_segments = 0; ///< of the outline as it was
+  std::size_t number_of_segments = 0;     ///< of the new outline
+  std::size_t number_of_corners = 0;      ///< vertices with two segments that were kept because they are sharp
+
+  /// \name Fidelity
+  /// @{
+  /// The two-sided Hausdorff distance between the old outline, as the rules left it, and the new one, up to a relative
+  /// error of 1e-6, not less than it is.
+  FT hausdorff_distance = FT(0);
+  FT largest_share_of_tolerance =
+    FT(0); ///< the largest distance of a piece from its part of the old outline over its tolerance
+  /// @}
+
+  FT share_of_fitting_pieces = FT(0); ///< the share of the pieces with lengths between 0.6 d and 1.5 d
+  /// \name Vertices of a Mesh
+  /// What the domain asks of any mesher, without half of the vertices on the outline, which come on top.
+  /// @{
+  FT wanted_vertices = FT(0); ///< about as many as d asks for: the integral of 2 / (sqrt(3) d^2) over the domain
+  FT forced_vertices =
+    FT(0); ///< at least as many more because of islands that are smaller than d, and near to each other or to the rest
+           ///< of the outline, whatever outline within the tolerance is taken; sizes grow by a fifth of the distance
+  /// @}
+
+  FT shortest_piece = FT(0);          ///< the least length of a piece in units of d
+  Place shortest_place = Place();     ///< where that is
+
+  std::vector<Island> dropped_islands; ///< by `minimum_island_area`
+  std::vector<Gap> filled_gaps;        ///< by `minimum_gap`
+  std::vector<Piece> pieces;           ///< the new outline
+  std::vector<Place> seeds;            ///< those of the given seeds that are still in regions of their kind
+  double seconds = 0;                  ///< of wall-clock time
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Functions
+
+\brief prints what was done.
+*/
+template <class FT>
+std::ostream& operator<<(std::ostream& out, const Outline_simplification_report_2<FT>& report)
+{
+  return out << "  segments" << std::string(28, ' ') << report.number_of_segments << " instead of "
+             << report.number_of_old_segments << "\n  of these .6 to 1.5 d long" << std::string(11, ' ')
+             << 100 * report.share_of_fitting_pieces << " %\n  Hausdorff distance" << std::string(18, ' ')
+             << report.hausdorff_distance << "\n  vertices that d asks for" << std::string(12, ' ')
+             << std::llround(report.wanted_vertices) << "\n  islands and narrows force" << std::string(11, ' ')
+             << std::llround(report.forced_vertices) << "\n  dropped islands, filled gaps" << std::string(8, ' ')
+             << report.dropped_islands.size() << ", " << report.filled_gaps.size() << "\n  seconds"
+             << std::string(29, ' ') << report.seconds << '\n';
+}
+
+} // namespace CGAL
+
+#endif // CGAL_OUTLINE_SIMPLIFICATION_REPORT_2_H
