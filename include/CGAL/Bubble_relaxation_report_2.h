@@ -74,7 +74,7 @@ struct Bubble_relaxation_report_2
 
   /// \name Small Angles
   /// Triangles with an angle of less than `minimum_angle`. At a corner in which two edges of the domain meet in less than
-  /// 60 degrees they are forced: no mesh has others there. Zero in the report of `npbs_place_nodes()`.
+  /// 45 degrees they are forced: no mesh has others there. Zero in the report of `npbs_place_nodes()`.
   /// @{
   std::size_t number_of_forced_triangles = 0; ///< those with a vertex in such a corner
   FT forced_x = FT(0);                        ///< the x coordinate of the smallest of their angles

@@ -162,7 +162,7 @@ those on edges lie exactly on them.
   \cgalParamNBegin{limit_by_outline}
     \cgalParamDescription{whether bubbles are smaller than `sizing_function` asks where an edge of the domain is
                           shorter, the domain narrower, or a pinned vertex nearer to others, than 0.9 times that; and
-                          corners in which two edges meet in less than 60 degrees are surrounded by a circle of nodes,
+                          corners in which two edges meet in less than 45 degrees are surrounded by a circle of nodes,
                           so that only the triangles in the circle have the angles of the corner}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
@@ -177,7 +177,8 @@ those on edges lie exactly on them.
   \cgalParamNBegin{minimum_angle}
     \cgalParamDescription{where the treatment leaves a triangle with a smaller angle, in degrees, which is not that
                           between two edges of the domain, vertices are inserted as by Ruppert's refinement. That
-                          ends by proof up to 20.7 degrees where sharp corners are cut off (`limit_by_outline`);
+                          ends by proof up to 20.7 degrees if edges meet in 60 degrees or more, or are cut off
+                          (`limit_by_outline`);
                           if it takes more than a tenth of the vertices, nothing is inserted}
     \cgalParamType{a number, 0 to 33; 0: none are inserted}
     \cgalParamDefault{28}

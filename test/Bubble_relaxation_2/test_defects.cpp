@@ -92,7 +92,7 @@ CDT::Vertex_handle inner_vertex(const CDT& cdt, const Point& p) { return cdt.loc
 } // namespace
 
 /// the smallest q of each domain at these scales is hardly better
-constexpr double least_quality[] = {0.9, 0.825, 0.88, 0.85, 0.925, 0.915, 0.905, 0.91, 0.905};
+constexpr double least_quality[] = {0.895, 0.882, 0.9, 0.85, 0.9, 0.92, 0.918, 0.883, 0.925};
 
 class Treated_domain : public testing::TestWithParam<int>
 {};
@@ -226,7 +226,7 @@ TEST(Outline_limit, grades_from_a_short_piece)
   const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
   EXPECT_LT(without.quality.minimum_angle(), 2);
   EXPECT_GE(with.quality.minimum_angle(), 41.5);
-  EXPECT_NEAR(double(with.number_of_vertices), 323, 5);
+  EXPECT_NEAR(double(with.number_of_vertices), 329, 5);
 }
 
 TEST(Outline_limit, makes_a_narrow_channel_finer)
@@ -237,7 +237,7 @@ TEST(Outline_limit, makes_a_narrow_channel_finer)
   CDT limited, not_limited;
   const auto with = relax_and_validate(domain, limited, P::mass(1.));
   const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
-  EXPECT_LT(without.quality.minimum_angle(), 11);
+  EXPECT_LT(without.quality.minimum_angle(), 16);
   EXPECT_GE(with.quality.minimum_angle(), 39);
 }
 

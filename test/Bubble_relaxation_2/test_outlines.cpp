@@ -297,8 +297,9 @@ TEST_F(Outlines, small_angles_are_refined)
     const auto with = CGAL::npbs_relax(fine, P::vertex_is_constrained_map(Map{&pins_of_fine}).minimum_angle(32.));
     number_of_refined += with.number_of_vertices > without.number_of_vertices;
     EXPECT_TRUE(fine.is_valid());
-    if (with.number_of_small_angles == 0)
+    if (with.number_of_small_angles == 0) {
       EXPECT_GE(Free_triangles(fine, sharp).smallest_angle, 32 - 1e-9);
+    }
     number_of_small_angles += with.number_of_small_angles;
   }
   EXPECT_GT(number_of_refined, 0u);

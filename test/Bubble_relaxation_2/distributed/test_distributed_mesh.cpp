@@ -179,7 +179,8 @@ TEST(Distributed_mesh, of_points_with_properties)
                                                    MPI_COMM_WORLD, parameters::sizing_function(domain.d));
   expect_whole(mesh, c, numbers);
   Report report;
-  evaluate(mesh_of(c), sizes_of(domain.d), Threads(), report);
+  const Relaxation_options options;
+  evaluate(mesh_of(c), Problem_2{c.domain(), c.given(), options, sizes_of(domain.d), sizes_of(domain.d)}, report);
   EXPECT_EQ(mesh.quality().mean_quality(), report.quality.mean_quality());
   EXPECT_EQ(mesh.quality().length_ratio_deviation(), report.quality.length_ratio_deviation());
   EXPECT_EQ(mesh.quality().number_of_triangles(), report.quality.number_of_triangles());

@@ -73,7 +73,8 @@ void expect_quality_of_one_rank(const Case& c, const paper::Sizing& d)
 {
   const Sizes_2 field = sizes_of(d);
   Report report;
-  evaluate(mesh_of(c), field, Threads(), report);
+  const Relaxation_options options;
+  evaluate(mesh_of(c), Problem_2{c.domain(), c.given(), options, field, field}, report);
   Ranks ranks;
   expect_equal(ranks.quality(c, &field, false), report.quality);
   expect_equal(ranks.quality(c, &field, true), report.quality);

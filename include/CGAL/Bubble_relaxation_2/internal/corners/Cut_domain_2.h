@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <array>
@@ -72,6 +73,7 @@ public:
   void join(Bubble_mesh_2& mesh) const
   {
     join(mesh.bubbles);
+    remove_coincident(m_whole, mesh.bubbles);
     triangulate(m_whole, mesh);
   }
 

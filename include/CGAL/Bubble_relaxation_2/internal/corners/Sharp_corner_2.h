@@ -24,7 +24,7 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A corner in which two edges of the domain meet in less than 60 degrees, surrounded by a circle. No mesh has better
+/// A corner in which two edges of the domain meet in less than 45 degrees, surrounded by a circle. No mesh has better
 /// triangles there than the angle allows, but all others can be good, if the circle is part of the mesh: its nodes, which
 /// include one on each edge at the corner, make isosceles triangles with the corner, and the angles beyond the nodes on
 /// the edges are larger than 90 degrees.
@@ -92,7 +92,7 @@ public:
 
 private:
   static constexpr double pi = 3.14159265358979323846;
-  static constexpr double sharp = pi / 3, needle = 1e-6; // angles
+  static constexpr double sharp = pi / 4, needle = 1e-6; // angles
   static constexpr double widest = 0.9;                  // spacing, in radii
   static constexpr double widest_angle = 1.4;            // between two nodes
 

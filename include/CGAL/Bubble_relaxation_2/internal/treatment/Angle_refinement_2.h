@@ -44,14 +44,15 @@ struct Steiner_point_2
 
 /// Finds what Ruppert's algorithm inserts (A Delaunay refinement algorithm for quality 2-dimensional mesh generation, J.
 /// Algorithms 18, 1995) where simulation and surgery have left a triangle with a small angle. Up to 20.7 degrees it ends
-/// by proof if the edges of the domain meet in 60 degrees or more, as they do when sharp corners are cut off; and in
+/// by proof if the edges of the domain meet in 60 degrees or more, or are cut off at their corner; and in
 /// practice up to more than 30.
 class Angle_refinement_2
 {
 public:
-  Angle_refinement_2(const Domain_2& domain, const Bubble_mesh_2& mesh, double minimum_angle)
-    : m_domain(domain), m_mesh(mesh), m_sine(std::sin(minimum_angle / degrees)),
-      m_on_edge(bubbles_on_edges(domain, mesh.bubbles))
+  Angle_refinement_2(const Problem_2& problem, const Bubble_mesh_2& mesh)
+    : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh),
+      m_sine(std::sin(problem.options.minimum_angle / degrees)),
+      m_on_edge(bubbles_on_edges(m_domain, mesh.bubbles))
   {}
 
   /// whether an angle is too small, and no angle between two edges of the domain
@@ -63,23 +64,12 @@ public:
            (edges[ccw(smallest.vertex)] == no_index || edges[cw(smallest.vertex)] == no_index);
   }
 
-  /// what triangle `t` asks for, if it can be had
+  /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there: that is in a crack.
   std::optional<Steiner_point_2> operator()(Index t)
   {
-    const Point p = m_mesh.point(t, 0), q = m_mesh.point(t, 1), r = m_mesh.point(t, 2),
-                center = CGAL::circumcenter(p, q, r), centroid = CGAL::centroid(p, q, r);
-    const Index start = m_domain.locate_inside(centroid, m_hint);
-    if (start == no_index)
-      return std::nullopt;
-    const Walk_end end = m_domain.walk(start, centroid, center);
-    Steiner_point_2 result{Smallest_angle_2(m_mesh, t).sine, center.x(), center.y(), 0,
-                           std::sqrt(CGAL::squared_distance(center, p)), end.triangle, Bubbles_2::FACE};
-    if (end.is_blocked())
-      return split(m_domain.edge(end.triangle, end.edge), crossing(end, centroid, center), result);
-    for (std::size_t e = 0; e < m_on_edge.size(); ++e)
-      if (const std::optional<double> s = encroached(static_cast<Index>(e), end.triangle, center))
-        return split(static_cast<Index>(e), *s, result);
-    return result;
+    constexpr double least_radius = 0.1;
+    const std::optional<Steiner_point_2> point = find(t);
+    return point && point->radius > least_radius * m_sizes(point->x, point->y) ? point : std::nullopt;
   }
 
   /// of those that are nearer to each other than the radius of one of them the first
@@ -97,6 +87,27 @@ public:
 
 private:
   static constexpr double degrees = 57.29577951308232;
+
+  std::optional<Steiner_point_2> find(Index t)
+  {
+    const Point p = m_mesh.point(t, 0), q = m_mesh.point(t, 1), r = m_mesh.point(t, 2);
+    const Kernel::Vector_2 u = q - p, v = r - p;
+    if (u.x() * v.y() - u.y() * v.x() == 0) // up to rounding, and the circumcentre would be nowhere
+      return std::nullopt;
+    const Point center = CGAL::circumcenter(p, q, r), centroid = CGAL::centroid(p, q, r);
+    const Index start = m_domain.locate_inside(centroid, m_hint);
+    if (start == no_index)
+      return std::nullopt;
+    const Walk_end end = m_domain.walk(start, centroid, center);
+    Steiner_point_2 result{Smallest_angle_2(m_mesh, t).sine, center.x(), center.y(), 0,
+                           std::sqrt(CGAL::squared_distance(center, p)), end.triangle, Bubbles_2::FACE};
+    if (end.is_blocked())
+      return split(m_domain.edge(end.triangle, end.edge), crossing(end, centroid, center), result);
+    for (std::size_t e = 0; e < m_on_edge.size(); ++e)
+      if (const std::optional<double> s = encroached(static_cast<Index>(e), end.triangle, center))
+        return split(static_cast<Index>(e), *s, result);
+    return result;
+  }
 
   /// where on an edge of the domain a walk ended
   double crossing(const Walk_end& end, const Point& from, const Point& to) const
@@ -151,6 +162,7 @@ private:
   }
 
   const Domain_2& m_domain;
+  const Sizes_2& m_sizes;
   const Bubble_mesh_2& m_mesh;
   const double m_sine;
   const std::vector<std::vector<Index>> m_on_edge;
@@ -162,7 +174,7 @@ inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, cons
                                                   const std::vector<char>& is_counted)
 {
   std::vector<Steiner_point_2> result;
-  Angle_refinement_2 refine(problem.domain, mesh, problem.options.minimum_angle);
+  Angle_refinement_2 refine(problem, mesh);
   for (std::size_t t = 0; t < is_counted.size(); ++t)
     if (is_counted[t] && refine.is_bad(static_cast<Index>(t)))
       if (const auto point = refine(static_cast<Index>(t)))
