@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
-#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -40,7 +39,8 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
 struct Limits_of_outline_2
 {
   Sizes_2 sizes;                           ///< the wanted ones, and smaller ones where the outline asks for it
-  std::shared_ptr<const Cut_domain_2> cut; ///< the domain without its sharp corners, if it has any
+  std::shared_ptr<const Cut_domain_2> cut; ///< what is cut off, if any corner is sharp
+  const Domain_2* domain;                  ///< what is left of the domain then
 };
 
 /// Counts the bubbles that `wanted` sizes ask for, and makes sizes smaller and cuts corners off where the outline asks for

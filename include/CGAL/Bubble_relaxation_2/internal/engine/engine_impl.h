@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_IMPL_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
@@ -43,7 +44,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   const double growth = options.size_growth;
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
   if (!may_limit)
-    return {wanted, nullptr};
+    return {wanted, nullptr, nullptr};
   Limited_sizes_2 limited{wanted, {}};
   Outline_sizes_2(domain, given, wanted, growth, maximum)(turns, limited);
   auto cut = std::make_shared<const Cut_domain_2>(domain, limited.sizes, growth);
@@ -56,7 +57,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   Sizes_2 sizes = limited.in_one(wanted, rest, growth);
   if (!limited.sources.empty())
     count_bubbles(rest, maximum, sizes_and_outline, sizes);
-  return {sizes, cut};
+  return {sizes, cut, cut ? &rest : nullptr};
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

@@ -71,7 +71,7 @@ struct Input_2
 
   Problem_2 problem() const
   {
-    return Problem_2{limits.cut ? limits.cut->domain() : reading.domain, reading.given, options, wanted, limits.sizes,
+    return Problem_2{limits.cut ? *limits.domain : reading.domain, reading.given, options, wanted, limits.sizes,
                      limits.cut.get(), &reading.domain};
   }
 
