@@ -133,7 +133,7 @@ std::set<Xy> fixed_vertices(const CDT& cdt, const Is_pinned& is_pinned)
     }
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest;
     const bool is_straight = ends.size() == 2 && off({ends[0], ends[1]}, xy(v)) <= rounding &&
-                             along({ends[0], xy(v)}, ends[1]) > length({ends[0], xy(v)});
+                             along({ends[0], xy(v)}, ends[1]) >= length({ends[0], xy(v)});
     if (is_pinned(v) || (!ends.empty() && !is_straight))
       result.insert(xy(v));
   }

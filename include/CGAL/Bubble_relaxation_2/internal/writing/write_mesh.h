@@ -318,6 +318,24 @@ private:
   std::vector<void*> m_on_hull;            // bubbles on edges of the hull
 };
 
+/// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the other
+/// side, that were outside of the domain by a rounding.
+template <class Cdt>
+void count_in_domain(const Cdt& cdt, Report& report)
+{
+  report.number_of_vertices = report.number_of_triangles = 0;
+  for (const auto f : cdt.finite_face_handles())
+    report.number_of_triangles += f->is_in_domain();
+  for (const auto v : cdt.finite_vertex_handles()) {
+    auto f = cdt.incident_faces(v), first = f;
+    bool is_in_domain = false;
+    do
+      is_in_domain = is_in_domain || f->is_in_domain();
+    while (++f != first);
+    report.number_of_vertices += is_in_domain;
+  }
+}
+
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
 /// nothing else in it, else by insertion.
 template <class Cdt>
@@ -330,6 +348,8 @@ void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mes
       return;
     }
   Write_back_2<Cdt>(cdt, reading, mesh.bubbles)();
+  if constexpr (Domain_marks_2<Cdt>::has_marks)
+    count_in_domain(cdt, report);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal
