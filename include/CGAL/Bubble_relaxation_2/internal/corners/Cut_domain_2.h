@@ -19,6 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -51,6 +52,14 @@ public:
   /// Whether there was something to be cut off, and circles do not meet what is near by a rounding: else the domain is not
   /// to be used.
   bool is_cut() const { return m_is_cut; }
+
+  /// whether points of the whole domain are in this one: those a rounding away from an edge may be beyond a piece of it
+  bool contains(const std::vector<Point>& points) const
+  {
+    Index hint = 0;
+    return std::all_of(points.begin(), points.end(),
+                       [&](const Point& p) { return m_domain.locate_inside(p, hint) != no_index; });
+  }
 
   const Domain_2& domain() const { return m_domain; }
   const Domain_2& whole() const { return m_whole; }

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,9 @@ public:
   bool is_sharp() const { return m_sharpest < sharp && m_sharpest > needle; }
 
   const std::vector<Arm>& arms() const { return m_arms; }
+
+  /// between two edges that face each other in the domain
+  double sharpest_angle() const { return m_sharpest; }
 
   /// those that belong to the domain
   const std::vector<Sector>& sectors() const { return m_sectors; }
@@ -156,8 +160,8 @@ inline std::vector<Sharp_corner_2> sharp_corners(const Domain_2& domain, double 
   return result;
 }
 
-/// Gives sharp corners their circles. `sizes`: a bit more than a third of them is the largest radius, since circles around
-/// corners that face each other must not meet
+/// Gives sharp corners their circles, and forgets those where roundings of coordinates would show in them. `sizes`: a bit more
+/// than a third of them is the largest radius, since circles around corners that face each other must not meet
 inline void find_circles(const Domain_2& domain, const Sizes_2& sizes, std::vector<Sharp_corner_2>& corners)
 {
   std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge
@@ -169,6 +173,12 @@ inline void find_circles(const Domain_2& domain, const Sizes_2& sizes, std::vect
     for (const Sharp_corner_2::Arm& a : corner.arms()) // something is left between two circles
       corner.radius = (std::min)(corner.radius, domain.length(a.edge) / (1 + number_at[a.edge]));
   }
+  constexpr double many_roundings = 1e4 * std::numeric_limits<double>::epsilon();
+  const auto is_rounded = [&](const Sharp_corner_2& c) {
+    const Point& p = domain.corners()[c.corner];
+    return c.radius * c.sharpest_angle() < many_roundings * (std::max)(std::abs(p.x()), std::abs(p.y()));
+  };
+  corners.erase(std::remove_if(corners.begin(), corners.end(), is_rounded), corners.end());
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -48,7 +48,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   Limited_sizes_2 limited{wanted, {}};
   Outline_sizes_2(domain, given, wanted, growth, maximum)(turns, limited);
   auto cut = std::make_shared<const Cut_domain_2>(domain, limited.sizes, growth);
-  if (cut->is_cut())
+  if (cut->is_cut() && cut->contains(given.pinned))
     cut->cut(given);
   else
     cut = nullptr;

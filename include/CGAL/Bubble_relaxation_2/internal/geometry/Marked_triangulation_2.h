@@ -43,7 +43,7 @@ struct Marked_triangulation_2 : Flat_triangulation_2
 };
 
 /// What `mark_triangulation()` found wrong with its edges.
-enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE, NO_TRIANGLE };
+enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE, NO_TRIANGLE, MARKS_DIFFER };
 
 /// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
 /// edge gets the side's mark, and marks spread until the next edge. `sides`: per triangle, what edge is behind each

@@ -53,7 +53,7 @@ public:
         return edge_error;
     }
     flood();
-    return Marking_error::NONE;
+    return m_marks_differ ? Marking_error::MARKS_DIFFER : Marking_error::NONE;
   }
 
 private:
@@ -129,8 +129,10 @@ private:
 
   void mark(Index t, bool inside)
   {
-    if (t == no_index || m_seen[t])
+    if (t == no_index || m_seen[t]) { // edges a rounding apart may have changed their order
+      m_marks_differ |= inside != (t != no_index && m_result.inside[t] != 0);
       return;
+    }
     m_seen[t] = 1;
     m_result.inside[t] = inside;
     m_stack.push_back(t);
@@ -153,6 +155,7 @@ private:
   std::vector<std::array<Index, 3>>& m_sides; // of the triangles: the edges behind them
   Cdt m_cdt;
   std::vector<Vertex_handle> m_handles; // by index of the point
+  bool m_marks_differ = false;          // two edges say another of a triangle
   std::vector<char> m_seen;             // triangles that have their mark
   std::vector<Index> m_stack;           // triangles whose neighbours are to be marked
 };
