@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -91,8 +93,7 @@ private:
   std::optional<Steiner_point_2> find(Index t)
   {
     const Point p = m_mesh.point(t, 0), q = m_mesh.point(t, 1), r = m_mesh.point(t, 2);
-    const Kernel::Vector_2 u = q - p, v = r - p;
-    if (u.x() * v.y() - u.y() * v.x() == 0) // up to rounding, and the circumcentre would be nowhere
+    if (is_flat(p, q, r))
       return std::nullopt;
     const Point center = CGAL::circumcenter(p, q, r), centroid = CGAL::centroid(p, q, r);
     const Index start = m_domain.locate_inside(centroid, m_hint);
@@ -107,6 +108,17 @@ private:
       if (const std::optional<double> s = encroached(static_cast<Index>(e), end.triangle, center))
         return split(static_cast<Index>(e), *s, result);
     return result;
+  }
+
+  /// Whether three points are on a line up to some roundings of their coordinates: their circumcentre would be anywhere, and
+  /// a pinned vertex so near to an edge might come to lie on its other side.
+  static bool is_flat(const Point& p, const Point& q, const Point& r)
+  {
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    const Kernel::Vector_2 u = q - p, v = r - p;
+    const double largest = (std::max)(std::abs(p.x()), std::abs(p.y())),
+                 length = std::abs(u.x()) + std::abs(u.y()) + std::abs(v.x()) + std::abs(v.y());
+    return std::abs(u.x() * v.y() - u.y() * v.x()) <= rounding * largest * length;
   }
 
   /// where on an edge of the domain a walk ended
@@ -188,31 +200,36 @@ inline bool is_endless(std::size_t number_of_new_vertices, std::size_t number_of
   return number_of_new_vertices > 100 + number_of_vertices / 10;
 }
 
+/// Inserts vertices and triangulates; returns whether coordinates can tell the result from what there was.
+inline bool insert_points(const Problem_2& problem, const std::vector<Steiner_point_2>& points, Bubble_mesh_2& mesh)
+{
+  const std::size_t number = mesh.bubbles.size() + points.size();
+  for (const Steiner_point_2& p : points)
+    mesh.bubbles.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
+  remove_coincident(problem.domain, mesh.bubbles);
+  return mesh.bubbles.size() == number && try_to_triangulate(cut_edges(problem.domain, mesh.bubbles), mesh);
+}
+
 /// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so, or none if that is endless.
 /// Returns how many.
 inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& mesh)
 {
   Bubble_mesh_2 refined;
-  std::size_t result = 0;
-  for (;;) {
+  for (std::size_t result = 0;;) {
     const Bubble_mesh_2& last = result == 0 ? mesh : refined;
     const std::vector<Steiner_point_2> wanted =
       Angle_refinement_2::independent(wanted_points(problem, last, last.triangles.inside));
-    if (wanted.empty())
-      break;
-    result += wanted.size();
-    if (is_endless(result, mesh.bubbles.size()))
+    if (is_endless(result + wanted.size(), mesh.bubbles.size()))
       return 0;
     Bubble_mesh_2 next{last.bubbles, {}};
-    for (const Steiner_point_2& p : wanted)
-      next.bubbles.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
-    if (!try_to_triangulate(cut_edges(problem.domain, next.bubbles), next))
-      return 0; // finer than coordinates can tell
+    if (wanted.empty() || !insert_points(problem, wanted, next)) {
+      if (result > 0)
+        mesh = std::move(refined);
+      return result;
+    }
+    result += wanted.size();
     refined = std::move(next);
   }
-  if (result > 0)
-    mesh = std::move(refined);
-  return result;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

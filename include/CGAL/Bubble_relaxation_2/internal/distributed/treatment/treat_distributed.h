@@ -327,7 +327,8 @@ inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hi
     try {
       refined = distributed_triangulate(problem.domain, send_home(comm, partition, std::move(own)), partition, comm);
     } catch (const std::runtime_error&) {
-      return 0; // on all ranks: finer than coordinates can tell
+      result -= wanted.size(); // on all ranks: finer than coordinates can tell
+      break;
     }
   }
   if (result > 0)
