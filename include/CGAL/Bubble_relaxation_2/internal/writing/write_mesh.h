@@ -166,7 +166,7 @@ private:
     if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value)
       restore_delaunay_around(end_of_path());
     if (on_hull)
-      m_on_hull.push_back(m_path->back());
+      m_on_hull.insert(m_on_hull.end(), {m_path->end()[-2], m_path->back(), &*next.second});
   }
 
   /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it by
@@ -222,8 +222,8 @@ private:
            CGAL::orientation(c, p, f->vertex(m_cdt.cw(i))->point()) == LEFT_TURN;
   }
 
-  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding. The triangles
-  /// between such bubbles and the hull are real, though outside of the domain.
+  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding, or outside, and then its neighbors may.
+  /// The triangles between them and the hull are real, though outside of the domain.
   void make_hull_convex()
   {
     std::vector<void*> doubtful = m_on_hull;
@@ -315,7 +315,7 @@ private:
   const Bubbles_2& m_bubbles;
   std::vector<std::vector<void*>> m_paths; // the vertices of each chain in order
   std::vector<void*>* m_path = nullptr;    // that of the chain that is split
-  std::vector<void*> m_on_hull;            // bubbles on edges of the hull
+  std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
 };
 
 /// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the other
