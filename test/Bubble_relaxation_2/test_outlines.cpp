@@ -284,7 +284,9 @@ TEST_F(Outlines, growth_trades_vertices_for_quality)
 
 TEST_F(Outlines, small_angles_are_refined)
 {
-  std::size_t number_of_refined = 0, number_of_small_angles = 0;
+  // after one round there is something left to refine, if no less than about what can be had is asked for
+  constexpr double degrees = 33;
+  std::size_t number_of_refined = 0, number_of_good = 0;
   for (unsigned k = 0; k < 20; ++k) {
     SCOPED_TRACE(k);
     std::set<Point> places;
@@ -293,17 +295,24 @@ TEST_F(Outlines, small_angles_are_refined)
     const std::set<Point> sharp = sharp_corners(coarse);
     using Map = domains::Map_of_pins<CDT>;
     namespace P = CGAL::Bubble_relaxation_parameters;
-    const auto without = CGAL::npbs_relax(coarse, P::vertex_is_constrained_map(Map{&pins}).minimum_angle(0.));
-    const auto with = CGAL::npbs_relax(fine, P::vertex_is_constrained_map(Map{&pins_of_fine}).minimum_angle(33.));
-    number_of_refined += with.number_of_vertices > without.number_of_vertices;
+    const auto np = P::number_of_rounds(1);
+    const auto without = CGAL::npbs_relax(coarse, np.vertex_is_constrained_map(Map{&pins}).minimum_angle(0.));
+    const auto with = CGAL::npbs_relax(fine, np.vertex_is_constrained_map(Map{&pins_of_fine}).minimum_angle(degrees));
     EXPECT_TRUE(fine.is_valid());
+    EXPECT_EQ(without.number_of_small_angles, 0u); // none is smaller than 0
     if (with.number_of_small_angles == 0) {
-      EXPECT_GE(Free_triangles(fine, sharp).smallest_angle, 33 - 1e-9);
+      ++number_of_good;
+      EXPECT_GE(Free_triangles(fine, sharp).smallest_angle, degrees - 1e-9);
     }
-    number_of_small_angles += with.number_of_small_angles;
+    if (with.number_of_vertices > without.number_of_vertices) {
+      ++number_of_refined;
+      EXPECT_GE(Free_triangles(fine, sharp).smallest_angle, Free_triangles(coarse, sharp).smallest_angle);
+    } else {
+      EXPECT_EQ(validation::triangles(fine), validation::triangles(coarse)); // taken back if it does not end
+    }
   }
   EXPECT_GT(number_of_refined, 0u);
-  EXPECT_LE(number_of_small_angles, 2u); // beyond 20.7 degrees refinement does not always end
+  EXPECT_GE(number_of_good, 10u); // beyond 20.7 degrees refinement does not always end
 }
 
 TEST_F(Outlines, obtuse_triangles_are_counted)

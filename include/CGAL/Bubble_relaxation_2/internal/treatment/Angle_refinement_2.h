@@ -44,6 +44,24 @@ struct Steiner_point_2
   bool operator<(const Steiner_point_2& p) const { return std::tie(sine, x, y) < std::tie(p.sine, p.x, p.y); }
 };
 
+/// the sine of the smallest angle of a triangle, or 1 if two edges of the domain make it
+inline double smallest_free_sine(const Bubble_mesh_2& mesh, Index t)
+{
+  const Smallest_angle_2 smallest(mesh, t);
+  const auto& edges = mesh.triangles.edges[t];
+  return edges[ccw(smallest.vertex)] == no_index || edges[cw(smallest.vertex)] == no_index ? smallest.sine : 1.;
+}
+
+/// the smallest of those triangles that belong to the domain, or to a rank
+inline double smallest_free_sine(const Bubble_mesh_2& mesh, const std::vector<char>& is_counted)
+{
+  double smallest = 1;
+  for (std::size_t t = 0; t < is_counted.size(); ++t)
+    if (is_counted[t])
+      smallest = (std::min)(smallest, smallest_free_sine(mesh, static_cast<Index>(t)));
+  return smallest;
+}
+
 /// Finds what Ruppert's algorithm inserts (A Delaunay refinement algorithm for quality 2-dimensional mesh generation, J.
 /// Algorithms 18, 1995) where simulation and surgery have left a triangle with a small angle. Up to 20.7 degrees it ends
 /// by proof if the edges of the domain meet in 60 degrees or more, or are cut off at their corner; and in
@@ -57,14 +75,8 @@ public:
       m_on_edge(bubbles_on_edges(m_domain, mesh.bubbles))
   {}
 
-  /// whether an angle is too small, and no angle between two edges of the domain
-  bool is_bad(Index t) const
-  {
-    const Smallest_angle_2 smallest(m_mesh, t);
-    const auto& edges = m_mesh.triangles.edges[t];
-    return smallest.sine < m_sine &&
-           (edges[ccw(smallest.vertex)] == no_index || edges[cw(smallest.vertex)] == no_index);
-  }
+  /// whether an angle is too small that no two edges of the domain make
+  bool is_bad(Index t) const { return smallest_free_sine(m_mesh, t) < m_sine; }
 
   /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there: that is in a crack.
   std::optional<Steiner_point_2> operator()(Index t)
@@ -210,8 +222,8 @@ inline bool insert_points(const Problem_2& problem, const std::vector<Steiner_po
   return mesh.bubbles.size() == number && try_to_triangulate(cut_edges(problem.domain, mesh.bubbles), mesh);
 }
 
-/// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so, or none if that is endless.
-/// Returns how many.
+/// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so; none if that is endless, or has made
+/// angles in a crack smaller. Returns how many.
 inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& mesh)
 {
   Bubble_mesh_2 refined;
@@ -223,8 +235,9 @@ inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& 
       return 0;
     Bubble_mesh_2 next{last.bubbles, {}};
     if (wanted.empty() || !insert_points(problem, wanted, next)) {
-      if (result > 0)
-        mesh = std::move(refined);
+      if (result == 0 || smallest_free_sine(refined, refined.triangles.inside) < smallest_free_sine(mesh, mesh.triangles.inside))
+        return 0;
+      mesh = std::move(refined);
       return result;
     }
     result += wanted.size();

@@ -331,8 +331,10 @@ inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hi
       break;
     }
   }
-  if (result > 0)
-    mesh = std::move(refined);
+  const auto smallest = [&comm](const Distributed_mesh_2& m) { return comm.smallest(smallest_free_sine(m, m.is_owned)); };
+  if (result == 0 || smallest(refined) < smallest(mesh))
+    return 0;
+  mesh = std::move(refined);
   return result;
 }
 
