@@ -293,6 +293,39 @@ TEST(Distributed_relaxation, ranks_stay_balanced)
   EXPECT_LT(double(part.points.size()), 1.2 * mean + 16);
 }
 
+/// a star with needles
+paper::CDT star(unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> exponent(-1.3, 0), shift(-0.4, 0.4);
+  const int n = 24;
+  std::vector<Point> points;
+  for (int k = 0; k < n; ++k) {
+    const double r = std::pow(10., exponent(random)), t = 2 * CGAL_PI * (k + shift(random)) / n;
+    points.push_back(Point(r * std::cos(t), r * std::sin(t)));
+  }
+  paper::CDT cdt;
+  cdt.insert_constraint(points.begin(), points.end(), true);
+  return cdt;
+}
+
+TEST(Distributed_relaxation, sharp_corners_and_refinement)
+{
+  std::size_t number_of_forced = 0, number_of_refined = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const paper::CDT cdt = star(seed);
+    // after one round there is something left to refine, if no less than about what can be had is asked for
+    const auto np = parameters::sizing_function(0.05).number_of_rounds(1);
+    const std::size_t before = expect_as_one_rank(cdt, np.minimum_angle(0.)).relaxation.report.number_of_vertices;
+    const auto report = expect_as_one_rank(cdt, np.minimum_angle(33.)).relaxation.report;
+    number_of_forced += report.number_of_forced_triangles;
+    number_of_refined += report.number_of_vertices > before;
+  }
+  EXPECT_GT(number_of_forced, 0u);
+  EXPECT_GT(number_of_refined, 0u);
+}
+
 TEST(Distributed_relaxation, paper_parameters)
 {
   const paper::Domain d = paper::square_with_hole(1.5);

@@ -14,6 +14,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -95,7 +97,7 @@ public:
   }
 
 private:
-  static constexpr double pi = 3.14159265358979323846;
+  static constexpr double pi = CGAL_PI;
   static constexpr double sharp = pi / 4, needle = 1e-6; // angles
   static constexpr double widest = 0.9;                  // spacing, in radii
   static constexpr double widest_angle = 1.4;            // between two nodes

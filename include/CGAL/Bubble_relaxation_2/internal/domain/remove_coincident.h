@@ -135,11 +135,17 @@ inline void remove_those_in_one_place(Bubbles_2& b)
       last = k;
 }
 
-/// Removes bubbles that cannot be told apart in the triangulation, or would confuse it: those above.
-inline void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+/// Removes bubbles on edges that would confuse the triangulation.
+inline void remove_confusing_on_edges(const Domain_2& domain, Bubbles_2& b)
 {
   remove_crowded_on_edges(domain, b);
   remove_beside_pins(domain, b);
+}
+
+/// Removes bubbles that cannot be told apart in the triangulation, or would confuse it.
+inline void remove_coincident(const Domain_2& domain, Bubbles_2& b)
+{
+  remove_confusing_on_edges(domain, b);
   remove_those_in_one_place(b);
   b.forget_gone();
 }

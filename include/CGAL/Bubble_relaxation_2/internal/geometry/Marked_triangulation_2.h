@@ -13,8 +13,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -120,6 +123,15 @@ struct Bubble_mesh_2
   Point point(Index t, int i) const { return bubbles.point(static_cast<std::size_t>(triangles.vertices[t][i])); }
 };
 
+/// The corners of a triangle from the vertex with the smallest index on: what rounds must not depend on where a triangle
+/// begins.
+inline std::array<int, 3> corners_in_order(const Triangles_2& tr, Index t)
+{
+  const std::array<Index, 3>& v = tr.vertices[t];
+  const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
+  return {first, ccw(first), cw(first)};
+}
+
 /// The sine of the smallest angle of a triangle, and the vertex where it is.
 struct Smallest_angle_2
 {
@@ -128,13 +140,15 @@ struct Smallest_angle_2
 
   Smallest_angle_2(const Bubble_mesh_2& mesh, Index t)
   {
-    std::array<double, 3> squared; // lengths of the sides opposite to the vertices
+    std::array<double, 3> length; // of the sides opposite to the vertices
     for (int i = 0; i < 3; ++i)
-      squared[i] = CGAL::squared_distance(mesh.point(t, ccw(i)), mesh.point(t, cw(i)));
-    vertex = static_cast<int>(std::min_element(squared.begin(), squared.end()) - squared.begin());
+      length[i] = std::sqrt(CGAL::squared_distance(mesh.point(t, ccw(i)), mesh.point(t, cw(i))));
+    const auto& v = mesh.triangles.vertices[t]; // they decide among equals, not where the triangle begins
+    const auto comes_before = [&](int i, int j) { return std::tie(length[i], v[i]) < std::tie(length[j], v[j]); };
+    vertex = (std::min)({0, 1, 2}, comes_before);
     const Kernel::Vector_2 u = mesh.point(t, ccw(vertex)) - mesh.point(t, vertex),
-                           v = mesh.point(t, cw(vertex)) - mesh.point(t, vertex);
-    sine = (u.x() * v.y() - u.y() * v.x()) / std::sqrt(squared[ccw(vertex)] * squared[cw(vertex)]);
+                           w = mesh.point(t, cw(vertex)) - mesh.point(t, vertex);
+    sine = (u.x() * w.y() - u.y() * w.x()) / (length[ccw(vertex)] * length[cw(vertex)]);
   }
 };
 

@@ -19,6 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 
 #include <CGAL/Bubble_relaxation_report_2.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -130,7 +131,7 @@ class Small_angles_2
 {
 public:
   Small_angles_2(const Domain_2& domain, double minimum_angle)
-    : m_sine(std::sin(minimum_angle / 57.29577951308232)), m_is_sharp(domain.corners().size(), 0)
+    : m_sine(std::sin(minimum_angle * CGAL_PI / 180)), m_is_sharp(domain.corners().size(), 0)
   {
     for (const Sharp_corner_2& c : sharp_corners(domain, default_size_growth))
       m_is_sharp[c.corner] = 1;

@@ -60,9 +60,13 @@ inline void change_population(const Population_change& change, const Relaxation_
                               Simulation_2& simulation, Bubbles_2& bubbles, Team& team)
 {
   constexpr std::size_t many = 50; // one in so many
+  if (!simulation.rests_coarsely() || options.population != Bubble_population::DELAUNAY) {
+    simulation.apply(change);
+    return;
+  }
   const std::size_t before = team.number_of_all(bubbles);
   simulation.apply(change);
-  if (options.population == Bubble_population::DELAUNAY && many * (team.number_of_all(bubbles) - before) < before)
+  if (many * (team.number_of_all(bubbles) - before) < before)
     simulation.rest_finely();
 }
 

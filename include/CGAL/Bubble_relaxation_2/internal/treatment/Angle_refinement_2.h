@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -41,7 +42,10 @@ struct Steiner_point_2
   Index host;
   Bubbles_2::Dimension dimension;
 
-  bool operator<(const Steiner_point_2& p) const { return std::tie(sine, x, y) < std::tie(p.sine, p.x, p.y); }
+  bool operator<(const Steiner_point_2& p) const
+  {
+    return std::tie(sine, x, y, radius) < std::tie(p.sine, p.x, p.y, p.radius);
+  }
 };
 
 /// the sine of the smallest angle of a triangle, or 1 if two edges of the domain make it
@@ -70,13 +74,8 @@ class Angle_refinement_2
 {
 public:
   Angle_refinement_2(const Problem_2& problem, const Bubble_mesh_2& mesh)
-    : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh),
-      m_sine(std::sin(problem.options.minimum_angle / degrees)),
-      m_on_edge(bubbles_on_edges(m_domain, mesh.bubbles))
+    : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh), m_on_edge(bubbles_on_edges(m_domain, mesh.bubbles))
   {}
-
-  /// whether an angle is too small that no two edges of the domain make
-  bool is_bad(Index t) const { return smallest_free_sine(m_mesh, t) < m_sine; }
 
   /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there: that is in a crack.
   std::optional<Steiner_point_2> operator()(Index t)
@@ -100,15 +99,14 @@ public:
   }
 
 private:
-  static constexpr double degrees = 57.29577951308232;
-
   std::optional<Steiner_point_2> find(Index t)
   {
-    const Point p = m_mesh.point(t, 0), q = m_mesh.point(t, 1), r = m_mesh.point(t, 2);
+    const auto [i, j, k] = corners_in_order(m_mesh.triangles, t);
+    const Point p = m_mesh.point(t, i), q = m_mesh.point(t, j), r = m_mesh.point(t, k);
     if (is_flat(p, q, r))
       return std::nullopt;
     const Point center = CGAL::circumcenter(p, q, r), centroid = CGAL::centroid(p, q, r);
-    const Index start = m_domain.locate_inside(centroid, m_hint);
+    const Index start = m_domain.host_of(centroid, m_hint);
     if (start == no_index)
       return std::nullopt;
     const Walk_end end = m_domain.walk(start, centroid, center);
@@ -188,28 +186,38 @@ private:
   const Domain_2& m_domain;
   const Sizes_2& m_sizes;
   const Bubble_mesh_2& m_mesh;
-  const double m_sine;
   const std::vector<std::vector<Index>> m_on_edge;
   Index m_hint = 0;
 };
 
-/// What those triangles ask for that have a smaller angle than they need and belong to the domain, or to a rank.
-inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, const Bubble_mesh_2& mesh,
-                                                  const std::vector<char>& is_counted)
+/// Those triangles that have a smaller angle than they need and belong to the domain, or to a rank.
+inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bubble_mesh_2& mesh,
+                                              const std::vector<char>& is_counted)
 {
-  std::vector<Steiner_point_2> result;
-  Angle_refinement_2 refine(problem, mesh);
+  std::vector<Index> result;
+  const double sine = std::sin(problem.options.minimum_angle * CGAL_PI / 180);
   for (std::size_t t = 0; t < is_counted.size(); ++t)
-    if (is_counted[t] && refine.is_bad(static_cast<Index>(t)))
-      if (const auto point = refine(static_cast<Index>(t)))
-        result.push_back(*point);
+    if (is_counted[t] && smallest_free_sine(mesh, static_cast<Index>(t)) < sine)
+      result.push_back(static_cast<Index>(t));
   return result;
 }
 
-/// Whether refinement that takes so many vertices will hardly come to an end: in a crack, for one.
+/// What these triangles ask for.
+inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, const Bubble_mesh_2& mesh,
+                                                  const std::vector<Index>& triangles)
+{
+  std::vector<Steiner_point_2> result;
+  Angle_refinement_2 refine(problem, mesh);
+  for (Index t : triangles)
+    if (const auto point = refine(t))
+      result.push_back(*point);
+  return result;
+}
+
+/// Whether refinement that has taken, or asks for, so many vertices will hardly come to an end: in a crack, for one.
 inline bool is_endless(std::size_t number_of_new_vertices, std::size_t number_of_vertices)
 {
-  return number_of_new_vertices > 100 + number_of_vertices / 10;
+  return number_of_new_vertices > 100 + number_of_vertices / 50;
 }
 
 /// Inserts vertices and triangulates; returns whether coordinates can tell the result from what there was.
@@ -229,18 +237,18 @@ inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& 
   Bubble_mesh_2 refined;
   for (std::size_t result = 0;;) {
     const Bubble_mesh_2& last = result == 0 ? mesh : refined;
-    const std::vector<Steiner_point_2> wanted =
-      Angle_refinement_2::independent(wanted_points(problem, last, last.triangles.inside));
-    if (is_endless(result + wanted.size(), mesh.bubbles.size()))
+    const std::vector<Index> bad = triangles_to_refine(problem, last, last.triangles.inside);
+    if (is_endless(result + bad.size(), mesh.bubbles.size()))
       return 0;
+    const std::vector<Steiner_point_2> points = Angle_refinement_2::independent(wanted_points(problem, last, bad));
     Bubble_mesh_2 next{last.bubbles, {}};
-    if (wanted.empty() || !insert_points(problem, wanted, next)) {
+    if (points.empty() || !insert_points(problem, points, next)) {
       if (result == 0 || smallest_free_sine(refined, refined.triangles.inside) < smallest_free_sine(mesh, mesh.triangles.inside))
         return 0;
       mesh = std::move(refined);
       return result;
     }
-    result += wanted.size();
+    result += points.size();
     refined = std::move(next);
   }
 }

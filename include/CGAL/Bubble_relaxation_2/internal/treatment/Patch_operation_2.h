@@ -214,7 +214,7 @@ public:
     for (Index i : m_patch.indices())
       if (m_bubbles.is_in_face(i))
         m_hint = m_bubbles.host[i];
-    const std::array<int, 3> corners = corners_in_order(t); // among equal outcomes the first counts
+    const std::array<int, 3> corners = corners_in_order(m_triangles, t); // among equal outcomes the first counts
     m_mean_size = mean_size(t, corners);
     for (int i : corners) {
       try_without(m_triangles.vertices[t][i]);
@@ -253,14 +253,6 @@ private:
         return q > before[k];
     }
     return false;
-  }
-
-  /// from the vertex with the smallest index on
-  std::array<int, 3> corners_in_order(Index t) const
-  {
-    const std::array<Index, 3>& v = m_triangles.vertices[t];
-    const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
-    return {first, ccw(first), cw(first)};
   }
 
   double mean_size(Index t, const std::array<int, 3>& corners) const

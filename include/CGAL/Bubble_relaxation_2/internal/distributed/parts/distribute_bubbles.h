@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,8 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -282,6 +285,72 @@ private:
   Communicator& m_comm;
   Hilbert_partition_2 m_partition;
 };
+
+/// Collective. Replaces distinct numbers below `end`, of which each rank has some, by 0, 1, … in their order. Each rank
+/// counts those of an interval of numbers, which are mostly its own. \pre they ascend
+inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<std::int64_t>& numbers)
+{
+  Messages<std::int64_t> out;
+  for (std::int64_t number : numbers)
+    out[static_cast<int>(number * comm.size() / end)].push_back(number);
+  Messages<std::int64_t> in = deliver(comm, out);
+  std::vector<std::int64_t> counted;
+  for (const auto& message : in)
+    counted.insert(counted.end(), message.second.begin(), message.second.end());
+  std::sort(counted.begin(), counted.end());
+  const std::int64_t before = comm.sum_before(static_cast<std::int64_t>(counted.size()));
+  for (auto& message : in)
+    for (std::int64_t& number : message.second)
+      number = before + (std::lower_bound(counted.begin(), counted.end(), number) - counted.begin());
+  auto next = numbers.begin();
+  for (const auto& message : deliver(comm, in)) // from lower ranks come lower numbers
+    next = std::copy(message.second.begin(), message.second.end(), next);
+}
+
+/// Collective. Removes bubbles of ours that would confuse the triangulation, as `remove_confusing_on_edges()` does of all.
+inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain, Bubbles_2& b)
+{
+  std::vector<Bubble_record_2> all;
+  comm.agree_after([&] {
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_ours(i) && (b.is_on_edge(i) || b.is_corner(i)))
+        all.push_back(record(b, i));
+  });
+  all = gather_records(comm, all);
+  comm.agree_after([&] {
+    std::sort(all.begin(), all.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) { return p.id < q.id; });
+    Bubbles_2 outline;
+    for (const Bubble_record_2& r : all)
+      add_own(outline, r);
+    remove_confusing_on_edges(domain, outline);
+    std::unordered_set<std::int64_t> gone;
+    for (std::size_t k = 0; k < outline.size(); ++k)
+      if (outline.is_gone(k))
+        gone.insert(outline.id[k]);
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_on_edge(i) && gone.count(b.id[i]) != 0)
+        b.remove(i);
+  });
+}
+
+/// Collective. The bubbles that are left, each on the rank that owns its place and numbered from 0 on. `end`: all have
+/// smaller numbers
+inline Bubbles_2 bring_home_and_number(Communicator& comm, const Hilbert_partition_2& partition, std::int64_t end,
+                                       Bubbles_2 bubbles)
+{
+  std::vector<Index> left;
+  left.reserve(bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+      left.push_back(static_cast<Index>(i));
+  bubbles.select(left);
+  bubbles.owner.clear(); // all are ours
+  Bubbles_2 home = send_home(comm, partition, std::move(bubbles));
+  remove_those_in_one_place(home);
+  home.forget_gone();
+  compact_numbers(comm, end, home.id);
+  return home;
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

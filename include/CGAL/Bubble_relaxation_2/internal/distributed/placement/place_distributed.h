@@ -136,7 +136,7 @@ inline Placement_2 place_by_all(Communicator& comm, const Problem_2& problem, co
 inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& domain, Placement_2& placed)
 {
   Bubbles_2& bubbles = placed.bubbles;
-  remove_crowded_on_edges(domain, bubbles);
+  remove_confusing_on_edges(domain, bubbles);
   bubbles.id.assign(bubbles.size(), no_index); // as yet
   Curve_sort_2 on_curve(hilbert_curve(domain), bubbles);
   for (std::size_t i = 0; i < bubbles.size(); ++i)

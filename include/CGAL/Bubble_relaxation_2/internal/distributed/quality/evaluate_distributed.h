@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -101,13 +102,14 @@ inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Problem_2
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
   Size_gradient_2 gradient(Report::steep_size_gradient);
-  Small_angles_2 small(problem.whole_domain(), problem.options.minimum_angle);
+  std::optional<Small_angles_2> small;
   comm.agree_after([&] {
     gradient = size_gradient(mesh, problem.wanted, Threads());
-    small.add(mesh);
+    small.emplace(problem.whole_domain(), problem.options.minimum_angle);
+    small->add(mesh);
   });
   gradient.tell(report, Values_of_all_ranks(comm));
-  small.tell(report, Values_of_all_ranks(comm));
+  small->tell(report, Values_of_all_ranks(comm));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
@@ -265,6 +266,15 @@ private:
   const double m_first_reach;
 };
 
+/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all have
+/// smaller ones
+inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, const Hilbert_partition_2& partition,
+                                                    Communicator& comm, std::int64_t end, Bubbles_2 bubbles)
+{
+  remove_confusing_of_ours(comm, domain, bubbles);
+  return distributed_triangulate(domain, bring_home_and_number(comm, partition, end, std::move(bubbles)), partition, comm);
+}
+
 /// Collective. `Cut_domain_2::join()` by ranks.
 inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
                                            const Hilbert_partition_2& partition, Communicator& comm)
@@ -274,7 +284,8 @@ inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distri
     own = own_bubbles(mesh, comm.rank());
     cut.join(own);
   });
-  return distributed_triangulate(cut.whole(), send_home(comm, partition, std::move(own)), partition, comm);
+  const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
+  return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
 }
 
 /// `keep_the_better()` by ranks: given bubbles whose mesh is better than what was made of them are treated instead.
@@ -293,43 +304,62 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
   mesh = std::move(given_mesh);
 }
 
+/// Collective. Inserts points that all ranks want, each on the rank that owns its place, and triangulates.
+inline Distributed_mesh_2 insert_points(const Problem_2& problem, const Hilbert_partition_2& partition, Communicator& comm,
+                                        const std::vector<Steiner_point_2>& points, const Distributed_mesh_2& mesh)
+{
+  Bubbles_2 own;
+  comm.agree_after([&] { own = own_bubbles(mesh, comm.rank()); });
+  std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
+  comm.agree_after([&] {
+    for (const Steiner_point_2& p : points) {
+      Bubbles_2 one;
+      one.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
+      if (partition.owner(p.x, p.y) == comm.rank())
+        add_own(own, record(one, 0, end));
+      ++end;
+    }
+  });
+  return triangulate_from_anywhere(problem.domain, partition, comm, end, std::move(own));
+}
+
 /// Collective. `refine_small_angles()` by ranks.
 inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hilbert_partition_2& partition,
                                               Communicator& comm, Distributed_mesh_2& mesh)
 {
+  const auto number_of_all = [&comm](std::size_t n) { return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(n))); };
+  const std::size_t number_of_vertices = number_of_all(own_bubbles(mesh, comm.rank()).size());
   Distributed_mesh_2 refined;
-  std::size_t result = 0, number_of_vertices = 0;
+  std::size_t result = 0;
   for (;;) {
-    const Distributed_mesh_2& last = result == 0 ? mesh : refined;
-    std::vector<Steiner_point_2> wanted;
-    comm.agree_after([&] { wanted = wanted_points(problem, last, last.is_owned); });
-    wanted = Angle_refinement_2::independent(gather_records(comm, wanted));
-    if (wanted.empty())
+    std::vector<Index> bad;
+    const auto find_bad = [&](const Distributed_mesh_2& m) {
+      comm.agree_after([&] { bad = triangles_to_refine(problem, m, m.is_owned); });
+      return number_of_all(bad.size());
+    };
+    const std::size_t number_of_bad = find_bad(result == 0 ? mesh : refined);
+    if (number_of_bad == 0)
       break;
-    Bubbles_2 own;
-    comm.agree_after([&] { own = own_bubbles(last, comm.rank()); });
-    const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
-    if (result == 0)
-      number_of_vertices = static_cast<std::size_t>(end);
-    result += wanted.size();
-    if (is_endless(result, number_of_vertices))
+    if (is_endless(result + number_of_bad, number_of_vertices))
       return 0;
-    comm.agree_after([&] {
-      for (std::size_t k = 0; k < wanted.size(); ++k) {
-        const Steiner_point_2& p = wanted[k];
-        if (partition.owner(p.x, p.y) != comm.rank())
-          continue;
-        Bubbles_2 one;
-        one.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
-        add_own(own, record(one, 0, end + static_cast<std::int64_t>(k)));
-      }
-    });
-    try {
-      refined = distributed_triangulate(problem.domain, send_home(comm, partition, std::move(own)), partition, comm);
-    } catch (const std::runtime_error&) {
-      result -= wanted.size(); // on all ranks: finer than coordinates can tell
-      break;
+    if (result == 0) { // after treatment a rank does not know where others' bubbles on edges are
+      refined = insert_points(problem, partition, comm, {}, mesh);
+      find_bad(refined);
     }
+    std::vector<Steiner_point_2> points;
+    comm.agree_after([&] { points = wanted_points(problem, refined, bad); });
+    points = Angle_refinement_2::independent(gather_records(comm, points));
+    if (points.empty())
+      break;
+    try {
+      Distributed_mesh_2 next = insert_points(problem, partition, comm, points, refined);
+      if (number_of_all(own_bubbles(next, comm.rank()).size()) != number_of_vertices + result + points.size())
+        break; // finer than coordinates can tell
+      refined = std::move(next);
+    } catch (const std::runtime_error&) {
+      break; // the same, on all ranks
+    }
+    result += points.size();
   }
   const auto smallest = [&comm](const Distributed_mesh_2& m) { return comm.smallest(smallest_free_sine(m, m.is_owned)); };
   if (result == 0 || smallest(refined) < smallest(mesh))
