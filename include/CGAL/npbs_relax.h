@@ -111,9 +111,9 @@ those on edges lie exactly on them.
     \cgalParamDefault{30; the paper: 250}
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
-    \cgalParamDescription{a round ends when no bubble of a face moves more than this times d in a step, and no
-                          bubble of an edge more than a twentieth of it. By default a bubble also sleeps
-                          while it and its neighbours move no more}
+    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default four times
+                          as much is rest enough while bubbles are still inserted, and a bubble sleeps while it
+                          and its neighbours move no more}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{0.007; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
@@ -138,7 +138,8 @@ those on edges lie exactly on them.
     \cgalParamDefault{0.5, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
   \cgalParamNEnd
   \cgalParamNBegin{time_step}
-    \cgalParamDescription{the length of a step in time}
+    \cgalParamDescription{the length of a step in time. With `Bubble_population::DELAUNAY` it is halved before each
+                          round in the second half of `number_of_rounds`, 21 times at most}
     \cgalParamType{`double`, positive}
     \cgalParamDefault{0.6; 0.02 with `RUNGE_KUTTA_4`}
   \cgalParamNEnd
