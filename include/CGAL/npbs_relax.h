@@ -67,9 +67,8 @@ those on edges lie exactly on them.
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{If the domain has free vertices: the mean length of the edges around each vertex of
                       `cdt`, linear between vertices. If there is no mesh yet: at each vertex of a
-                      constraint the length of the shorter constraint beside it, or the width of the
-                      domain there if that is less, but not less than an eighth of it; growing by 0.2
-                      per unit of the distance from there}
+                      constraint the length of the shorter constraint beside it, growing from there by
+                      `size_growth`; where the domain is narrower, `limit_by_outline` makes it smaller}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
     \cgalParamDescription{points in the holes of the domain, or in the domain; those outside of all outlines mark
