@@ -89,7 +89,9 @@ those on edges lie exactly on them.
     \cgalParamDefault{no vertex is pinned}
   \cgalParamNEnd
   \cgalParamNBegin{initial_placement}
-    \cgalParamDescription{where the bubbles of the faces start}
+    \cgalParamDescription{where the bubbles of the faces start. Vertices of an existing mesh inside of the circles
+                          around sharp corners, see `limit_by_outline`, are not kept, not even by `KEEP`: the
+                          radius of a circle is at most 0.36 of the size at its corner}
     \cgalParamType{`Bubble_placement`}
     \cgalParamDefault{`FRONTAL`; the paper: `RHOMBIC`. If the domain has free vertices: `KEEP` where the
                       mesh is as fine as d asks up to a factor of 1.25, `FRONTAL` in the rest}
