@@ -157,7 +157,8 @@ those on edges lie exactly on them.
   \cgalParamNBegin{defect_treatment}
     \cgalParamDescription{whether vertices of triangles with q < 0.95 are moved after the simulation for the
                           quality of the triangles around them, and single vertices inserted or deleted where
-                          a triangle with q < 0.9 stays; the smallest q does not get smaller by it}
+                          a triangle with q < 0.9 stays; the smallest q does not get smaller by it. Refinement for
+                          `minimum_angle`, which comes after it, does not look at q}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd
@@ -179,11 +180,11 @@ those on edges lie exactly on them.
     \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_angle}
-    \cgalParamDescription{where the treatment leaves a triangle with a smaller angle, in degrees, which is not that
-                          between two edges of the domain, vertices are inserted as by Ruppert's refinement. That
-                          ends by proof up to 20.7 degrees if edges meet in 60 degrees or more, or are cut off
-                          (`limit_by_outline`);
-                          if it takes more than a tenth of the vertices, nothing is inserted}
+    \cgalParamDescription{where `defect_treatment` leaves a triangle with a smaller angle, in degrees, which is not
+                          that between two edges of the domain, vertices are inserted as by Ruppert's refinement.
+                          That ends by proof up to 20.7 degrees if edges meet in 60 degrees or more; if it would
+                          take more than n/10 + 100 vertices for the n that there are, nothing is inserted. Where
+                          smaller angles stay is told in \ref BR2_outlines}
     \cgalParamType{a number, 0 to 33; 0: none are inserted}
     \cgalParamDefault{28}
   \cgalParamNEnd
