@@ -67,9 +67,8 @@ those on edges lie exactly on them.
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{If the domain has free vertices: the mean length of the edges around each vertex of
                       `cdt`, linear between vertices. If there is no mesh yet: at each vertex of a
-                      constraint the length of the shorter constraint beside it, or the width of the
-                      domain there if that is less, but not less than an eighth of it; growing by 0.2
-                      per unit of the distance from there}
+                      constraint the length of the shorter constraint beside it, growing from there by
+                      `size_growth`; where the domain is narrower, `limit_by_outline` makes it smaller}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
     \cgalParamDescription{points in the holes of the domain, or in the domain; those outside of all outlines mark
@@ -90,7 +89,9 @@ those on edges lie exactly on them.
     \cgalParamDefault{no vertex is pinned}
   \cgalParamNEnd
   \cgalParamNBegin{initial_placement}
-    \cgalParamDescription{where the bubbles of the faces start}
+    \cgalParamDescription{where the bubbles of the faces start. Vertices of an existing mesh inside of the circles
+                          around sharp corners, see `limit_by_outline`, are not kept, not even by `KEEP`: the
+                          radius of a circle is at most 0.36 of the size at its corner}
     \cgalParamType{`Bubble_placement`}
     \cgalParamDefault{`FRONTAL`; the paper: `RHOMBIC`. If the domain has free vertices: `KEEP` where the
                       mesh is as fine as d asks up to a factor of 1.25, `FRONTAL` in the rest}
@@ -111,9 +112,9 @@ those on edges lie exactly on them.
     \cgalParamDefault{30; the paper: 250}
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
-    \cgalParamDescription{a round ends when no bubble of a face moves more than this times d in a step, and no
-                          bubble of an edge more than a twentieth of it. By default a bubble also sleeps
-                          while it and its neighbours move no more}
+    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default four times
+                          as much is rest enough while bubbles are still inserted, and a bubble sleeps while it
+                          and its neighbours move no more}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{0.007; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
@@ -138,7 +139,8 @@ those on edges lie exactly on them.
     \cgalParamDefault{0.5, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
   \cgalParamNEnd
   \cgalParamNBegin{time_step}
-    \cgalParamDescription{the length of a step in time}
+    \cgalParamDescription{the length of a step in time. With `Bubble_population::DELAUNAY` it is halved before each
+                          round in the second half of `number_of_rounds`, 21 times at most}
     \cgalParamType{`double`, positive}
     \cgalParamDefault{0.6; 0.02 with `RUNGE_KUTTA_4`}
   \cgalParamNEnd
@@ -155,15 +157,18 @@ those on edges lie exactly on them.
   \cgalParamNBegin{defect_treatment}
     \cgalParamDescription{whether vertices of triangles with q < 0.95 are moved after the simulation for the
                           quality of the triangles around them, and single vertices inserted or deleted where
-                          a triangle with q < 0.9 stays; the smallest q does not get smaller by it}
+                          a triangle with q < 0.9 stays; the smallest q does not get smaller by it. Refinement for
+                          `minimum_angle`, which comes after it, does not look at q}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd
   \cgalParamNBegin{limit_by_outline}
     \cgalParamDescription{whether bubbles are smaller than `sizing_function` asks where an edge of the domain is
-                          shorter, the domain narrower, or a pinned vertex nearer to others, than 0.9 times that; and
-                          corners in which two edges meet in less than 45 degrees are surrounded by a circle of nodes,
-                          so that only the triangles in the circle have the angles of the corner}
+                          shorter, the domain narrower, or a pinned vertex nearer to others, than 0.9/1.1 = 0.82
+                          times that; and corners in which two edges meet in less than 45 degrees are surrounded
+                          by a circle of nodes, so that only the triangles in the circle have the angles of the
+                          corner: see \ref BR2_outlines. Neither is done where a mesh is relaxed without a
+                          `sizing_function`}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd
@@ -175,11 +180,11 @@ those on edges lie exactly on them.
     \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_angle}
-    \cgalParamDescription{where the treatment leaves a triangle with a smaller angle, in degrees, which is not that
-                          between two edges of the domain, vertices are inserted as by Ruppert's refinement. That
-                          ends by proof up to 20.7 degrees if edges meet in 60 degrees or more, or are cut off
-                          (`limit_by_outline`);
-                          if it takes more than a tenth of the vertices, nothing is inserted}
+    \cgalParamDescription{where `defect_treatment` leaves a triangle with a smaller angle, in degrees, which is not
+                          that between two edges of the domain, vertices are inserted as by Ruppert's refinement.
+                          That ends by proof up to 20.7 degrees if edges meet in 60 degrees or more; if it would
+                          take more than n/10 + 100 vertices for the n that there are, nothing is inserted. Where
+                          smaller angles stay is told in \ref BR2_outlines}
     \cgalParamType{a number, 0 to 33; 0: none are inserted}
     \cgalParamDefault{28}
   \cgalParamNEnd

@@ -185,20 +185,32 @@ TEST(Bad_parameter, out_of_range)
     expect_throw<std::invalid_argument>(cdt, size.mass(bad), {"mass"});
     expect_throw<std::invalid_argument>(cdt, size.force_coefficient(bad), {"force_coefficient"});
     expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(bad), {"neighbor_radius"});
+    expect_throw<std::invalid_argument>(cdt, size.size_growth(bad), {"size_growth"});
   }
   for (double bad : {-0.5, not_a_number, infinity}) {
     expect_throw<std::invalid_argument>(cdt, size.damping(bad), {"damping"});
     expect_throw<std::invalid_argument>(cdt, size.displacement_tolerance(bad),
                                         {"displacement_tolerance"});
+    expect_throw<std::invalid_argument>(cdt, size.minimum_angle(bad), {"minimum_angle"});
   }
   expect_throw<std::invalid_argument>(cdt, size.time_step(-0.125), {"time_step", "-0.125"});
   expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(1.5), {"neighbor_radius", "1.5"});
   expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(101.), {"neighbor_radius", "at most 100"});
+  expect_throw<std::invalid_argument>(cdt, size.size_growth(1.125), {"size_growth", "1.125", "at most 1"});
+  expect_throw<std::invalid_argument>(cdt, size.minimum_angle(33.5), {"minimum_angle", "33.5", "0 to 33 degrees"});
   expect_throw<std::invalid_argument>(cdt, size.number_of_iterations(-1), {"number_of_iterations", "-1"});
   expect_throw<std::invalid_argument>(cdt, size.number_of_rounds(-2), {"number_of_rounds", "-2"});
   expect_throw<std::invalid_argument>(cdt, size.renewal_interval(-3), {"renewal_interval", "-3"});
   expect_throw<std::invalid_argument>(cdt, size.maximum_number_of_bubbles(0),
                                       {"maximum_number_of_bubbles", "0"});
+}
+
+TEST(Bad_parameter, what_bounds_allow_is_taken)
+{
+  const auto size = P::sizing_function(0.1);
+  expect_same_mesh(size.size_growth(1), size.size_growth(1.)); // other types of the same numbers
+  expect_same_mesh(size.minimum_angle(33), size.minimum_angle(33.));
+  expect_same_mesh(size.minimum_angle(0), size.minimum_angle(0.));
 }
 
 TEST(Bad_parameter, counts_are_integers)
