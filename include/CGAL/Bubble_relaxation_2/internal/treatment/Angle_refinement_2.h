@@ -68,8 +68,8 @@ inline double smallest_free_sine(const Bubble_mesh_2& mesh, const std::vector<ch
 
 /// Finds what Ruppert's algorithm inserts (A Delaunay refinement algorithm for quality 2-dimensional mesh generation, J.
 /// Algorithms 18, 1995) where simulation and surgery have left a triangle with a small angle. Up to 20.7 degrees it ends
-/// by proof if the edges of the domain meet in 60 degrees or more, or are cut off at their corner; and in
-/// practice up to more than 30.
+/// by proof if the edges of the domain meet in 60 degrees or more, and in practice mostly up to more than 30. Chords of
+/// circles around sharp corners cannot be split: what asks for that gets nothing.
 class Angle_refinement_2
 {
 public:

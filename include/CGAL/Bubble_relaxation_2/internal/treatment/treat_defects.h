@@ -120,7 +120,7 @@ struct Treatment_counts
 };
 
 /// Triangles with less than the first are operated on at first, and so on. A triangle with more than the last is acute:
-/// 4 (sqrt 2 - 1) / 2 is the q of the right-angled triangle with two equal sides.
+/// 2 (sqrt 2 - 1) is the q of the right-angled triangle with two equal sides.
 constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
