@@ -66,8 +66,9 @@ private:
       sum += weight * value(t, i);
       weights += weight;
     }
-    // in a triangle as thin as the rounding of its points all weights may be zero
-    return weights > 0 ? sum / weights : on_side(t, opposite_to_longest_side(t), q).value;
+    // in a triangle as thin as the rounding of its points all weights may be zero, or lose their bits
+    constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+    return weights > least ? sum / weights : on_side(t, opposite_to_longest_side(t), q).value;
   }
 
   int opposite_to_longest_side(Index t) const
