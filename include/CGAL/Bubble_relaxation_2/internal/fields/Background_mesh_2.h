@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ public:
     : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices),
       m_extent((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
                           domain.bbox().ymax() - domain.bbox().ymin())),
-      m_points(domain.corners()), m_pieces(domain.edges())
+      m_points(domain.corners()), m_pieces(domain.edges()), m_curve(domain.bbox(), false)
   {
     m_points.insert(m_points.end(), points.begin(), points.end());
   }
@@ -225,9 +226,14 @@ private:
       cuts.push_back(Cut{error, c, no_index});
   }
 
+  /// in the order of a curve: triangulation is fast if points are near to those before them
   void make(const std::vector<Cut>& cuts)
   {
-    for (const Cut& c : cuts) {
+    std::vector<Point> points;
+    for (const Cut& c : cuts)
+      points.push_back(c.point);
+    for (Index k : hilbert_order(m_curve, points)) {
+      const Cut& c = cuts[static_cast<std::size_t>(k)];
       const Index v = static_cast<Index>(m_points.size());
       m_points.push_back(c.point);
       if (c.piece == no_index)
@@ -250,6 +256,7 @@ private:
   double m_extent;
   std::vector<Point> m_points;
   std::vector<Domain_edge_2> m_pieces; // of constraints, between points
+  Hilbert_curve_2 m_curve;
   Marked_triangulation_2 m_mesh;
   std::vector<double> m_given, m_sizes; // d at points, and limited
   std::unordered_map<Point, double, Hash> m_known;
