@@ -64,6 +64,10 @@ public:
     treats = happens(0.8);
     keeps = happens(0.2);
     rounds = m_random() % 12;
+    if (happens(0.3))
+      growth = between(0.05, 1);
+    if (happens(0.3))
+      angle = between(0, 33);
   }
 
   std::vector<Outline> outlines, lines;
@@ -71,6 +75,7 @@ public:
   std::optional<double> size;
   bool limits, treats, keeps;
   int rounds;
+  double growth = 0.2, angle = 28;
 
 private:
   double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(m_random); }
@@ -202,6 +207,8 @@ protected:
     const auto np = P::limit_by_outline(c.limits)
                       .defect_treatment(c.treats)
                       .number_of_rounds(c.rounds)
+                      .size_growth(c.growth)
+                      .minimum_angle(c.angle)
                       .maximum_number_of_bubbles(3000)
                       .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&in.pins});
     if (c.keeps && c.size)
@@ -291,5 +298,8 @@ TEST_F(Fuzz, all_are_meshed_or_refused)
   for (unsigned seed = 100000 * random_seeds::seed();
        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds && !HasFailure(); ++seed)
     try_case(seed);
+  EXPECT_GT(m_number_of_cases, 0u);
+  // too many for the maximum, mostly
+  EXPECT_LT(double(m_number_of_refusals), 0.4 * double(m_number_of_cases) + 5);
   std::cout << m_number_of_cases << " cases, of which " << m_number_of_refusals << " were refused\n";
 }

@@ -103,6 +103,22 @@ private:
   }
 };
 
+/// how many triangles of the domain have an angle smaller than so many degrees, at any scale
+std::size_t number_of_small_angles(const CDT& cdt, double degrees)
+{
+  std::size_t result = 0;
+  for (CDT::Face_handle f : cdt.finite_face_handles()) {
+    double smallest = 180;
+    for (int i = 0; i < 3; ++i) {
+      const Point &o = f->vertex(i)->point(), &p = f->vertex(cdt.ccw(i))->point(), &q = f->vertex(cdt.cw(i))->point();
+      const double at_p = std::atan2(p.y() - o.y(), p.x() - o.x()), at_q = std::atan2(q.y() - o.y(), q.x() - o.x());
+      smallest = (std::min)(smallest, std::abs(std::remainder(at_q - at_p, 2 * CGAL_PI)) * (180 / CGAL_PI));
+    }
+    result += f->is_in_domain() && smallest < degrees;
+  }
+  return result;
+}
+
 /// the triangulation of a file, with its pins
 struct Input
 {
@@ -253,6 +269,10 @@ TEST_P(Hostile_input, is_meshed_or_refused)
   Input in(file);
   const auto report = relax(in, P::mass(1.));
   expect_good(in, report, 1, "with the defaults");
+  if (is_expected("angles")) { // the default of minimum_angle, and what rounds
+    EXPECT_GE(report.number_of_forced_triangles + report.number_of_small_angles, number_of_small_angles(in.cdt, 28 - 1e-6));
+    EXPECT_LE(report.number_of_forced_triangles + report.number_of_small_angles, number_of_small_angles(in.cdt, 28 + 1e-6));
+  }
   const std::vector<validation::Triangle> triangles = validation::triangles(in.cdt);
   if (is_expected("again"))
     expect_good(in, relax(in, P::mass(1.)), 1, "with the defaults, again");

@@ -207,8 +207,8 @@ protected:
       mesh(domains::make({outline}), {}, d);
   }
 
-  /// at least 95 % of all
-  ~Outlines() override { EXPECT_GE(100 * m_number_converged, 95 * m_number - 100); }
+  /// of a dozen all but one
+  void TearDown() override { EXPECT_GE(m_number_converged, m_number - 1); }
 
   double least_mean_quality = 0.955;
 
