@@ -41,6 +41,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -100,9 +101,27 @@ Row row(const paper::CDT& outline, const Meshing& meshing)
   return result;
 }
 
+/// d of a coast, which is the same everywhere
+double wanted_length(const paper::Domain& coast) { return coast.d(paper::Point(0, 0)); }
+
+void simplify(const paper::Domain& coast, paper::CDT& cdt)
+{
+  CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(wanted_length(coast)).relative_outline_tolerance(0.1));
+}
+
+void simplify_by_rules(const paper::Domain& coast, paper::CDT& cdt)
+{
+  const double d = wanted_length(coast);
+  CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(d)
+                                  .relative_outline_tolerance(0.1)
+                                  .minimum_island_area(d * d / 2)
+                                  .minimum_gap(d));
+}
+
 /// \param simplify changes the outline before it is meshed; the time for that counts
+/// \param growth of sizes away from short parts of the outline
 template <class Simplify>
-Row relaxed(const paper::Domain& coast, const Simplify& simplify)
+Row relaxed(const paper::Domain& coast, const Simplify& simplify, double growth = 0.2)
 {
   Meshing meshing;
   paper::CDT cdt = paper::triangulate(coast);
@@ -111,7 +130,7 @@ Row relaxed(const paper::Domain& coast, const Simplify& simplify)
   const double seconds_before = cpu_seconds() - start;
   const paper::CDT outline = cdt;
   start = cpu_seconds();
-  const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(coast.d));
+  const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(coast.d).size_growth(growth));
   meshing.seconds = seconds_before + cpu_seconds() - start;
   meshing.mesh = vertices_and_constraints(cdt);
   Row result = row(outline, meshing);
@@ -125,8 +144,8 @@ Row relaxed(const paper::Domain& coast, const Simplify& simplify)
 void print_columns(const std::string& coast)
 {
   std::cout << std::setw(16) << std::left << coast << std::right << std::setw(9) << "vertices" << std::setw(11)
-            << "us/vertex" << std::setw(9) << "outline" << std::setw(8) << "mean q" << std::setw(8) << "free q" << std::setw(12) << "free angle"
-            << std::setw(6) << "<26" << std::setw(9) << "obtuse" << std::setw(8) << "moves" << '\n';
+            << "us/vertex" << std::setw(9) << "outline" << std::setw(8) << "mean q" << std::setw(8) << "free q"
+            << std::setw(12) << "free angle" << std::setw(6) << "<26" << std::setw(9) << "obtuse" << std::setw(8) << "moves" << '\n';
 }
 
 void print(const std::string& mesher, const Row& r)
@@ -156,15 +175,11 @@ public:
     std::cout << '\n' << coast.name << ": " << corners << " corners, " << coast.outlines.size() - 1 << " islands\n";
     const paper::CDT outline = paper::triangulate(coast);
     print_columns("");
-    const double d = coast.d(paper::Point(0, 0)); // the same everywhere
-    const auto np = CGAL::parameters::sizing_function(d).relative_outline_tolerance(0.1);
     run("npbs_relax", [&] { return relaxed(coast, [](paper::CDT&) {}); });
-    run("  tolerance", [&] { return relaxed(coast, [&](paper::CDT& cdt) { CGAL::simplify_outline_2(cdt, np); }); });
-    run("  and rules", [&] {
-      return relaxed(coast, [&](paper::CDT& cdt) {
-        CGAL::simplify_outline_2(cdt, np.minimum_island_area(d * d / 2).minimum_gap(d));
-      });
-    });
+    for (const auto& [name, growth] : {std::pair("  growth 0.35", 0.35), {"  growth 0.6", 0.6}, {"  growth 1", 1.}})
+      run(name, [&, growth = growth] { return relaxed(coast, [](paper::CDT&) {}, growth); });
+    run("  tolerance", [&] { return relaxed(coast, [&](paper::CDT& cdt) { simplify(coast, cdt); }); });
+    run("  and rules", [&] { return relaxed(coast, [&](paper::CDT& cdt) { simplify_by_rules(coast, cdt); }); });
     run("CGAL refine", [&] { return row(outline, Cgal_mesher(coast).refine_and_optimize(0)); });
 #ifdef BUBBLE_RELAXATION_2_WITH_GMSH
     run("Gmsh Frontal", [&] { return row(outline, Gmsh_mesher()(coast, 0)); });
@@ -208,12 +223,16 @@ std::vector<paper::Domain> read_coasts(const Options& options)
   return coasts;
 }
 
+/// a coast as it is, and within a tolerance and by the rules
 void draw(const std::string& file_name, const paper::Domain& coast)
 {
-  paper::CDT cdt = paper::triangulate(coast);
-  CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(coast.d));
+  paper::CDT cdt = paper::triangulate(coast), simplified = cdt;
+  simplify_by_rules(coast, simplified);
   Svg_picture picture;
-  picture.add_mesh(cdt, coast.name);
+  for (paper::CDT* mesh : {&cdt, &simplified}) {
+    CGAL::npbs_relax(*mesh, CGAL::parameters::sizing_function(coast.d));
+    picture.add_mesh(*mesh, mesh == &cdt ? "the outline as it is" : "within d/10, without small islands and narrows");
+  }
   picture.write(file_name);
 }
 
