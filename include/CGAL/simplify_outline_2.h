@@ -121,7 +121,8 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
 tolerance is no more than roundings of the coordinates, if two vertices are in one place when rounded to `double`, if
 there is no domain with constraints all around it (the message names an edge where it is open), or if `minimum_gap`
 fills all of it
-\throws std::length_error if d asks for some million pieces
+\throws std::length_error if d asks for some million pieces, or if `minimum_gap` is some millions of times smaller than
+the outline is long
 \throws std::runtime_error if the new outline cannot be written with the numbers of the kernel
 
 Exceptions of the sizing function pass through. All calls of it, of the property map and of the ranges come before the

@@ -591,6 +591,17 @@ TEST(Simplify_outline, sizes_far_too_small)
                                   {"sizing_function", "pieces"});
 }
 
+TEST(Simplify_outline, gaps_far_too_small)
+{
+  CDT cdt = make({square(0, 0, 1e6)});
+  const auto simplify = [&](double gap) {
+    CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1e5).minimum_gap(gap));
+  };
+  expect_throw<std::length_error>([&] { simplify(1e-3); }, {"minimum_gap = 0.001", "1.6e+10 parts"});
+  expect_throw<std::length_error>([&] { simplify(1e-300); }, {"minimum_gap = 1e-300", "parts"});
+  simplify(1e4);
+}
+
 TEST(Simplify_outline, an_exception_changes_nothing)
 {
   CDT cdt = make({coast(0, 0, 10, 900, 1)});

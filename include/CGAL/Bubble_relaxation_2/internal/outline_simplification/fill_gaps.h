@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 
@@ -71,14 +72,16 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
 class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
+  static constexpr double most_parts = 1e7;    // a triangulation of some gigabytes
   static constexpr double shallow = 0.03;      // what is no deeper, over the least width, is no gap
   static constexpr double open_depth = 0.52;   // over the width of the mouth: an angle of about 88 degrees
   static constexpr double open_mouth = 0.7;    // over the least width
   static constexpr double least_basin = 3.14;  // over the square of the width: a disc of twice the width
 
 public:
+  /// \throws std::length_error if the width is so small that there would be far more parts than can be wanted
   Gap_rule_2(const Outline_2& outline, double width)
-    : m_outline(with_cut_segments(outline, cut * width)), m_triangulation(m_outline), m_width(width)
+    : m_outline(with_cut_segments(checked(outline, width), cut * width)), m_triangulation(m_outline), m_width(width)
   {}
 
   Outline_2 operator()(Outline_simplification_report_2<double>& report)
@@ -93,6 +96,18 @@ public:
 
 private:
   using Region = std::vector<Index>;
+
+  static const Outline_2& checked(const Outline_2& outline, double width)
+  {
+    double n = 0;
+    for (const Outline_segment_2& s : outline.segments)
+      n += s.is_in_domain() ? std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width)) : 1;
+    if (!(n < most_parts))
+      throw std::length_error("Bubble_relaxation_2: parameter minimum_gap = " + in_words(width) +
+                              " cuts the outline into about " + in_words(n) + " parts");
+    return outline;
+  }
+
   const Flat_triangulation_2& tr() const { return m_triangulation.tr(); }
 
   void fill(const Region& region)
