@@ -501,6 +501,31 @@ TEST(Simplify_outline, seeds_stay_in_their_regions)
   EXPECT_EQ(dropped.seeds.size(), seeds.size() - dropped.dropped_islands.size());
 }
 
+TEST(Simplify_outline, seeds_above_vertices_stay_in_their_regions)
+{
+  // tips to the left and to the right, below a seed at the same x, above one, or beside one
+  const std::vector<Outline> outlines{square(0, 0, 40),
+                                      {{10, 10}, {14, 8}, {14, 12}},
+                                      {{30, 10}, {26, 12}, {26, 8}},
+                                      {{8, 24}, {12, 24}, {10, 28}},
+                                      square(36, 36, 0.5)};
+  const std::vector<Point> in_domain{{10, 20}, {30, 20}, {10, 30}, {26, 20}, {14, 20}, {12, 30}, {20, 10}},
+    in_holes{{12, 10}, {28, 10}, {10, 26}, {36.25, 36.25}};
+  const auto np = CGAL::Bubble_relaxation_parameters::sizing_function(1.).minimum_island_area(1.);
+  const auto places = [](const std::vector<Point>& points) {
+    std::vector<Report::Place> result;
+    for (const Point& p : points)
+      result.push_back({p.x(), p.y()});
+    return result;
+  };
+  CDT by_domain = make(outlines), by_holes = make(outlines);
+  const Report of_domain = CGAL::simplify_outline_2(by_domain, np.seeds(in_domain).seeds_are_in_domain(true));
+  EXPECT_EQ(of_domain.dropped_islands.size(), 1u);
+  EXPECT_EQ(of_domain.seeds, places(in_domain));
+  const Report of_holes = CGAL::simplify_outline_2(by_holes, np.seeds(in_holes));
+  EXPECT_EQ(of_holes.seeds, places({in_holes.begin(), in_holes.end() - 1}));
+}
+
 TEST(Simplify_outline, constraints_keep_their_identifiers)
 {
   using Ctp = CGAL::Constrained_triangulation_plus_2<CDT>;
