@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 
@@ -33,12 +34,16 @@ class Forced_vertices_2
 {
 public:
   Forced_vertices_2(const Outline_2& outline, const Outline_demands_2& demands, const Sizes_2& wanted)
-    : m_outline(outline), m_demands(demands), m_wanted(wanted)
+    : m_outline(outline), m_demands(demands), m_wanted(wanted), m_order(order_along_curve(outline))
   {
+    const std::vector<Index> number = inverse(m_order);
+    std::vector<Point> points;
+    for (Index v : m_order)
+      points.push_back(outline.points[v]);
     std::vector<Domain_edge_2> edges;
     for (const Outline_segment_2& s : outline.segments)
-      edges.push_back({s.source, s.target, s.inside_left, s.inside_right});
-    m_is_measured = m_domain.build(outline.points, std::move(edges)) == Marking_error::NONE;
+      edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
+    m_is_measured = m_domain.build(std::move(points), std::move(edges)) == Marking_error::NONE;
     if (!m_is_measured)
       return; // no rule has looked yet whether segments cross when rounded
     find_components();
@@ -143,7 +148,7 @@ private:
     for (std::size_t k = 0; k < tr.number_of_triangles(); ++k)
       for (int i = 0; i < 3 && m_domain.is_inside(static_cast<Index>(k)); ++i) {
         const auto& v = tr.vertices[k];
-        const Index p = v[i], a = v[ccw(i)], b = v[cw(i)];
+        const Index p = m_order[v[i]], a = m_order[v[ccw(i)]], b = m_order[v[cw(i)]];
         if (m_component[a] != m_component[b])
           add_narrow(a, b, m_outline.points[b]);
         else if (m_component[a] != m_component[p])
@@ -163,6 +168,7 @@ private:
   const Outline_2& m_outline;
   const Outline_demands_2& m_demands;
   const Sizes_2& m_wanted;
+  std::vector<Index> m_order; // of the domain's corners the vertices
   Domain_2 m_domain;
   bool m_is_measured;
   std::vector<Index> m_component; // of each vertex the first one of those that hang together with it
