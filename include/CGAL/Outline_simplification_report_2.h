@@ -69,7 +69,8 @@ struct Outline_simplification_report_2
 
   FT share_of_fitting_pieces = FT(0); ///< the share of the pieces with lengths between 0.6 d and 1.5 d
   /// \name Vertices of a Mesh
-  /// What the domain asks of any mesher, without half of the vertices on the outline, which come on top.
+  /// What the domain asks of any mesher, without half of the vertices on the outline, which come on top. Each is 0 if d
+  /// would have to be asked more than 20 million times for it.
   /// @{
   FT wanted_vertices = FT(0); ///< about as many as d asks for: the integral of 2 / (sqrt(3) d^2) over the domain
   FT forced_vertices =

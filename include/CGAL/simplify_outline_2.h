@@ -64,7 +64,8 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
     \cgalParamDescription{the wanted length d of pieces, in the units of the coordinates; it is asked at vertices and
-                          pieces of the outline}
+                          pieces of the outline, and, for the number of wanted vertices in the report, everywhere in
+                          the domain}
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{ten times `outline_tolerance`; one of both must be given}
   \cgalParamNEnd

@@ -437,6 +437,23 @@ TEST(Simplify_outline, islands_and_narrows_force_vertices)
   EXPECT_GT(forced({sea, square(4, 4, 5.9), square(10, 4, 5.9)}, 1), 10); // a channel of 0.1 between them
 }
 
+TEST(Simplify_outline, rough_sizes_in_the_interior_are_not_counted_forever)
+{
+  CDT cdt = make({square(0, 0, 1000), square(500, 500, 1)});
+  double calls = 0;
+  const auto rough_off_shore = [&](const Point& p) {
+    ++calls;
+    const bool is_at_shore =
+      (std::min)({p.x(), p.y(), 1000 - p.x(), 1000 - p.y()}) < 1 || std::hypot(p.x() - 500, p.y() - 500) < 2;
+    return is_at_shore ? 10 : 1e-4 * (2 + std::sin(1e6 * p.x()) * std::sin(1e6 * p.y()));
+  };
+  const Report report = CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(rough_off_shore));
+  EXPECT_LE(calls, 5e7);
+  EXPECT_EQ(report.wanted_vertices, 0);
+  EXPECT_EQ(report.forced_vertices, 0);
+  EXPECT_GE(report.number_of_segments, 400u);
+}
+
 TEST(Simplify_outline, gaps_leave_no_vertex_with_more_than_two_edges)
 {
   for (unsigned k = 0; k < 6; ++k) {

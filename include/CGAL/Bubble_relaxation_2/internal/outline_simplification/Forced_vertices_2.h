@@ -52,29 +52,33 @@ public:
   }
 
   /// how many vertices the wanted size alone asks for; they, and those that are forced, are without half of the ones on
-  /// the outline
+  /// the outline; 0 where that is not found
   double wanted() const { return m_is_measured ? integral(m_wanted) : 0; }
 
   /// how many more there are at least
   double forced(double wanted) const
   {
-    if (m_sources.empty())
+    if (m_sources.empty() || wanted == 0)
       return 0;
     const Sizes_2 forced(Outline_field_2(m_sources, m_domain.bbox(), default_size_growth));
-    return integral(smaller_of(m_wanted, forced)) - wanted;
+    return (std::max)(0., integral(smaller_of(m_wanted, forced)) - wanted);
   }
 
 private:
   /// A row of triangles in a channel may be lower by a fifth than it should be.
   static constexpr double size_over_width = 1.25;
 
-  /// of the density, in parts small enough to see what grows from a single island
+  static constexpr long most_calls = 20000000; // of a size, for an integral: a second or some
+
+  /// Of the density, in parts small enough to see what grows from a single island. A rough size takes as many parts as
+  /// it asks for vertices, and there is no limit to these: the result is 0 if it would take too many.
   double integral(const Sizes_2& sizes) const
   {
-    constexpr double fine = 0.25;
-    return fine * fine *
-           Expected_number_of_bubbles(m_domain, scaled(sizes, fine), (std::numeric_limits<double>::infinity)())
-             .integral_over_faces();
+    constexpr double fine = 0.25, infinity = (std::numeric_limits<double>::infinity)();
+    long calls = 0;
+    const Sizes_2 few([&](double x, double y) { return ++calls > most_calls ? infinity : fine * sizes(x, y); });
+    const double sum = Expected_number_of_bubbles(m_domain, few, infinity).integral_over_faces();
+    return calls > most_calls ? 0 : fine * fine * sum;
   }
 
   Index root(Index v)
