@@ -95,7 +95,7 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
   \cgalParamNEnd
   \cgalParamNBegin{corner_angle}
     \cgalParamDescription{sharper corners stay; in degrees}
-    \cgalParamType{a number, not negative}
+    \cgalParamType{a number between 0 and 180}
     \cgalParamDefault{100}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}

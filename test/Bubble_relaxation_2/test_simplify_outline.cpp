@@ -621,6 +621,7 @@ TEST(Simplify_outline, bad_input)
   expect_refusal(good, sizing_function(1.).minimum_island_area(-1.), {"minimum_island_area = -1"});
   expect_refusal(good, sizing_function(1.).minimum_gap(std::nan("")), {"minimum_gap = nan"});
   expect_refusal(good, sizing_function(1.).corner_angle(-1.), {"corner_angle = -1"});
+  expect_refusal(good, sizing_function(1.).corner_angle(181.), {"corner_angle = 181", "180"});
   expect_refusal(good, sizing_function(1.).minimum_gap(5.), {"minimum_gap = 5", "nothing"});
   expect_refusal(good, CGAL::parameters::minimum_gap(5.), {"sizing_function", "outline_tolerance"});
   expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20), {"tolerance", "(0, 1)"});

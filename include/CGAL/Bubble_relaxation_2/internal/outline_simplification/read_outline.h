@@ -53,6 +53,8 @@ Simplification_options read_simplification_options(const NamedParameters& np)
   take_number(internal_np::minimum_island_area, "minimum_island_area", o.minimum_island_area);
   take_number(internal_np::minimum_gap, "minimum_gap", o.minimum_gap);
   take_number(internal_np::corner_angle, "corner_angle", o.corner_angle);
+  if (o.corner_angle > 180)
+    throw_invalid_parameter("corner_angle", o.corner_angle, "at most 180");
   return o;
 }
 
