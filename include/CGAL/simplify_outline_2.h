@@ -30,7 +30,8 @@ triangles of a wanted size: near to the old one, but in pieces about as long as 
 `npbs_relax()` and other meshers keep every corner of an outline, so an outline that is known in more detail than the
 mesh shall have asks for many small triangles. This function, called before, gives them an outline that they can follow.
 - Every point of the old outline is within the tolerance of the new one, and every point of the new one within that of
-  the old one. This is checked, exactly for the kernel's numbers, and the two-sided Hausdorff distance is reported.
+  the old one. This is checked, exactly for the coordinates in `double`, to which those of an exact kernel are rounded
+  first, and the two-sided Hausdorff distance is reported.
 - Nothing crosses, and regions stay inside of each other as they are, with as many islands and domains as there were:
   this is decided by exact predicates. Seeds and pinned vertices stay in their regions.
 - Vertices stay that are pinned, in which other than two constraints meet, which a constraint outside of the domain has,
