@@ -138,7 +138,7 @@ auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::defaul
 {
   using namespace Bubble_relaxation_2::internal;
 
-  Outline_simplification_report_2<double> report;
+  Outline_simplification_report_2 report;
   Phase_timer time(report.seconds);
   const Outline_reading_2<CDT> reading(cdt, np);
   Simplified_outline_2 outline = simplify_outline(reading.problem);

@@ -35,7 +35,7 @@ using namespace domains;
 using validation::Segment;
 using validation::Snapshot;
 using validation::Xy;
-using Report = CGAL::Outline_simplification_report_2<double>;
+using Report = CGAL::Outline_simplification_report_2;
 using Pins = std::set<CDT::Vertex_handle>;
 
 /// a ring with noise of all wave lengths

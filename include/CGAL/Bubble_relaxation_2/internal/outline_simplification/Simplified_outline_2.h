@@ -54,7 +54,7 @@ struct Simplified_outline_2
   std::vector<Index> old_vertices; ///< of each point, `no_index` if it is new
   std::vector<Outline_segment_2> segments;
   std::vector<Simplified_span_2> spans;
-  Outline_simplification_report_2<double> report;
+  Outline_simplification_report_2 report;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

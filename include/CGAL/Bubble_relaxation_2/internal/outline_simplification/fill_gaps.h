@@ -84,7 +84,7 @@ public:
     : m_outline(with_cut_segments(checked(outline, width), cut * width)), m_triangulation(m_outline), m_width(width)
   {}
 
-  Outline_2 operator()(Outline_simplification_report_2<double>& report)
+  Outline_2 operator()(Outline_simplification_report_2& report)
   {
     fill_narrow();
     do
@@ -253,7 +253,7 @@ private:
     return std::find(n.begin(), n.end(), t) != n.end();
   }
 
-  void tell(Outline_simplification_report_2<double>& report) const
+  void tell(Outline_simplification_report_2& report) const
   {
     const auto is_filled = [this](Index t) { return m_triangulation.was_inside(t) && !m_triangulation.is_inside(t); };
     for (const Region& region : m_triangulation.regions(is_filled)) {

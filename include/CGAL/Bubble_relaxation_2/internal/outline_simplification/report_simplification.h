@@ -75,7 +75,7 @@ private:
 inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplified_outline_2& result)
 {
   auto& report = result.report;
-  const auto place = [](const Point& p) { return Outline_simplification_report_2<double>::Place{p.x(), p.y()}; };
+  const auto place = [](const Point& p) { return Outline_simplification_report_2::Place{p.x(), p.y()}; };
   std::size_t fitting = 0;
   report.number_of_segments = result.segments.size();
   report.shortest_piece = (std::numeric_limits<double>::infinity)();

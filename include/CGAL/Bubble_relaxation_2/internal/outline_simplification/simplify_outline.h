@@ -38,7 +38,7 @@ inline std::vector<Point> obstacles_of(const Simplification_problem_2& problem)
 }
 
 /// the outline as the rules leave it
-inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_simplification_report_2<double>& report)
+inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_simplification_report_2& report)
 {
   Outline_2 outline = without_idle_vertices(problem.outline);
   if (problem.options.minimum_island_area > 0)
@@ -54,7 +54,7 @@ inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_si
 /// The stages of `CGAL::simplify_outline_2()`, without the user's types.
 inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
 {
-  Outline_simplification_report_2<double> report;
+  Outline_simplification_report_2 report;
   Outline_2 outline = apply_rules(problem, report);
   const Outline_demands_2 demands = demands_of(outline, problem.sizes, problem.options);
   check_number_of_places(outline, demands);
