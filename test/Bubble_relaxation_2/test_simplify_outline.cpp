@@ -624,7 +624,11 @@ TEST(Simplify_outline, bad_input)
   expect_refusal(good, sizing_function(1.).corner_angle(181.), {"corner_angle = 181", "180"});
   expect_refusal(good, sizing_function(1.).minimum_gap(5.), {"minimum_gap = 5", "nothing"});
   expect_refusal(good, CGAL::parameters::minimum_gap(5.), {"sizing_function", "outline_tolerance"});
-  expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20), {"tolerance", "(0, 1)"});
+  expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20), {"outline_tolerance = 1e-20", "(0, 1)"});
+  expect_refusal(good, sizing_function(2.).relative_outline_tolerance(1e-20),
+                 {"relative_outline_tolerance = 1e-20", "d = 2", "(0, 1)"});
+  // before the rules work, which would leave nothing
+  expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20).minimum_gap(5.), {"outline_tolerance = 1e-20"});
 }
 
 TEST(Simplify_outline, sizes_far_too_small)

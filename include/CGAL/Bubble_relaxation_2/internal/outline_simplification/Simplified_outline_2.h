@@ -26,6 +26,8 @@ struct Simplification_options
   double relative_tolerance = 0.1;                              ///< a share of d; the smaller one counts
   double minimum_island_area = 0, minimum_gap = 0;              ///< 0: these rules are off
   double corner_angle = 100;                                    ///< degrees
+
+  bool has_rules() const { return minimum_island_area > 0 || minimum_gap > 0; }
 };
 
 /// What is read from the user's triangulation.
