@@ -16,7 +16,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -48,7 +47,6 @@ public:
     m_was_inside = m_marked.inside;
   }
 
-  const Outline_2& outline() const { return m_outline; }
   const Flat_triangulation_2& tr() const { return m_marked; }
   std::size_t size() const { return m_marked.inside.size(); }
 

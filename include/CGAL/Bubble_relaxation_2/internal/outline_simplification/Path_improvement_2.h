@@ -243,7 +243,7 @@ private:
     return true;
   }
 
-  /// The segment of the old outline that `p`, in the place of a vertex, may belong to; -1 if it is too far off.
+  /// The segment of the old outline that `p`, in the place of a vertex, may belong to; `no_index` if it is too far off.
   Index segment_for(std::size_t k, const Point& p) const
   {
     const Index first = segment_before(k), last = next(k).segment;

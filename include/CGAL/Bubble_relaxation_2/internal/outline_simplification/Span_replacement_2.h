@@ -14,7 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Piece_fitting_2.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {

@@ -29,8 +29,7 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
   std::vector<std::pair<Point, Index>> points; // and the vertex, or behind these the new one
   for (std::size_t v = 0; v < outline.points.size(); ++v)
     points.emplace_back(outline.points[v], static_cast<Index>(v));
-  Outline_2 cut = outline;
-  cut.segments.clear();
+  Outline_2 cut;
   for (Outline_segment_2 s : outline.segments) {
     const Point &a = outline.points[s.source], &b = outline.points[s.target];
     const double n = std::ceil(distance(a, b) / length);
@@ -46,7 +45,6 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
   }
   std::sort(points.begin(), points.end());
   std::vector<Index> number(points.size());
-  cut = Outline_2{{}, {}, {}, std::move(cut.segments)};
   for (const auto& p : points) {
     number[p.second] = static_cast<Index>(cut.points.size());
     const bool is_old = static_cast<std::size_t>(p.second) < outline.points.size();
