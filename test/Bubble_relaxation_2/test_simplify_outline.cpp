@@ -289,6 +289,17 @@ TEST(Simplify_outline, a_fine_outline_has_pieces_that_fit)
   EXPECT_NEAR(static_cast<double>(report.number_of_segments), 63, 5);
 }
 
+TEST(Simplify_outline, vertices_a_thousand_times_denser_than_pieces)
+{
+  CDT cdt = make({polygon(0, 0, 2, 20000)});
+  const Report report = simplify_and_check(cdt, 1, 0.1);
+  EXPECT_EQ(report.share_of_fitting_pieces, 1);
+  EXPECT_LE(report.number_of_segments, 15u);
+  // something beside each vertex, nearer than what a row of them may be off
+  CDT narrow = make({polygon(0, 0, 2, 1000), polygon(0, 0, 2 - 2e-5, 1000)});
+  simplify_and_check(narrow, 1, 0.1);
+}
+
 TEST(Simplify_outline, corners_of_a_square_stay)
 {
   CDT cdt = make({square(0, 0, 10), square(3.3, 4.4, 2.71)});

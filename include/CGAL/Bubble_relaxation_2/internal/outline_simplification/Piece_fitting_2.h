@@ -23,13 +23,15 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Replaces a span by pieces between places on it, of the least cost: a shortest path over all pieces that stay within
 /// the tolerance. Places are its vertices, some of them where they are many times denser than pieces will be, and parts
-/// of long segments. A piece does so if all vertices of the span between its ends are near to it; then every point of the
-/// span between them is, and every point of the piece is near to one of the span, which goes from one end to the other.
+/// of long segments. A piece stays within the tolerance if all vertices of the span between its ends are near to it; then
+/// every point of the span between them is, and every point of the piece is near to one of the span, which goes from one
+/// end to the other.
 class Piece_fitting_2
 {
   static constexpr std::size_t small_ring = 200; // places on a ring, up to which other starts are tried
-  static constexpr double dense = 1. / 32;       // places are not nearer to each other, in units of d and of the span,
-  static constexpr double nearly_straight = 0.25; // where what is between is within this share of the tolerance
+  // places are this far from each other, in units of d and of the span, where all vertices between are within this
+  // share of the tolerance
+  static constexpr double dense = 1. / 32, nearly_straight = 0.25;
 
 public:
   static constexpr int parts_of_size = 16; ///< places on long segments are this part of d apart

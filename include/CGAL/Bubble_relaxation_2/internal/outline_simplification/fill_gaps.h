@@ -99,7 +99,8 @@ private:
   {
     double n = 0;
     for (const Outline_segment_2& s : outline.segments)
-      n += s.is_in_domain() ? std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width)) : 1;
+      if (s.is_in_domain())
+        n += std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width));
     if (!(n < most_parts))
       throw std::length_error("Bubble_relaxation_2: parameter minimum_gap = " + in_words(width) +
                               " cuts the outline into about " + in_words(n) + " parts");

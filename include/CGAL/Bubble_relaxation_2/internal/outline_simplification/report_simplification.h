@@ -96,8 +96,8 @@ inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplifi
   report.share_of_fitting_pieces = static_cast<double>(fitting) / static_cast<double>(result.segments.size());
 }
 
-/// On which side of the boundary of the domain points are: the parity of the boundary segments below each tells. A point
-/// above a common end of two segments is taken for one a little to the right of it.
+/// On which side of the boundary of the domain points are, as the parity of the boundary segments below each tells. A
+/// point above a common end of two segments is taken for one a little to the right of it.
 inline std::vector<Bounded_side> sides_of_boundary(const Simplified_outline_2& outline,
                                                    const std::vector<Point>& points)
 {
