@@ -21,28 +21,25 @@ namespace CGAL {
 /*!
 \ingroup PkgBubbleRelaxation2Ref
 
-What a call of `simplify_outline_2()` did.
-
-\tparam FT_ number type of coordinates and lengths
+What a call of `simplify_outline_2()` did. Coordinates and lengths are those of the new outline, in `double` whatever
+the kernel.
 */
-template <class FT_>
 struct Outline_simplification_report_2
 {
-  using FT = FT_;
-  using Place = std::array<FT, 2>; ///< coordinates
+  using Place = std::array<double, 2>; ///< coordinates
 
   /// An island that was dropped.
   struct Island
   {
     Place place; ///< a vertex of it
-    FT area;
+    double area;
   };
 
   /// A part of the domain that was filled.
   struct Gap
   {
     Place place; ///< the middle of its longest side
-    FT area;
+    double area;
   };
 
   /// A segment of the new outline, and one of those of the old outline that it stands for: what is known of that one,
@@ -62,23 +59,25 @@ struct Outline_simplification_report_2
   /// @{
   /// The two-sided Hausdorff distance between the old outline, as the rules left it, and the new one, up to a relative
   /// error of 1e-6, not less than it is.
-  FT hausdorff_distance = FT(0);
-  FT largest_share_of_tolerance =
-    FT(0); ///< the largest distance of a piece from its part of the old outline over its tolerance
+  double hausdorff_distance = 0;
+  /// the largest distance of a piece from its part of the old outline over its tolerance
+  double largest_share_of_tolerance = 0;
   /// @}
 
-  FT share_of_fitting_pieces = FT(0); ///< the share of the pieces with lengths between 0.6 d and 1.5 d
+  double share_of_fitting_pieces = 0; ///< the share of the pieces with lengths between 0.6 d and 1.5 d
   /// \name Vertices of a Mesh
-  /// What the domain asks of any mesher, without half of the vertices on the outline, which come on top.
+  /// What the domain asks of any mesher, without half of the vertices on the outline, which come on top. Each is 0 if d
+  /// would have to be asked more than 20 million times for it.
   /// @{
-  FT wanted_vertices = FT(0); ///< about as many as d asks for: the integral of 2 / (sqrt(3) d^2) over the domain
-  FT forced_vertices =
-    FT(0); ///< at least as many more because of islands that are smaller than d, and near to each other or to the rest
-           ///< of the outline, whatever outline within the tolerance is taken; sizes grow by a fifth of the distance
+  /// about as many as d asks for: the integral of 2 / (sqrt(3) d^2) over the domain
+  double wanted_vertices = 0;
+  /// at least as many more because of islands that are smaller than d, and near to each other or to the rest of the
+  /// outline, whatever outline within the tolerance is taken; sizes grow by a fifth of the distance
+  double forced_vertices = 0;
   /// @}
 
-  FT shortest_piece = FT(0);          ///< the least length of a piece in units of d
-  Place shortest_place = Place();     ///< where that is
+  double shortest_piece = 0;      ///< the least length of a piece in units of d
+  Place shortest_place = Place(); ///< where that is
 
   std::vector<Island> dropped_islands; ///< by `minimum_island_area`
   std::vector<Gap> filled_gaps;        ///< by `minimum_gap`
@@ -92,8 +91,7 @@ struct Outline_simplification_report_2
 
 \brief prints what was done.
 */
-template <class FT>
-std::ostream& operator<<(std::ostream& out, const Outline_simplification_report_2<FT>& report)
+inline std::ostream& operator<<(std::ostream& out, const Outline_simplification_report_2& report)
 {
   return out << "  segments" << std::string(28, ' ') << report.number_of_segments << " instead of "
              << report.number_of_old_segments << "\n  of these .6 to 1.5 d long" << std::string(11, ' ')

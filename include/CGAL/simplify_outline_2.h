@@ -30,7 +30,8 @@ triangles of a wanted size: near to the old one, but in pieces about as long as 
 `npbs_relax()` and other meshers keep every corner of an outline, so an outline that is known in more detail than the
 mesh shall have asks for many small triangles. This function, called before, gives them an outline that they can follow.
 - Every point of the old outline is within the tolerance of the new one, and every point of the new one within that of
-  the old one. This is checked, exactly for the kernel's numbers, and the two-sided Hausdorff distance is reported.
+  the old one. This is checked, exactly for the coordinates in `double`, to which those of an exact kernel are rounded
+  first, and the two-sided Hausdorff distance is reported.
 - Nothing crosses, and regions stay inside of each other as they are, with as many islands and domains as there were:
   this is decided by exact predicates. Seeds and pinned vertices stay in their regions.
 - Vertices stay that are pinned, in which other than two constraints meet, which a constraint outside of the domain has,
@@ -64,7 +65,8 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
     \cgalParamDescription{the wanted length d of pieces, in the units of the coordinates; it is asked at vertices and
-                          pieces of the outline}
+                          pieces of the outline, and, for the number of wanted vertices in the report, everywhere in
+                          the domain}
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{ten times `outline_tolerance`; one of both must be given}
   \cgalParamNEnd
@@ -94,7 +96,7 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
   \cgalParamNEnd
   \cgalParamNBegin{corner_angle}
     \cgalParamDescription{sharper corners stay; in degrees}
-    \cgalParamType{a number, not negative}
+    \cgalParamType{a number between 0 and 180}
     \cgalParamDefault{100}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
@@ -121,7 +123,8 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
 tolerance is no more than roundings of the coordinates, if two vertices are in one place when rounded to `double`, if
 there is no domain with constraints all around it (the message names an edge where it is open), or if `minimum_gap`
 fills all of it
-\throws std::length_error if d asks for some million pieces
+\throws std::length_error if d asks for some million pieces, or if `minimum_gap` is some millions of times smaller than
+the outline is long
 \throws std::runtime_error if the new outline cannot be written with the numbers of the kernel
 
 Exceptions of the sizing function pass through. All calls of it, of the property map and of the ranges come before the
@@ -135,7 +138,7 @@ auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::defaul
 {
   using namespace Bubble_relaxation_2::internal;
 
-  Outline_simplification_report_2<double> report;
+  Outline_simplification_report_2 report;
   Phase_timer time(report.seconds);
   const Outline_reading_2<CDT> reading(cdt, np);
   Simplified_outline_2 outline = simplify_outline(reading.problem);

@@ -35,7 +35,7 @@ using namespace domains;
 using validation::Segment;
 using validation::Snapshot;
 using validation::Xy;
-using Report = CGAL::Outline_simplification_report_2<double>;
+using Report = CGAL::Outline_simplification_report_2;
 using Pins = std::set<CDT::Vertex_handle>;
 
 /// a ring with noise of all wave lengths
@@ -289,6 +289,17 @@ TEST(Simplify_outline, a_fine_outline_has_pieces_that_fit)
   EXPECT_NEAR(static_cast<double>(report.number_of_segments), 63, 5);
 }
 
+TEST(Simplify_outline, vertices_a_thousand_times_denser_than_pieces)
+{
+  CDT cdt = make({polygon(0, 0, 2, 20000)});
+  const Report report = simplify_and_check(cdt, 1, 0.1);
+  EXPECT_EQ(report.share_of_fitting_pieces, 1);
+  EXPECT_LE(report.number_of_segments, 15u);
+  // something beside each vertex, nearer than what a row of them may be off
+  CDT narrow = make({polygon(0, 0, 2, 1000), polygon(0, 0, 2 - 2e-5, 1000)});
+  simplify_and_check(narrow, 1, 0.1);
+}
+
 TEST(Simplify_outline, corners_of_a_square_stay)
 {
   CDT cdt = make({square(0, 0, 10), square(3.3, 4.4, 2.71)});
@@ -437,6 +448,23 @@ TEST(Simplify_outline, islands_and_narrows_force_vertices)
   EXPECT_GT(forced({sea, square(4, 4, 5.9), square(10, 4, 5.9)}, 1), 10); // a channel of 0.1 between them
 }
 
+TEST(Simplify_outline, rough_sizes_in_the_interior_are_not_counted_forever)
+{
+  CDT cdt = make({square(0, 0, 1000), square(500, 500, 1)});
+  double calls = 0;
+  const auto rough_off_shore = [&](const Point& p) {
+    ++calls;
+    const bool is_at_shore =
+      (std::min)({p.x(), p.y(), 1000 - p.x(), 1000 - p.y()}) < 1 || std::hypot(p.x() - 500, p.y() - 500) < 2;
+    return is_at_shore ? 10 : 1e-4 * (2 + std::sin(1e6 * p.x()) * std::sin(1e6 * p.y()));
+  };
+  const Report report = CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(rough_off_shore));
+  EXPECT_LE(calls, 5e7);
+  EXPECT_EQ(report.wanted_vertices, 0);
+  EXPECT_EQ(report.forced_vertices, 0);
+  EXPECT_GE(report.number_of_segments, 400u);
+}
+
 TEST(Simplify_outline, gaps_leave_no_vertex_with_more_than_two_edges)
 {
   for (unsigned k = 0; k < 6; ++k) {
@@ -499,6 +527,31 @@ TEST(Simplify_outline, seeds_stay_in_their_regions)
   const Report dropped = CGAL::simplify_outline_2(emptier, np.minimum_island_area(0.1));
   EXPECT_LT(dropped.seeds.size(), seeds.size());
   EXPECT_EQ(dropped.seeds.size(), seeds.size() - dropped.dropped_islands.size());
+}
+
+TEST(Simplify_outline, seeds_above_vertices_stay_in_their_regions)
+{
+  // tips to the left and to the right, below a seed at the same x, above one, or beside one
+  const std::vector<Outline> outlines{square(0, 0, 40),
+                                      {{10, 10}, {14, 8}, {14, 12}},
+                                      {{30, 10}, {26, 12}, {26, 8}},
+                                      {{8, 24}, {12, 24}, {10, 28}},
+                                      square(36, 36, 0.5)};
+  const std::vector<Point> in_domain{{10, 20}, {30, 20}, {10, 30}, {26, 20}, {14, 20}, {12, 30}, {20, 10}},
+    in_holes{{12, 10}, {28, 10}, {10, 26}, {36.25, 36.25}};
+  const auto np = CGAL::Bubble_relaxation_parameters::sizing_function(1.).minimum_island_area(1.);
+  const auto places = [](const std::vector<Point>& points) {
+    std::vector<Report::Place> result;
+    for (const Point& p : points)
+      result.push_back({p.x(), p.y()});
+    return result;
+  };
+  CDT by_domain = make(outlines), by_holes = make(outlines);
+  const Report of_domain = CGAL::simplify_outline_2(by_domain, np.seeds(in_domain).seeds_are_in_domain(true));
+  EXPECT_EQ(of_domain.dropped_islands.size(), 1u);
+  EXPECT_EQ(of_domain.seeds, places(in_domain));
+  const Report of_holes = CGAL::simplify_outline_2(by_holes, np.seeds(in_holes));
+  EXPECT_EQ(of_holes.seeds, places({in_holes.begin(), in_holes.end() - 1}));
 }
 
 TEST(Simplify_outline, constraints_keep_their_identifiers)
@@ -579,9 +632,14 @@ TEST(Simplify_outline, bad_input)
   expect_refusal(good, sizing_function(1.).minimum_island_area(-1.), {"minimum_island_area = -1"});
   expect_refusal(good, sizing_function(1.).minimum_gap(std::nan("")), {"minimum_gap = nan"});
   expect_refusal(good, sizing_function(1.).corner_angle(-1.), {"corner_angle = -1"});
+  expect_refusal(good, sizing_function(1.).corner_angle(181.), {"corner_angle = 181", "180"});
   expect_refusal(good, sizing_function(1.).minimum_gap(5.), {"minimum_gap = 5", "nothing"});
   expect_refusal(good, CGAL::parameters::minimum_gap(5.), {"sizing_function", "outline_tolerance"});
-  expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20), {"tolerance", "(0, 1)"});
+  expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20), {"outline_tolerance = 1e-20", "(0, 1)"});
+  expect_refusal(good, sizing_function(2.).relative_outline_tolerance(1e-20),
+                 {"relative_outline_tolerance = 1e-20", "d = 2", "(0, 1)"});
+  // before the rules work, which would leave nothing
+  expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20).minimum_gap(5.), {"outline_tolerance = 1e-20"});
 }
 
 TEST(Simplify_outline, sizes_far_too_small)
@@ -589,6 +647,17 @@ TEST(Simplify_outline, sizes_far_too_small)
   CDT cdt = make({square(0, 0, 1)});
   expect_throw<std::length_error>([&] { CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1e-8)); },
                                   {"sizing_function", "pieces"});
+}
+
+TEST(Simplify_outline, gaps_far_too_small)
+{
+  CDT cdt = make({square(0, 0, 1e6)});
+  const auto simplify = [&](double gap) {
+    CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1e5).minimum_gap(gap));
+  };
+  expect_throw<std::length_error>([&] { simplify(1e-3); }, {"minimum_gap = 0.001", "1.6e+10 parts"});
+  expect_throw<std::length_error>([&] { simplify(1e-300); }, {"minimum_gap = 1e-300", "parts"});
+  simplify(1e4);
 }
 
 TEST(Simplify_outline, an_exception_changes_nothing)

@@ -46,7 +46,7 @@ inline std::set<CDT::Vertex_handle> vertices_that_stay(const Domain& domain)
 /// Replaces the outline by one within a tolerance; its segments have the markers of those that they stand for.
 /// \param parameters sizes, tolerance and rules
 template <class Parameters>
-CGAL::Outline_simplification_report_2<double> simplify_domain(Domain& domain, const Parameters& parameters)
+CGAL::Outline_simplification_report_2 simplify_domain(Domain& domain, const Parameters& parameters)
 {
   const std::set<CDT::Vertex_handle> stay = vertices_that_stay(domain);
   const auto report = CGAL::simplify_outline_2(

@@ -11,12 +11,12 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -33,12 +33,16 @@ class Forced_vertices_2
 {
 public:
   Forced_vertices_2(const Outline_2& outline, const Outline_demands_2& demands, const Sizes_2& wanted)
-    : m_outline(outline), m_demands(demands), m_wanted(wanted)
+    : m_outline(outline), m_demands(demands), m_wanted(wanted), m_order(order_along_curve(outline))
   {
+    const std::vector<Index> number = inverse(m_order);
+    std::vector<Point> points;
+    for (Index v : m_order)
+      points.push_back(outline.points[v]);
     std::vector<Domain_edge_2> edges;
     for (const Outline_segment_2& s : outline.segments)
-      edges.push_back({s.source, s.target, s.inside_left, s.inside_right});
-    m_is_measured = m_domain.build(outline.points, std::move(edges)) == Marking_error::NONE;
+      edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
+    m_is_measured = m_domain.build(std::move(points), std::move(edges)) == Marking_error::NONE;
     if (!m_is_measured)
       return; // no rule has looked yet whether segments cross when rounded
     find_components();
@@ -47,29 +51,33 @@ public:
   }
 
   /// how many vertices the wanted size alone asks for; they, and those that are forced, are without half of the ones on
-  /// the outline
+  /// the outline; 0 where that is not found
   double wanted() const { return m_is_measured ? integral(m_wanted) : 0; }
 
   /// how many more there are at least
   double forced(double wanted) const
   {
-    if (m_sources.empty())
+    if (m_sources.empty() || wanted == 0)
       return 0;
     const Sizes_2 forced(Outline_field_2(m_sources, m_domain.bbox(), default_size_growth));
-    return integral(smaller_of(m_wanted, forced)) - wanted;
+    return (std::max)(0., integral(smaller_of(m_wanted, forced)) - wanted);
   }
 
 private:
   /// A row of triangles in a channel may be lower by a fifth than it should be.
   static constexpr double size_over_width = 1.25;
 
-  /// of the density, in parts small enough to see what grows from a single island
+  static constexpr long most_calls = 20000000; // of a size, for an integral: a second or some
+
+  /// Of the density, in parts small enough to see what grows from a single island. A rough size takes as many parts as
+  /// it asks for vertices, and there is no limit to these: the result is 0 if it would take too many.
   double integral(const Sizes_2& sizes) const
   {
-    constexpr double fine = 0.25;
-    return fine * fine *
-           Expected_number_of_bubbles(m_domain, scaled(sizes, fine), (std::numeric_limits<double>::infinity)())
-             .integral_over_faces();
+    constexpr double fine = 0.25, infinity = (std::numeric_limits<double>::infinity)();
+    long calls = 0;
+    const Sizes_2 few([&](double x, double y) { return ++calls > most_calls ? infinity : fine * sizes(x, y); });
+    const double sum = Expected_number_of_bubbles(m_domain, few, infinity).integral_over_faces();
+    return calls > most_calls ? 0 : fine * fine * sum;
   }
 
   Index root(Index v)
@@ -143,7 +151,7 @@ private:
     for (std::size_t k = 0; k < tr.number_of_triangles(); ++k)
       for (int i = 0; i < 3 && m_domain.is_inside(static_cast<Index>(k)); ++i) {
         const auto& v = tr.vertices[k];
-        const Index p = v[i], a = v[ccw(i)], b = v[cw(i)];
+        const Index p = m_order[v[i]], a = m_order[v[ccw(i)]], b = m_order[v[cw(i)]];
         if (m_component[a] != m_component[b])
           add_narrow(a, b, m_outline.points[b]);
         else if (m_component[a] != m_component[p])
@@ -163,6 +171,7 @@ private:
   const Outline_2& m_outline;
   const Outline_demands_2& m_demands;
   const Sizes_2& m_wanted;
+  std::vector<Index> m_order; // of the domain's corners the vertices
   Domain_2 m_domain;
   bool m_is_measured;
   std::vector<Index> m_component; // of each vertex the first one of those that hang together with it

@@ -10,11 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_OUTLINE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -69,6 +71,16 @@ inline Outline_2 without_idle_vertices(const Outline_2& outline)
     s.target = number[s.target];
   }
   return result;
+}
+
+/// The vertices of an outline in an order in which each is near to the one before, so that they are triangulated
+/// without long walks; which triangles come about depends on it where four vertices are on a circle only.
+inline std::vector<Index> order_along_curve(const Outline_2& outline)
+{
+  Bbox_2 box;
+  for (const Point& p : outline.points)
+    box += p.bbox();
+  return hilbert_order(Hilbert_curve_2(box), outline.points);
 }
 
 /// What is asked at the vertices of an outline: the wanted length of pieces, and how far they may be from it.

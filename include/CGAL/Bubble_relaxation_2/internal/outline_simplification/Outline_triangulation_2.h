@@ -15,10 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 
-#include <CGAL/Bbox_2.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -33,11 +30,7 @@ class Outline_triangulation_2
 public:
   explicit Outline_triangulation_2(const Outline_2& outline) : m_outline(outline)
   {
-    // along a curve each point is near to the one before; the triangles depend on that where four are on a circle only
-    Bbox_2 box;
-    for (const Point& p : outline.points)
-      box += p.bbox();
-    const std::vector<Index> order = hilbert_order(Hilbert_curve_2(box), outline.points), number = inverse(order);
+    const std::vector<Index> order = order_along_curve(outline), number = inverse(order);
     std::vector<Point> points;
     for (Index v : order)
       points.push_back(outline.points[v]);
@@ -54,7 +47,6 @@ public:
     m_was_inside = m_marked.inside;
   }
 
-  const Outline_2& outline() const { return m_outline; }
   const Flat_triangulation_2& tr() const { return m_marked; }
   std::size_t size() const { return m_marked.inside.size(); }
 

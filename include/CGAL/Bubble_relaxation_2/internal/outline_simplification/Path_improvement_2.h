@@ -129,6 +129,19 @@ private:
     return cost + length_cost(least / size);
   }
 
+  /// the same of the piece between the neighbours of a vertex; what counts is near to it, not to its ends, as before
+  double cost_without(std::size_t k) const
+  {
+    const double size = size_at(m_path[k]);
+    const Point &a = previous(k).point, &b = next(k).point;
+    double least = clear * size;
+    for (const Near& near : m_near)
+      if (near.is_vertex)
+        least = (std::min)(least, distance_through_domain(a, b, b, near, least));
+    return cost_of_length(a, b, size) + cost_of_corners({before_previous(k), &a, &b, after_next(k)}) +
+           length_cost(least / size);
+  }
+
   static double cost_of_length(const Point& a, const Point& b, double size)
   {
     const double x = distance(a, b) / size;
@@ -230,7 +243,7 @@ private:
     return true;
   }
 
-  /// The segment of the old outline that `p`, in the place of a vertex, may belong to; -1 if it is too far off.
+  /// The segment of the old outline that `p`, in the place of a vertex, may belong to; `no_index` if it is too far off.
   Index segment_for(std::size_t k, const Point& p) const
   {
     const Index first = segment_before(k), last = next(k).segment;
@@ -346,9 +359,7 @@ private:
       return false;
     const Fitted_vertex_2 &a = previous(k), &b = next(k);
     const Point old = m_path[k].point;
-    const double size = size_at(m_path[k]), now = cost(k),
-                 then = cost_of_length(a.point, b.point, size) +
-                        cost_of_corners({before_previous(k), &a.point, &b.point, after_next(k)});
+    const double size = size_at(m_path[k]), now = cost(k), then = cost_without(k);
     if (!(then < now - least_gain) || !(distance(a.point, b.point) <= longest_piece * size))
       return false;
     for (Index m = a.segment + 1; m <= b.segment; ++m)

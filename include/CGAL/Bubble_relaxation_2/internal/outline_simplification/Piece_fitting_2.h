@@ -21,12 +21,17 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Replaces a span by pieces between points of it, of the least cost: a shortest path over all pieces that stay within
-/// the tolerance. A piece does so if all vertices of the span between its ends are near to it; then every point of the
-/// span between them is, and every point of the piece is near to one of the span, which goes from one end to the other.
+/// Replaces a span by pieces between places on it, of the least cost: a shortest path over all pieces that stay within
+/// the tolerance. Places are its vertices, some of them where they are many times denser than pieces will be, and parts
+/// of long segments. A piece stays within the tolerance if all vertices of the span between its ends are near to it; then
+/// every point of the span between them is, and every point of the piece is near to one of the span, which goes from one
+/// end to the other.
 class Piece_fitting_2
 {
   static constexpr std::size_t small_ring = 200; // places on a ring, up to which other starts are tried
+  // places are this far from each other, in units of d and of the span, where all vertices between are within this
+  // share of the tolerance
+  static constexpr double dense = 1. / 32, nearly_straight = 0.25;
 
 public:
   static constexpr int parts_of_size = 16; ///< places on long segments are this part of d apart
@@ -34,8 +39,17 @@ public:
   Piece_fitting_2(const Outline_2& outline, const Outline_span_2& span, const Outline_demands_2& demands)
     : m_outline(outline), m_span(span), m_demands(demands)
   {
+    double length = 0;
     for (std::size_t k = 0; k < span.size(); ++k)
-      add_places(k);
+      length += distance(point(k), point(k + 1));
+    for (std::size_t k = 0; k < span.size();) {
+      const std::size_t next = next_vertex(k, dense * length);
+      if (next == k + 1)
+        add_places(k);
+      else
+        m_places.push_back(place_at_vertex(k));
+      k = next;
+    }
     if (!span.is_ring)
       m_places.push_back(place_at_vertex(span.size()));
     m_pieces.resize(m_places.size());
@@ -111,6 +125,15 @@ public:
     return {p.point, p.segment + turn, p.is_vertex ? m_span.vertices[p.segment] : no_index};
   }
 
+  /// the vertices of the span between a place and the next one
+  Fitted_path_2 vertices_after(std::size_t place) const
+  {
+    Fitted_path_2 result;
+    for (Index m = vertex(place).segment + 1; m < end_between(place + 1); ++m)
+      result.push_back({m_outline.points[m_span.vertex(m)], m, m_span.vertex(m)});
+    return result;
+  }
+
 private:
   struct Place
   {
@@ -132,6 +155,33 @@ private:
   {
     const Index v = m_span.vertices[k];
     return {point(k), static_cast<Index>(k), true, m_demands.size[v], m_demands.tolerance[v]};
+  }
+
+  /// The vertex that is the next place: at once, or, where vertices are dense, the last one of those that are near, and
+  /// between which the span is nearly straight. All vertices would be pairs as many as their square.
+  std::size_t next_vertex(std::size_t k, double longest) const
+  {
+    const double reach = (std::min)(longest, dense * m_demands.size[m_span.vertices[k]]);
+    std::size_t next = k + 1;
+    while (next < m_span.size() && distance(point(k), point(next + 1)) <= reach && is_nearly_straight(k, next + 1))
+      ++next;
+    return next;
+  }
+
+  bool is_nearly_straight(std::size_t from, std::size_t to) const
+  {
+    for (std::size_t m = from + 1; m < to; ++m)
+      if (!(distance_to_segment(point(m), point(from), point(to)) <=
+            nearly_straight * m_demands.tolerance[m_span.vertices[m]]))
+        return false;
+    return true;
+  }
+
+  /// the number after that of the last vertex before a place
+  Index end_between(std::size_t place) const
+  {
+    const Fitted_vertex_2 v = vertex(place);
+    return v.vertex != no_index ? v.segment : v.segment + 1;
   }
 
   /// the first vertex of a segment, and equal parts of it; these are counted from the end that comes first in the order
@@ -156,26 +206,24 @@ private:
   {
     const std::size_t n = m_places.size(), last = m_span.is_ring ? i + n - 1 : n - 1;
     const Place& p = m_places[i];
-    m_between.clear();
     for (std::size_t j = i + 1; j <= last; ++j) {
       const Place& q = m_places[j % n];
       const double length = distance(p.point, q.point), size = 0.5 * (p.size + q.size);
       if (length > longest_piece * size + p.tolerance && j > i + 1)
         break; // no later piece is near to here
       double deviation = 0;
-      if (length > 0 && (j == i + 1 || (length <= longest_piece * size && is_near(p.point, q.point, deviation))))
+      if (length > 0 && (j == i + 1 || length <= longest_piece * size) && is_near(i, j, deviation))
         m_pieces[i].push_back({j - i, piece_cost(length / size, deviation)});
-      if (q.is_vertex)
-        m_between.push_back(j % n);
     }
   }
 
   /// whether the vertices between two places are within their tolerances of the segment between these
-  bool is_near(const Point& a, const Point& b, double& deviation) const
+  bool is_near(std::size_t i, std::size_t j, double& deviation) const
   {
-    for (auto m = m_between.rbegin(); m != m_between.rend(); ++m) {
-      const Place& v = m_places[*m];
-      const double off = distance_to_segment(v.point, a, b) / v.tolerance;
+    const Point &a = m_places[i].point, &b = m_places[j % m_places.size()].point;
+    for (Index m = end_between(j); --m > m_places[i].segment;) {
+      const Index v = m_span.vertex(m);
+      const double off = distance_to_segment(m_outline.points[v], a, b) / m_demands.tolerance[v];
       if (!(off <= 1))
         return false;
       deviation = (std::max)(deviation, off);
@@ -188,7 +236,6 @@ private:
   const Outline_demands_2& m_demands;
   std::vector<Place> m_places;
   std::vector<std::vector<Piece>> m_pieces; // from each place
-  std::vector<std::size_t> m_between;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -26,6 +26,8 @@ struct Simplification_options
   double relative_tolerance = 0.1;                              ///< a share of d; the smaller one counts
   double minimum_island_area = 0, minimum_gap = 0;              ///< 0: these rules are off
   double corner_angle = 100;                                    ///< degrees
+
+  bool has_rules() const { return minimum_island_area > 0 || minimum_gap > 0; }
 };
 
 /// What is read from the user's triangulation.
@@ -54,7 +56,7 @@ struct Simplified_outline_2
   std::vector<Index> old_vertices; ///< of each point, `no_index` if it is new
   std::vector<Outline_segment_2> segments;
   std::vector<Simplified_span_2> spans;
-  Outline_simplification_report_2<double> report;
+  Outline_simplification_report_2 report;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -14,14 +14,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Piece_fitting_2.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Replaces a span of the movable outline by the best pieces that pass nothing else. Pieces take the place of the span
 /// one after the other. Where one would touch or pass something, the one is taken that is the best of all others that
-/// begin there; in the end those remain that lie on a segment of the span.
+/// begin there; in the end segments of the span remain.
 class Span_replacement_2
 {
 public:
@@ -48,6 +47,10 @@ public:
         path.push_back(v);
         place = next;
         break;
+      }
+      if (!is_possible) {
+        is_possible = keep_segments(fitting, place, place + 1 == end, path);
+        ++place;
       }
     }
     if (is_possible)
@@ -88,6 +91,21 @@ private:
     m_head = m_ids.back();
     m_ids.pop_back();
     return true;
+  }
+
+  /// leaves the segments as they are between a place and the next one
+  bool keep_segments(const Piece_fitting_2& fitting, std::size_t place, bool is_last, Fitted_path_2& path)
+  {
+    const Fitted_path_2 between = fitting.vertices_after(place);
+    if (between.empty())
+      return false; // that was tried
+    for (const Fitted_vertex_2& v : between) {
+      if (!place_piece(path.back(), v, false))
+        return false;
+      path.push_back(v);
+    }
+    path.push_back(fitting.vertex(place + 1));
+    return place_piece(path[path.size() - 2], path.back(), is_last);
   }
 
   /// Puts a piece in the place of the part of the span that belongs to it, if it may be there.

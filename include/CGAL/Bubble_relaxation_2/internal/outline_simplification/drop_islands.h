@@ -31,7 +31,7 @@ public:
   /// \pre there are no idle vertices but those that stay
   Island_rule_2(const Outline_2& outline, double least_area) : m_outline(outline), m_least_area(least_area) {}
 
-  Outline_2 operator()(Outline_simplification_report_2<double>& report) const
+  Outline_2 operator()(Outline_simplification_report_2& report) const
   {
     std::vector<char> is_dropped(m_outline.segments.size(), 0);
     for (const Outline_span_2& span : find_spans(m_outline)) {

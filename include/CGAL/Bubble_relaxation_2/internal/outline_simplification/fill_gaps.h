@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 
@@ -28,8 +29,7 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
   std::vector<std::pair<Point, Index>> points; // and the vertex, or behind these the new one
   for (std::size_t v = 0; v < outline.points.size(); ++v)
     points.emplace_back(outline.points[v], static_cast<Index>(v));
-  Outline_2 cut = outline;
-  cut.segments.clear();
+  Outline_2 cut;
   for (Outline_segment_2 s : outline.segments) {
     const Point &a = outline.points[s.source], &b = outline.points[s.target];
     const double n = std::ceil(distance(a, b) / length);
@@ -45,7 +45,6 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
   }
   std::sort(points.begin(), points.end());
   std::vector<Index> number(points.size());
-  cut = Outline_2{{}, {}, {}, std::move(cut.segments)};
   for (const auto& p : points) {
     number[p.second] = static_cast<Index>(cut.points.size());
     const bool is_old = static_cast<std::size_t>(p.second) < outline.points.size();
@@ -71,17 +70,19 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
 class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
+  static constexpr double most_parts = 1e7;    // a triangulation of some gigabytes
   static constexpr double shallow = 0.03;      // what is no deeper, over the least width, is no gap
   static constexpr double open_depth = 0.52;   // over the width of the mouth: an angle of about 88 degrees
   static constexpr double open_mouth = 0.7;    // over the least width
   static constexpr double least_basin = 3.14;  // over the square of the width: a disc of twice the width
 
 public:
+  /// \throws std::length_error if the width is so small that there would be far more parts than can be wanted
   Gap_rule_2(const Outline_2& outline, double width)
-    : m_outline(with_cut_segments(outline, cut * width)), m_triangulation(m_outline), m_width(width)
+    : m_outline(with_cut_segments(checked(outline, width), cut * width)), m_triangulation(m_outline), m_width(width)
   {}
 
-  Outline_2 operator()(Outline_simplification_report_2<double>& report)
+  Outline_2 operator()(Outline_simplification_report_2& report)
   {
     fill_narrow();
     do
@@ -93,6 +94,19 @@ public:
 
 private:
   using Region = std::vector<Index>;
+
+  static const Outline_2& checked(const Outline_2& outline, double width)
+  {
+    double n = 0;
+    for (const Outline_segment_2& s : outline.segments)
+      if (s.is_in_domain())
+        n += std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width));
+    if (!(n < most_parts))
+      throw std::length_error("Bubble_relaxation_2: parameter minimum_gap = " + in_words(width) +
+                              " cuts the outline into about " + in_words(n) + " parts");
+    return outline;
+  }
+
   const Flat_triangulation_2& tr() const { return m_triangulation.tr(); }
 
   void fill(const Region& region)
@@ -238,7 +252,7 @@ private:
     return std::find(n.begin(), n.end(), t) != n.end();
   }
 
-  void tell(Outline_simplification_report_2<double>& report) const
+  void tell(Outline_simplification_report_2& report) const
   {
     const auto is_filled = [this](Index t) { return m_triangulation.was_inside(t) && !m_triangulation.is_inside(t); };
     for (const Region& region : m_triangulation.regions(is_filled)) {

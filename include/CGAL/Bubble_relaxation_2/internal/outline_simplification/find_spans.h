@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -96,11 +95,12 @@ public:
     : m_outline(outline), m_span(span), m_cosines(span.size(), -2), m_reach(span.size())
   {
     const double limit = std::cos(largest_angle * (3.14159265358979323846 / 180));
+    m_length.push_back(0);
+    for (std::size_t k = 0; k < (span.is_ring ? 2 : 1) * span.size(); ++k)
+      m_length.push_back(m_length.back() + distance(point(k % span.size()), point(k % span.size() + 1)));
     for (std::size_t k = first(); k < span.size(); ++k) {
       const Index v = span.vertices[k];
-      const double cosine = cosine_of_angle(k, 0.5 * demands.size[v], 0.5 * demands.tolerance[v]);
-      if (cosine > limit)
-        m_cosines[k] = cosine;
+      find_angle(k, 0.5 * demands.size[v], 0.5 * demands.tolerance[v], limit);
     }
   }
 
@@ -115,7 +115,6 @@ public:
 
 private:
   std::size_t first() const { return m_span.is_ring ? 0 : 1; }
-  std::size_t number_of_vertices() const { return m_span.size(); }
   const Point& point(std::size_t k) const { return m_outline.points[m_span.vertices[k]]; }
 
   /// the vertex after `k`, or before it, as an index of the span; its size where it ends
@@ -129,26 +128,36 @@ private:
 
   bool is_end(std::size_t k) const { return !m_span.is_ring && (k == 0 || k == m_span.size()); }
 
-  /// the first place outside of the disc; `center` if a ring stays within
+  /// The first place outside of the disc; `center` if a ring stays within. Vertices are skipped that cannot be outside
+  /// yet, as the length on the way to them tells.
   Point exit(std::size_t center, double radius, bool forward, std::size_t& reach) const
   {
+    const std::size_t n = m_span.size(), most = m_span.is_ring ? n : forward ? n - center : center;
+    const std::size_t start = m_span.is_ring && !forward ? center + n : center;
+    const auto vertex = [&](std::size_t steps) { return forward ? start + steps : start - steps; };
+    const auto length = [&](std::size_t steps) { return std::abs(m_length[vertex(steps)] - m_length[start]); };
+    const auto place = [&](std::size_t steps) -> const Point& {
+      return point(m_span.is_ring ? vertex(steps) % n : vertex(steps));
+    };
     const Point& c = point(center);
-    Point p = c;
-    reach = 0;
-    for (std::size_t k = center; !is_end(k) || k == center;) {
-      k = next(k, forward);
-      if (k == center)
-        return c;
-      const Point q = point(k);
-      const double r = distance(c, q);
+    double r = 0;
+    for (std::size_t steps = 0; steps < most;) {
+      std::size_t next = steps + 1;
+      for (std::size_t end = most; next < end;) { // the first one that may be outside, or the last of all
+        const std::size_t middle = next + (end - next) / 2;
+        if (length(middle) < length(steps) + (radius - r))
+          next = middle + 1;
+        else
+          end = middle;
+      }
+      r = distance(c, place(next));
+      reach = next - 1;
       if (r >= radius)
-        return where_it_leaves(c, p, q, radius);
-      ++reach;
-      p = q;
-      if (is_end(k))
-        break;
+        return where_it_leaves(c, place(next - 1), place(next), radius);
+      steps = next;
     }
-    return p;
+    reach = m_span.is_ring ? most - 1 : most;
+    return place(most);
   }
 
   static Point where_it_leaves(const Point& c, const Point& p, const Point& q, double radius)
@@ -159,13 +168,13 @@ private:
     return Point(p.x() + s * dx, p.y() + s * dy);
   }
 
-  double cosine_of_angle(std::size_t k, double radius, double tolerance)
+  void find_angle(std::size_t k, double radius, double tolerance, double limit)
   {
     const Point p = exit(k, radius, true, m_reach[k][0]), q = exit(k, radius, false, m_reach[k][1]), &c = point(k);
-    const double lp = distance(c, p), lq = distance(c, q);
-    if (!(lp > 0) || !(lq > 0) || !is_straight(k, true, p, tolerance) || !is_straight(k, false, q, tolerance))
-      return -2;
-    return ((p.x() - c.x()) * (q.x() - c.x()) + (p.y() - c.y()) * (q.y() - c.y())) / (lp * lq);
+    const double lp = distance(c, p), lq = distance(c, q),
+                 cosine = ((p.x() - c.x()) * (q.x() - c.x()) + (p.y() - c.y()) * (q.y() - c.y())) / (lp * lq);
+    if (lp > 0 && lq > 0 && cosine > limit && is_straight(k, true, p, tolerance) && is_straight(k, false, q, tolerance))
+      m_cosines[k] = cosine;
   }
 
   bool is_straight(std::size_t center, bool forward, const Point& exit, double tolerance) const
@@ -197,6 +206,7 @@ private:
 
   const Outline_2& m_outline;
   const Outline_span_2& m_span;
+  std::vector<double> m_length;                      // of the way to each vertex; of a ring twice around
   std::vector<double> m_cosines;                     // of the angles under the limit; -2 elsewhere
   std::vector<std::array<std::size_t, 2>> m_reach;   // how many vertices on either side lie in the disc
 };

@@ -15,7 +15,6 @@
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>

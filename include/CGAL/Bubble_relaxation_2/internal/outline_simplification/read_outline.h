@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
@@ -53,6 +54,8 @@ Simplification_options read_simplification_options(const NamedParameters& np)
   take_number(internal_np::minimum_island_area, "minimum_island_area", o.minimum_island_area);
   take_number(internal_np::minimum_gap, "minimum_gap", o.minimum_gap);
   take_number(internal_np::corner_angle, "corner_angle", o.corner_angle);
+  if (o.corner_angle > 180)
+    throw_invalid_parameter("corner_angle", o.corner_angle, "at most 180");
   return o;
 }
 
@@ -85,8 +88,17 @@ public:
 
   template <class NamedParameters>
   Outline_reading_2(const Cdt& cdt, const NamedParameters& np)
-    : problem{Outline_2(), {}, {}, false, sizes_of_pieces<Cdt>(np, read_simplification_options(np)),
-              read_simplification_options(np)}
+    : Outline_reading_2(cdt, np, read_simplification_options(np))
+  {}
+
+  Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(addresses[v]); }
+
+  Index number(Vertex_handle v) const { return m_numbers(&*v); }
+
+private:
+  template <class NamedParameters>
+  Outline_reading_2(const Cdt& cdt, const NamedParameters& np, const Simplification_options& options)
+    : problem{Outline_2(), {}, {}, false, sizes_of_pieces<Cdt>(np, options), options}
   {
     const Domain_marks_2<Cdt> marks(cdt, np);
     const Sorted_vertices_2 vertices(marks, Vertex_order<Cdt>::is_before());
@@ -104,16 +116,11 @@ public:
       fix_ends_of_constraints(cdt);
     if constexpr (Is_given<NamedParameters, internal_np::seeds_t>::value)
       for (const auto& seed : parameters::get_parameter(np, internal_np::seeds))
-        problem.seeds.emplace_back(CGAL::to_double(seed.x()), CGAL::to_double(seed.y()));
+        problem.seeds.push_back(point_in_double(seed));
     problem.seeds_are_in_domain =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::seeds_are_in_domain), false);
   }
 
-  Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(addresses[v]); }
-
-  Index number(Vertex_handle v) const { return m_numbers(&*v); }
-
-private:
   /// \throws std::invalid_argument if two vertices are in one place
   void check_places() const
   {

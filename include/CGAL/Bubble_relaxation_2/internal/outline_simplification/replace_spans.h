@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -29,14 +30,21 @@ namespace CGAL::Bubble_relaxation_2::internal {
 constexpr int sweeps_of_improvement = 6;
 constexpr double most_places = 3e7; // on the outline: two gigabytes
 
-/// \throws std::invalid_argument if a tolerance is no more than roundings
-inline void check_tolerance(const Point& p, double tolerance)
+/// how far the new outline may be from the old one at a point
+/// \throws std::invalid_argument if that is no more than roundings
+inline double tolerance_at(const Point& p, double size, const Simplification_options& options)
 {
-  const double largest = (std::max)(std::abs(p.x()), std::abs(p.y()));
-  if (!(tolerance > 1e-12 * largest) || !std::isfinite(tolerance))
-    throw std::invalid_argument("Bubble_relaxation_2: the tolerance " + in_words(tolerance) + " at " +
-                                in_words(p.x(), p.y()) +
-                                " must be finite and greater than the rounding of coordinates there");
+  const double share = options.relative_tolerance * size, tolerance = (std::min)(options.tolerance, share),
+               largest = (std::max)(std::abs(p.x()), std::abs(p.y()));
+  if (tolerance > 1e-12 * largest && std::isfinite(tolerance))
+    return tolerance;
+  const std::string parameter =
+    options.tolerance <= share
+      ? "outline_tolerance = " + in_words(options.tolerance)
+      : "relative_outline_tolerance = " + in_words(options.relative_tolerance) + " of d = " + in_words(size);
+  throw std::invalid_argument("Bubble_relaxation_2: parameter " + parameter +
+                              " must give a finite tolerance that is greater than the rounding of coordinates at " +
+                              in_words(p.x(), p.y()));
 }
 
 /// sizes and tolerances at the vertices
@@ -46,8 +54,7 @@ inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& siz
   Outline_demands_2 result;
   for (const Point& p : outline.points) {
     result.size.push_back(sizes(p));
-    result.tolerance.push_back((std::min)(options.tolerance, options.relative_tolerance * result.size.back()));
-    check_tolerance(p, result.tolerance.back());
+    result.tolerance.push_back(tolerance_at(p, result.size.back(), options));
   }
   return result;
 }

@@ -75,7 +75,7 @@ private:
 inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplified_outline_2& result)
 {
   auto& report = result.report;
-  const auto place = [](const Point& p) { return Outline_simplification_report_2<double>::Place{p.x(), p.y()}; };
+  const auto place = [](const Point& p) { return Outline_simplification_report_2::Place{p.x(), p.y()}; };
   std::size_t fitting = 0;
   report.number_of_segments = result.segments.size();
   report.shortest_piece = (std::numeric_limits<double>::infinity)();
@@ -96,33 +96,45 @@ inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplifi
   report.share_of_fitting_pieces = static_cast<double>(fitting) / static_cast<double>(result.segments.size());
 }
 
-/// whether a point lies in the domain, as the first segment below it tells
-inline bool is_in_domain(const Simplified_outline_2& outline, const Point& p)
+/// On which side of the boundary of the domain points are, as the parity of the boundary segments below each tells. A
+/// point above a common end of two segments is taken for one a little to the right of it.
+inline std::vector<Bounded_side> sides_of_boundary(const Simplified_outline_2& outline,
+                                                   const std::vector<Point>& points)
 {
-  bool is_inside = false;
-  double highest = -(std::numeric_limits<double>::infinity)();
+  std::vector<Index> order;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    order.push_back(static_cast<Index>(k));
+  std::sort(order.begin(), order.end(), [&](Index k, Index l) { return points[k].x() < points[l].x(); });
+  std::vector<Bounded_side> sides(points.size(), ON_UNBOUNDED_SIDE);
   for (const Outline_segment_2& s : outline.segments) {
-    const bool is_rightward = outline.points[s.source].x() < outline.points[s.target].x();
-    const Point &left = outline.points[is_rightward ? s.source : s.target],
-                &right = outline.points[is_rightward ? s.target : s.source];
-    if (!(left.x() <= p.x() && p.x() < right.x()) || CGAL::orientation(left, right, p) == RIGHT_TURN)
+    if (s.inside_left == s.inside_right)
       continue;
-    const double y = left.y() + (p.x() - left.x()) / (right.x() - left.x()) * (right.y() - left.y());
-    if (y > highest) {
-      highest = y;
-      is_inside = is_rightward ? s.inside_left : s.inside_right;
+    const Point &a = outline.points[s.source], &b = outline.points[s.target], &left = (std::min)(a, b),
+                &right = (std::max)(a, b);
+    const auto first = std::lower_bound(order.begin(), order.end(), left.x(),
+                                        [&](Index k, double x) { return points[k].x() < x; });
+    for (auto k = first; k != order.end() && points[*k].x() <= right.x(); ++k) {
+      const Point& p = points[*k];
+      const Orientation turn = CGAL::orientation(left, right, p);
+      if (turn == COLLINEAR && left <= p && p <= right)
+        sides[*k] = ON_BOUNDARY;
+      else if (turn == LEFT_TURN && p.x() < right.x())
+        sides[*k] = static_cast<Bounded_side>(-sides[*k]); // ON_BOUNDARY, which is 0, remains
     }
   }
-  return is_inside;
+  return sides;
 }
 
-/// the seeds that are still in regions of their kind: a rule may have taken the region away
+/// The seeds that are still in regions of their kind: a rule may have taken the region away, or have left a seed on the
+/// boundary, where it tells nothing.
 inline void report_seeds(const Simplification_problem_2& problem, Simplified_outline_2& result)
 {
   const bool is_changed = !result.report.dropped_islands.empty() || !result.report.filled_gaps.empty();
-  for (const Point& p : problem.seeds)
-    if (!is_changed || is_in_domain(result, p) == problem.seeds_are_in_domain)
-      result.report.seeds.push_back({p.x(), p.y()});
+  const std::vector<Bounded_side> sides = sides_of_boundary(result, problem.seeds);
+  const Bounded_side wanted = problem.seeds_are_in_domain ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    if (!is_changed || sides[k] == wanted)
+      result.report.seeds.push_back({problem.seeds[k].x(), problem.seeds[k].y()});
 }
 
 /// the distance between the outline that was replaced and the new one

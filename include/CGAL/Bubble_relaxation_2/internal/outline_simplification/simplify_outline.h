@@ -38,9 +38,9 @@ inline std::vector<Point> obstacles_of(const Simplification_problem_2& problem)
 }
 
 /// the outline as the rules leave it
-inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_simplification_report_2<double>& report)
+inline Outline_2 apply_rules(Outline_2 outline, const Simplification_problem_2& problem,
+                             Outline_simplification_report_2& report)
 {
-  Outline_2 outline = without_idle_vertices(problem.outline);
   if (problem.options.minimum_island_area > 0)
     outline = Island_rule_2(outline, problem.options.minimum_island_area)(report);
   if (problem.options.minimum_gap > 0)
@@ -54,9 +54,13 @@ inline Outline_2 apply_rules(const Simplification_problem_2& problem, Outline_si
 /// The stages of `CGAL::simplify_outline_2()`, without the user's types.
 inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
 {
-  Outline_simplification_report_2<double> report;
-  Outline_2 outline = apply_rules(problem, report);
-  const Outline_demands_2 demands = demands_of(outline, problem.sizes, problem.options);
+  Outline_simplification_report_2 report;
+  Outline_2 outline = without_idle_vertices(problem.outline);
+  Outline_demands_2 demands = demands_of(outline, problem.sizes, problem.options); // checked before the rules work
+  if (problem.options.has_rules()) {
+    outline = apply_rules(std::move(outline), problem, report);
+    demands = demands_of(outline, problem.sizes, problem.options);
+  }
   check_number_of_places(outline, demands);
   const Forced_vertices_2 forced(outline, demands, problem.sizes);
   report.wanted_vertices = forced.wanted();

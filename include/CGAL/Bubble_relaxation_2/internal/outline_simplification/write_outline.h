@@ -268,11 +268,11 @@ private:
 
   void give_constraints()
   {
-    for (const auto& l : m_lines) {
+    for (auto l = m_lines.rbegin(); l != m_lines.rend(); ++l) { // CGAL finds the one that was taken last at once
       std::vector<Cdt_point> points;
-      for (Index v : l.second)
+      for (Index v : l->second)
         points.push_back(vertex(v)->point());
-      exchange(l.first, m_cdt.insert_constraint(points.begin(), points.end()));
+      exchange(l->first, m_cdt.insert_constraint(points.begin(), points.end()));
     }
     for (const Simplified_span_2& span : m_outline.spans)
       for (std::size_t k = 1; k < span.vertices.size(); ++k) {
