@@ -185,21 +185,23 @@ private:
     return taken;
   }
 
-  /// the bubbles around `p` that are linked to `i`, or to one of these, and other proposals of `i`
-  Growth_limits_2 surroundings(Index i, const Point& p, const List& proposals) const
+  /// adds the bubbles around `p` that are linked to `i`
+  void add_linked(Index i, const Point& p, double d, Growth_limits_2& around) const
   {
-    Growth_limits_2 result;
-    const double d = m_bubbles.d[i];
-    result.add_if_near(i, m_bubbles, p, d, surroundings_reach);
+    around.add_if_near(i, m_bubbles, p, d, surroundings_reach);
     for (Index j : m_crystal.links(i))
-      result.add_if_near(j, m_bubbles, p, d, surroundings_reach);
-    for (std::size_t k = 1, n = result.size(); k < n; ++k)
-      for (Index l : m_crystal.links(result.index(k)))
-        if (!result.has(l))
-          result.add_if_near(l, m_bubbles, p, d, surroundings_reach);
+      around.add_if_near(j, m_bubbles, p, d, surroundings_reach);
+  }
+
+  /// adds those that are linked to one of these, and other proposals of `i`
+  void add_farther(const Point& p, double d, const List& proposals, Growth_limits_2& around) const
+  {
+    for (std::size_t k = 1, n = around.size(); k < n; ++k)
+      for (Index l : m_crystal.links(around.index(k)))
+        if (!around.has(l))
+          around.add_if_near(l, m_bubbles, p, d, surroundings_reach);
     for (int k = 0; k < proposals.size; ++k)
-      result.add(Point(proposals.list[k].x, proposals.list[k].y), proposals.list[k].d);
-    return result;
+      around.add(Point(proposals.list[k].x, proposals.list[k].y), proposals.list[k].d);
   }
 
   /// tests by their cost: most places are taken
@@ -208,8 +210,15 @@ private:
     const Index i = from.index;
     const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
     const Point start(x + d_i * u.x, y + d_i * u.y);
-    const Growth_limits_2 around = surroundings(i, start, proposals);
-    if (!around.is_free(start, d_i) || is_left_to_other(i, start, around))
+    const auto is_for_it = [&](const Growth_limits_2& around) {
+      return around.is_free(start, d_i) && !is_left_to_other(i, start, around);
+    };
+    Growth_limits_2 around;
+    add_linked(i, start, d_i, around);
+    if (!is_for_it(around)) // on an outline that is far finer than d bubbles are linked to very many
+      return;
+    add_farther(start, d_i, proposals, around);
+    if (!is_for_it(around))
       return;
     const Index seen = visible_triangle(i, start);
     if (seen == no_index)

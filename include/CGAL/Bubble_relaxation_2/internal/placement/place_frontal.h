@@ -47,7 +47,8 @@ public:
   Crystal_growth_2(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles,
                    const std::vector<double>& directions, Lattice_direction lattice, Team& team, const Threads& threads)
     : m_domain(domain), m_sizing(sizing), m_team(team), m_threads(threads), m_crystal(domain, bubbles, threads),
-      m_front(domain), m_propose(domain, sizing, m_crystal, m_front, lattice, team, threads)
+      m_front(domain), m_propose(domain, sizing, m_crystal, m_front, lattice, team, threads),
+      m_speakers(crowded, bubbles.size() == 0 ? 1. : bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 0)
   {
     const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
     m_crystal.make_room_for(expected);
@@ -57,8 +58,18 @@ public:
     m_crystal.link_from(0);
   }
 
-  /// one of the bubbles that were there before belongs to the front when the growth begins
-  void add_to_front(std::size_t i) { add_to_front(i, m_crystal.bubbles().d[i]); }
+  /// One of the bubbles that were there before belongs to the front when the growth begins. Of those that are crowded on an
+  /// outline far finer than d, few are enough to propose.
+  void add_to_front(std::size_t i)
+  {
+    const Bubbles_2& b = m_crystal.bubbles();
+    if (!b.is_in_face(i)) {
+      if (!m_speakers.is_free(b.x[i], b.y[i], b.d[i]))
+        return;
+      m_speakers.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+    }
+    add_to_front(i, b.d[i]);
+  }
 
   /// grows until there is no front left
   void operator()()
@@ -85,6 +96,7 @@ public:
 
 private:
   static constexpr int settling_rounds = 3;
+  static constexpr double crowded = 0.3; ///< distance, in units of d
 
   void add_to_front(std::size_t i, double key)
   {
@@ -161,6 +173,7 @@ private:
   Crystal_2 m_crystal;
   Growth_front_2 m_front;
   Growth_proposals_2 m_propose;
+  Bubble_buckets_2 m_speakers; // of bubbles on the outline those that propose
   Hole_choice_2 m_choice;
   // of the present generation
   std::vector<Growth_proposer> m_generation;
