@@ -25,6 +25,10 @@ figures=$here/doc/Bubble_relaxation_2/fig
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .
 "$here/scripts/benchmark.sh" influence 1e4 1e6 | grep -v '^\[\|^ninja' | tee "$figures/influence_domains.txt"
+"$here/scripts/benchmark.sh" coasts --size 5 norway_low > /dev/null # for the picture
+cp "$here/output/coast.svg" .
+"$here/scripts/benchmark.sh" coasts {superior,aegean,norway,patagonia,finland}_intermediate |
+  grep -v '^\[\|^ninja' | tee "$figures/coasts.txt"
 "$here/doc/Bubble_relaxation_2/draw_rooms.py" rooms.svg
 # those that the manual shows
 for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
