@@ -31,7 +31,7 @@ if [ "$benchmark" = coasts ]; then
     for resolution in low intermediate high; do
       file=output/coasts/${name}_$resolution.txt
       [ -s "$file" ] || gmt coast "-R$west/$east/$south/$north" "-D${resolution:0:1}" -M -W \
-        --FORMAT_FLOAT_OUT=%.9g > "$file"
+        --FORMAT_FLOAT_OUT=%.9g --GMT_HISTORY=false > "$file"
     done
   done < <(grep -v '^#' output/coasts/coasts.txt)
   set -- coasts --svg coast.svg "$@"

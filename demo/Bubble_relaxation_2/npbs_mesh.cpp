@@ -83,7 +83,7 @@ po::options_description all_options()
                                          "the domain's own edges")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
-    ("size-growth", po::value<double>()->default_value(defaults::default_size_growth),
+    ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),
      "by how much the length grows per unit of length away from where the domain is finer than it")
     ("minimum-angle", po::value<double>()->default_value(defaults::default_minimum_angle),
      "smaller angles are refined, in degrees, but for those between two segments; 0: never")
@@ -296,7 +296,10 @@ void print_statistics(const Report& report)
   std::cout << report.quality << "  worst triangle, at" << std::string(19, ' ')
             << in_words(Point(report.quality.worst_x(), report.quality.worst_y())) << '\n'
             << "  largest change of d per length" << std::string(6, ' ') << report.largest_size_gradient << '\n'
+            << "  small angles at sharp corners" << std::string(7, ' ') << report.number_of_forced_triangles << '\n'
+            << "  small angles elsewhere" << std::string(14, ' ') << report.number_of_small_angles << '\n'
             << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'
+            << "  converged" << std::string(27, ' ') << (report.converged ? "yes" : "no") << '\n'
             << "  seconds" << std::string(29, ' ') << report.seconds.total() << '\n';
 }
 

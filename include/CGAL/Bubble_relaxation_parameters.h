@@ -167,7 +167,7 @@ auto restart_from(const char (&path)[n])
 
 `integrator(Bubble_integrator::RUNGE_KUTTA_4)`, `force_coefficient(1)`, `mass(1)`, `damping(3.8429)`,
 `time_step(0.02)`, `number_of_iterations(250)`, `number_of_rounds(6)`, `neighbor_radius(1.7)`,
-`renewal_interval(10)`, `displacement_tolerance(0)`, `initial_placement(Bubble_placement::RHOMBIC)` 
+`renewal_interval(10)`, `displacement_tolerance(0)`, `initial_placement(Bubble_placement::RHOMBIC)`,
 `population_control(Bubble_population::OVERLAP_RATIO)`, `defect_treatment(false)` and
 `limit_by_outline(false)`. They are in units of length and time, for sizes of a few hundredths; the renewal
 interval, which the paper calls k, has no value there.

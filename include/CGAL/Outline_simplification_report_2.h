@@ -97,7 +97,7 @@ inline std::ostream& operator<<(std::ostream& out, const Outline_simplification_
              << report.number_of_old_segments << "\n  of these .6 to 1.5 d long" << std::string(11, ' ')
              << 100 * report.share_of_fitting_pieces << " %\n  Hausdorff distance" << std::string(18, ' ')
              << report.hausdorff_distance << "\n  vertices that d asks for" << std::string(12, ' ')
-             << std::llround(report.wanted_vertices) << "\n  islands and narrows force" << std::string(11, ' ')
+             << std::llround(report.wanted_vertices) << "\n  islands force at least" << std::string(14, ' ')
              << std::llround(report.forced_vertices) << "\n  dropped islands, filled gaps" << std::string(8, ' ')
              << report.dropped_islands.size() << ", " << report.filled_gaps.size() << "\n  seconds"
              << std::string(29, ' ') << report.seconds << '\n';
