@@ -112,27 +112,22 @@ public:
     Star_2 corners;
     const Corner_2 start = corner(m_triangle_of[v], v);
     Corner_2 c = start;
-    do { // clockwise to the hull or once around
-      const Index next = m_triangles.neighbors[c.triangle][cw(c.index)];
-      if (next == no_index)
-        break;
-      c = corner(next, v);
-    } while (c.triangle != start.triangle);
-    const Index first = c.triangle;
     do {
       corners.push_back(c);
       const Index next = m_triangles.neighbors[c.triangle][ccw(c.index)];
-      if (next == no_index)
+      if (next == no_index) { // the hull: what lies clockwise of the first comes before it
+        add_clockwise(start, v, corners);
         break;
+      }
       c = corner(next, v);
-    } while (c.triangle != first);
+    } while (c.triangle != start.triangle);
     return corners;
   }
 
-  /// whether all triangles of the domain around a vertex stay counterclockwise when it moves to `p`
-  bool stays_valid(Index v, const Point& p) const
+  /// whether all triangles of the domain in the star of a vertex stay counterclockwise when it moves to `p`
+  bool stays_valid(const Star_2& star, const Point& p) const
   {
-    for (const Corner_2& c : star(v)) {
+    for (const Corner_2& c : star) {
       const Point a = m_mesh.point(c.triangle, ccw(c.index)), b = m_mesh.point(c.triangle, cw(c.index));
       if (is_inside(c.triangle) && CGAL::orientation(p, a, b) != LEFT_TURN)
         return false;
@@ -188,6 +183,15 @@ private:
       number_of_flips += flip_unless_delaunay(edge.triangle, edge.index);
     }
     return number_of_flips;
+  }
+
+  /// puts the triangles around `v` that lie clockwise of a corner, up to the hull, before those that are there
+  void add_clockwise(Corner_2 c, Index v, Star_2& corners) const
+  {
+    Star_2 before;
+    for (Index t; (t = m_triangles.neighbors[c.triangle][cw(c.index)]) != no_index; before.push_back(c))
+      c = corner(t, v);
+    corners.insert(corners.begin(), before.rbegin(), before.rend());
   }
 
   Corner_2 corner(Index t, Index v) const

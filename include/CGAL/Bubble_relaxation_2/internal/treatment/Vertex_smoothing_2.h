@@ -137,7 +137,8 @@ public:
   /// returns whether the vertex moved
   bool operator()(const Editable_triangulation_2& mesh, Bubbles_2& bubbles, Index v) const
   {
-    const Star_quality_2 star = quality_around(mesh, bubbles, v);
+    const Star_2 corners = mesh.star(v);
+    const Star_quality_2 star = quality_around(mesh, bubbles, v, corners);
     const Vector here{0, 0};
     const double smallest = star.smallest(here);
     if (smallest >= m_treated_quality)
@@ -151,7 +152,7 @@ public:
     for (int attempt = 0; attempt < 4; ++attempt, factor *= 0.4) {
       const Vector there{factor * step.x, factor * step.y};
       if (star.energy(there) < energy && star.smallest(there) >= smallest &&
-          try_to_move(mesh, bubbles, v, star.point(there), there))
+          try_to_move(mesh, bubbles, v, corners, star.point(there), there))
         return true;
     }
     return false;
@@ -166,10 +167,9 @@ private:
   static constexpr double h = 1. / 1024;
 
   static Star_quality_2 quality_around(const Editable_triangulation_2& mesh, const Bubbles_2& bubbles,
-                                       Index v)
+                                       Index v, const Star_2& corners)
   {
     Star_quality_2 star(bubbles.point(v), bubbles.d[v]);
-    const Star_2 corners = mesh.star(v);
     const std::size_t first = first_corner(mesh, corners);
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Corner_2& c = corners[(first + k) % corners.size()];
@@ -225,7 +225,8 @@ private:
 
   /// moves a vertex to `p`, which is `step` away, unless a triangle of the domain around it would be turned
   /// over; returns whether it did
-  bool try_to_move(const Editable_triangulation_2& mesh, Bubbles_2& b, Index v, Point p, Vector step) const
+  bool try_to_move(const Editable_triangulation_2& mesh, Bubbles_2& b, Index v, const Star_2& corners, Point p,
+                   Vector step) const
   {
     double s = b.s[v];
     if (b.is_on_edge(v)) {
@@ -233,7 +234,7 @@ private:
       s += b.d[v] / m_domain.length(b.host[v]) * (step.x * u.x + step.y * u.y);
       p = m_domain.point_on_edge(b.host[v], s);
     }
-    if (!mesh.stays_valid(v, p))
+    if (!mesh.stays_valid(corners, p))
       return false;
     if (b.is_in_face(v))
       b.host[v] = m_domain.walk(b.host[v], b.point(v), p).triangle;
