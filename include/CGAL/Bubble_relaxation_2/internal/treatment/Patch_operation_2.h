@@ -11,193 +11,22 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Mesh_patch_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
-
-#include <boost/container/flat_map.hpp>
-#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The surroundings of a triangle as bubbles and edges of their own, so that a change can be tried and
-/// forgotten. Bubbles with triangles outside of the patch must stay; they look like corners.
-class Mesh_patch_2
-{
-public:
-  /// all triangles of the domain that can be reached from `triangle` in some steps across sides
-  Mesh_patch_2(const Bubble_mesh_2& mesh, Index triangle)
-    : m_all_bubbles(mesh.bubbles), m_triangles_of_mesh(mesh.triangles)
-  {
-    collect_triangles(triangle);
-    collect_bubbles();
-    collect_edges();
-  }
-
-  const std::vector<Index>& triangles() const { return m_triangles; } ///< of the mesh, sorted
-  const std::vector<Index>& indices() const { return m_indices; }     ///< of the bubbles in the mesh, sorted
-  const Bubbles_2& bubbles() const { return m_bubbles; }
-  const std::vector<Domain_edge_2>& edges() const { return m_edges; } ///< between bubbles of the patch
-
-  /// what the mesh has in `edges` for a side where it goes on beyond the patch, between two bubbles of the patch;
-  /// `other` for all other sides
-  Index edge_on_rim(Index source, Index target, Index other) const
-  {
-    const auto side = m_rim.find({source, target});
-    return side == m_rim.end() ? other : side->second;
-  }
-
-  /// the number in the patch of a bubble of the mesh that is in it
-  Index local(Index i) const
-  {
-    return static_cast<Index>(std::lower_bound(m_indices.begin(), m_indices.end(), i) -
-                              m_indices.begin());
-  }
-
-  /// the same for what is the same, seen from a triangle of the patch
-  std::size_t signature(Index triangle) const
-  {
-    std::size_t result = 0;
-    const auto add = [&result](const Bubbles_2& b, std::size_t i) {
-      boost::hash_combine(result, b.x[i]);
-      boost::hash_combine(result, b.y[i]);
-    };
-    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
-      add(m_bubbles, i);
-    for (Index v : m_triangles_of_mesh.vertices[triangle])
-      add(m_all_bubbles, static_cast<std::size_t>(v));
-    return result;
-  }
-
-  /// whether the mesh, whose edges are labelled, ends at the patch where the domain does not
-  bool is_cut_off() const
-  {
-    for (Index t : m_triangles)
-      for (int i = 0; i < 3; ++i)
-        if (m_triangles_of_mesh.neighbors[t][i] == no_index && m_triangles_of_mesh.edges[t][i] != OUTLINE)
-          return true;
-    return false;
-  }
-
-private:
-  /// the vertices that move are those up to about two edges away
-  static constexpr int reach = 4;
-
-  bool contains(Index t) const
-  {
-    return t != no_index && std::binary_search(m_triangles.begin(), m_triangles.end(), t);
-  }
-
-  void collect_triangles(Index triangle)
-  {
-    const Marked_triangles_2& m = m_triangles_of_mesh;
-    std::vector<Index> front(1, triangle);
-    m_triangles = front;
-    for (int step = 0; step < reach; ++step) {
-      std::vector<Index> next;
-      for (Index t : front)
-        for (Index n : m.neighbors[t])
-          if (n != no_index && m.inside[n] && !contains(n))
-            next.push_back(n);
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
-      const auto middle = m_triangles.insert(m_triangles.end(), next.begin(), next.end());
-      std::inplace_merge(m_triangles.begin(), middle, m_triangles.end());
-      front = std::move(next);
-    }
-  }
-
-  void collect_bubbles()
-  {
-    const Marked_triangles_2& m = m_triangles_of_mesh;
-    for (Index t : m_triangles)
-      m_indices.insert(m_indices.end(), m.vertices[t].begin(), m.vertices[t].end());
-    std::sort(m_indices.begin(), m_indices.end());
-    m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
-    for (Index i : m_indices)
-      m_bubbles.add(m_all_bubbles, i);
-    // on the rim: where the domain goes on
-    for (Index t : m_triangles)
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m.neighbors[t][i];
-        if (n == no_index || !m.inside[n] || contains(n))
-          continue;
-        const Index source = local(m.vertices[t][ccw(i)]), target = local(m.vertices[t][cw(i)]);
-        m_rim[{source, target}] = m.edges[t][i];
-        m_bubbles.dimension[source] = m_bubbles.dimension[target] = Bubbles_2::CORNER;
-      }
-  }
-
-  /// the rim and the constraints inside
-  void collect_edges()
-  {
-    const Marked_triangles_2& m = m_triangles_of_mesh;
-    for (Index t : m_triangles)
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m.neighbors[t][i];
-        const bool goes_on = contains(n);
-        if (goes_on && (m.edges[t][i] == no_index || n < t))
-          continue;
-        m_edges.push_back(Domain_edge_2{local(m.vertices[t][ccw(i)]), local(m.vertices[t][cw(i)]),
-                                        true, goes_on});
-      }
-  }
-
-  const Bubbles_2& m_all_bubbles;
-  const Marked_triangles_2& m_triangles_of_mesh;
-  std::vector<Index> m_triangles, m_indices;
-  Bubbles_2 m_bubbles;
-  std::vector<Domain_edge_2> m_edges;
-  boost::container::flat_map<std::pair<Index, Index>, Index> m_rim;
-};
-
-/// What an operation made of a patch.
-struct Patch_outcome_2
-{
-  Bubble_mesh_2 mesh;
-  std::vector<Index> original; ///< of each bubble its number in the patch; inserted ones come after the last
-
-  /// The triangles that take the place of those of the patch, with labels of edges. `number[k]`: what bubble `k` is
-  /// called there.
-  std::vector<New_triangle_2> triangles(const Mesh_patch_2& patch, const std::vector<Index>& number) const
-  {
-    std::vector<New_triangle_2> result;
-    const Marked_triangles_2& m = mesh.triangles;
-    for (std::size_t k = 0; k < m.inside.size(); ++k) {
-      if (!m.inside[k])
-        continue;
-      const Index t = static_cast<Index>(k);
-      New_triangle_2 triangle;
-      for (int i = 0; i < 3; ++i) {
-        triangle.vertices[i] = number[m.vertices[t][i]];
-        triangle.edges[i] = label(patch, t, i);
-      }
-      result.push_back(triangle);
-    }
-    return result;
-  }
-
-private:
-  /// the rim of a patch is an edge there, but not where the patch is put
-  Index label(const Mesh_patch_2& patch, Index t, int i) const
-  {
-    const Marked_triangles_2& m = mesh.triangles;
-    if (m.edges[t][i] == no_index)
-      return no_index;
-    return patch.edge_on_rim(original[m.vertices[t][ccw(i)]], original[m.vertices[t][cw(i)]],
-                             edge_label(m, t, i));
-  }
-};
-
 /// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its
-/// vertices or of the three beyond its sides, or to insert one in its middle or on a side; the patch is
-/// triangulated and its vertices are moved. The best outcome counts if the worst triangle of the patch gets better, or
-/// stays as it is and the second worst gets better, and so on.
+/// vertices or of the three beyond its sides, or to insert one in its middle or on a side. The patch is triangulated, and
+/// where that has left the best triangles vertices are moved, which takes longest. The best outcome counts if the worst
+/// triangle of the patch gets better, or stays as it is and the second worst gets better, and so on.
 class Patch_operation_2
 {
 public:
@@ -208,9 +37,7 @@ public:
   /// tries what could help triangle `t`; returns whether anything did
   bool operator()(Index t)
   {
-    for (Index n : m_patch.triangles())
-      add_defect(m_mesh, n, m_defects);
-    std::sort(m_defects.begin(), m_defects.end());
+    m_defects = defects_among(m_mesh, m_patch.triangles());
     for (Index i : m_patch.indices())
       if (m_bubbles.is_in_face(i))
         m_hint = m_bubbles.host[i];
@@ -225,6 +52,7 @@ public:
     }
     try_with(CGAL::centroid(m_mesh.point(t, corners[0]), m_mesh.point(t, corners[1]), m_mesh.point(t, corners[2])),
              m_mean_size);
+    move_vertices(quality(m_mesh, t) < hard_quality);
     return m_is_better;
   }
 
@@ -235,14 +63,37 @@ private:
   static constexpr double least_gain = 0.01;
   /// triangles with less count as defects
   static constexpr double good_quality = 0.9;
+  /// so many outcomes get their vertices moved
+  static constexpr std::size_t number_of_favourites = 3;
+  /// The others get it too, until one helps, where the triangle has less: it may be obtuse.
+  static constexpr double hard_quality = 0.84;
 
   using Defects = std::vector<double>; // the qualities of bad triangles, the worst first
 
-  static void add_defect(const Bubble_mesh_2& mesh, Index t, Defects& defects)
+  struct Candidate
   {
-    const double q = mesh.triangles.inside[t] ? quality(mesh, t) : 1.;
-    if (q < good_quality)
-      defects.push_back(q);
+    Defects defects; // before vertices are moved
+    Patch_outcome_2 outcome;
+  };
+
+  static Defects defects_among(const Bubble_mesh_2& mesh, const std::vector<Index>& triangles)
+  {
+    Defects defects;
+    for (Index t : triangles)
+      if (mesh.triangles.inside[t]) {
+        const double q = quality(mesh, t);
+        if (q < good_quality)
+          defects.push_back(q);
+      }
+    std::sort(defects.begin(), defects.end());
+    return defects;
+  }
+
+  static Defects defects_of(const Bubble_mesh_2& mesh)
+  {
+    std::vector<Index> all(mesh.triangles.number_of_triangles());
+    std::iota(all.begin(), all.end(), Index(0));
+    return defects_among(mesh, all);
   }
 
   static bool is_better(const Defects& after, const Defects& before, double gain)
@@ -379,16 +230,28 @@ private:
     Bubble_mesh_2 mesh{std::move(bubbles), {}};
     if (!try_to_triangulate(edges, mesh) || !holds_all_bubbles(mesh))
       return;
-    Team alone;
-    Smoothing_sweeps_2(m_domain, mesh, alone)();
-    Defects defects;
-    for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
-      add_defect(mesh, static_cast<Index>(t), defects);
-    std::sort(defects.begin(), defects.end());
-    if (is_better(defects, m_defects, m_is_better ? 0. : least_gain)) {
-      m_defects = std::move(defects);
-      m_is_better = true;
-      m_best = Patch_outcome_2{std::move(mesh), std::move(original)};
+    Defects defects = defects_of(mesh);
+    m_candidates.push_back(Candidate{std::move(defects), {std::move(mesh), std::move(original)}});
+  }
+
+  /// moves vertices, first where the worst triangles are best, and keeps the best outcome
+  void move_vertices(bool is_hard)
+  {
+    std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return is_better(a.defects, b.defects, 0.);
+    });
+    for (std::size_t k = 0; k < m_candidates.size(); ++k) {
+      if (m_is_better ? k >= number_of_favourites || m_defects.empty() : k >= number_of_favourites && !is_hard)
+        return;
+      Bubble_mesh_2& mesh = m_candidates[k].outcome.mesh;
+      Team alone;
+      Smoothing_sweeps_2(m_domain, mesh, alone)();
+      Defects defects = defects_of(mesh);
+      if (is_better(defects, m_defects, m_is_better ? 0. : least_gain)) {
+        m_defects = std::move(defects);
+        m_is_better = true;
+        m_best = std::move(m_candidates[k].outcome);
+      }
     }
   }
 
@@ -399,6 +262,7 @@ private:
   const Mesh_patch_2& m_patch;
   bool m_is_better = false;
   double m_mean_size = 0;
+  std::vector<Candidate> m_candidates;
   Defects m_defects; // of the best outcome
   Index m_hint = 0;  // a triangle of the domain near by
   Patch_outcome_2 m_best;

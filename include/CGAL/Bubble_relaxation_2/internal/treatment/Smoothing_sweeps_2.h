@@ -63,13 +63,13 @@ public:
     : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_team(team)
   {}
 
-  /// returns the vertices that were moved
-  std::vector<Index> operator()()
+  /// returns the vertices that were moved, in so many sweeps or fewer
+  std::vector<Index> operator()(int most_sweeps = number_of_sweeps)
   {
     Editable_triangulation_2 mesh(m_mesh, &m_log);
     std::vector<char> was_moved(m_bubbles.size(), 0);
     std::vector<Index> candidates = vertices_of_bad_triangles();
-    for (int sweep = 0; sweep < number_of_sweeps && m_team.goes_on_treating(!candidates.empty()); ++sweep) {
+    for (int sweep = 0; sweep < most_sweeps && m_team.goes_on_treating(!candidates.empty()); ++sweep) {
       const std::vector<Index> moved = move(mesh, candidates);
       mesh.restore_delaunay(moved);
       m_team.restore_border(mesh);
@@ -176,12 +176,13 @@ private:
   std::vector<Index> neighbors_of(const Editable_triangulation_2& mesh,
                                   const std::vector<Index>& moved) const
   {
-    std::vector<Index> result;
+    std::vector<char> marks(m_bubbles.size(), 0);
     for (Index v : moved)
       for (const Corner_2& c : mesh.star(v))
-        for (Index w : mesh.vertices(c.triangle))
-          if (may_be_moved(w) && mesh.is_inside(c.triangle))
-            result.push_back(w);
+        if (mesh.is_inside(c.triangle))
+          for (Index w : mesh.vertices(c.triangle))
+            marks[w] = may_be_moved(w);
+    std::vector<Index> result = marked(marks);
     m_team.add_neighbors_of_others(mesh, result);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());

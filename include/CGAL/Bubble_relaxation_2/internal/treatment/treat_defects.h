@@ -123,14 +123,17 @@ struct Treatment_counts
 /// 2 (sqrt 2 - 1) is the q of the right-angled triangle with two equal sides.
 constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 
+/// Sweeps before surgery: what they leave undone it changes anyhow, or the sweeps after it do.
+constexpr int sweeps_before_surgery = 2;
+
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
 inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
-                                  double& smallest)
+                                  double& smallest, int most_sweeps = Smoothing_sweeps_2::number_of_sweeps)
 {
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
-  const std::vector<Index> moved = treat();
+  const std::vector<Index> moved = treat(most_sweeps);
   const double smallest_now = smallest_quality(mesh, threads);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
@@ -144,9 +147,8 @@ inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads
   return moved.size();
 }
 
-/// Inserts and removes single bubbles where moving is not enough, unless the smallest q gets smaller; then vertices are
-/// moved once more.
-inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, double smallest,
+/// Inserts and removes single bubbles where moving is not enough, unless the smallest q, `smallest`, gets smaller.
+inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, double& smallest,
                                Treatment_counts& counts)
 {
   label_edges(mesh.triangles);
@@ -155,13 +157,13 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
   for (double bad_quality : bad_qualities)
     if (!surgery(bad_quality))
       break;
-  double smallest_now = smallest_quality(changed, threads);
+  const double smallest_now = smallest_quality(changed, threads);
   // rounding can make a mess of a change; then what was there is good
   if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < smallest ||
       (surgery.has_changed_outline && !rebuild_outside(domain, changed)))
     return;
-  counts += Treatment_counts{smooth_defects(domain, threads, changed, smallest_now), surgery.number_of_insertions,
-                             surgery.number_of_deletions};
+  counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
+  smallest = smallest_now;
   mesh = std::move(changed);
 }
 
@@ -172,9 +174,10 @@ inline Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_o
   const Threads& threads = options.threads;
   Treatment_counts counts;
   double smallest = smallest_quality(mesh, threads);
-  counts.treated = smooth_defects(domain, threads, mesh, smallest);
+  counts.treated = smooth_defects(domain, threads, mesh, smallest, sweeps_before_surgery);
   if (options.population != Bubble_population::NONE)
     operate_on_defects(domain, threads, mesh, smallest, counts);
+  counts.treated += smooth_defects(domain, threads, mesh, smallest);
   return counts;
 }
 

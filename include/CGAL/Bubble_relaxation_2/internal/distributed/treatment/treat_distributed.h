@@ -71,9 +71,10 @@ public:
     Treated_piece piece{Mesh_piece_2{std::move(mesh), {}, {}}, 0, true};
     if (defects.are_near_others)
       widen(piece);
-    counts.treated = smooth(piece, smallest);
+    counts.treated = smooth(piece, smallest, sweeps_before_surgery);
     if (may_operate)
       operate(piece, smallest, counts);
+    counts.treated += smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps);
     mesh = std::move(piece.piece.mesh);
     return counts;
   }
@@ -144,13 +145,13 @@ private:
   }
 
   /// moves vertices; returns how many were moved
-  std::size_t smooth(Treated_piece& p, double& smallest) const
+  std::size_t smooth(Treated_piece& p, double& smallest, int most_sweeps) const
   {
     std::size_t number = 0;
     if (smallest >= treated_quality)
       return number;
     for (;; widen(p)) {
-      const Smoothing result = try_to_smooth(p, smallest, number);
+      const Smoothing result = try_to_smooth(p, smallest, most_sweeps, number);
       if (result == Smoothing::TOO_NARROW)
         continue;
       p.is_as_wide = p.is_as_wide && (p.reach == 0 || result == Smoothing::TAKEN_BACK);
@@ -158,26 +159,27 @@ private:
     }
   }
 
-  Smoothing try_to_smooth(Treated_piece& p, double& smallest, std::size_t& number) const
+  Smoothing try_to_smooth(Treated_piece& p, double& smallest, int most_sweeps, std::size_t& number) const
   {
     if (p.reach > 0) {
       Treatment_team_2 team(m_comm, p.piece);
-      return smooth_with(team, [](const auto& sweep) { sweep(); }, p.piece.mesh, smallest, number);
+      return smooth_with(team, [](const auto& sweep) { sweep(); }, p.piece.mesh, smallest, most_sweeps, number);
     }
     std::optional<Treatment_inside_2> team;
     m_comm.agree_after([&] { team.emplace(m_comm, p.piece.mesh); });
-    return smooth_with(*team, [this](const auto& sweep) { m_comm.agree_after(sweep); }, p.piece.mesh, smallest, number);
+    return smooth_with(*team, [this](const auto& sweep) { m_comm.agree_after(sweep); }, p.piece.mesh, smallest,
+                       most_sweeps, number);
   }
 
   /// Moves vertices, unless the mesh gets worse by that or a rank knows too little. `call`: calls what is done
   template <class Treating_team, class Call>
   Smoothing smooth_with(Treating_team& team, const Call& call, Distributed_mesh_2& mesh, double& smallest,
-                        std::size_t& number) const
+                        int most_sweeps, std::size_t& number) const
   {
     Bubbles_2& bubbles = mesh.bubbles;
     Smoothing_sweeps_2 treat(m_domain, mesh, team);
     std::vector<Index> moved;
-    call([&] { moved = treat(); });
+    call([&] { moved = treat(most_sweeps); });
     if (team.has_failed()) {
       treat.undo();
       ++mesh.number_of_failed_treatments;
@@ -213,7 +215,7 @@ private:
     return is_valid;
   }
 
-  void operate(Treated_piece& piece, double smallest, Treatment_counts& counts) const
+  void operate(Treated_piece& piece, double& smallest, Treatment_counts& counts) const
   {
     if (smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
@@ -227,11 +229,11 @@ private:
     }
     if (!last)
       return;
-    double smallest_now = smallest_quality(last->piece.mesh);
+    const double smallest_now = smallest_quality(last->piece.mesh);
     // rounding can make a mess of a change; then what was there is good
     if (smallest_now < smallest || (m_comm.any(last->has_changed_outline) && !has_valid_outline(last->piece.mesh)))
       return;
-    changes.treated = smooth(*last, smallest_now);
+    smallest = smallest_now;
     piece = std::move(*last);
     counts += changes;
   }
