@@ -107,11 +107,11 @@ TEST(Defects, star_gradient_is_that_of_the_energy)
   constexpr double h = 1e-5;
   for (const Vector& at : {Vector{0, 0}, Vector{0.1, -0.2}}) {
     const Vector g = star.gradient(at);
-    EXPECT_NEAR(g.x, (star.energy({at.x + h, at.y}) - star.energy({at.x - h, at.y})) / (2 * h),
+    EXPECT_NEAR(g.x, (star({at.x + h, at.y}).energy - star({at.x - h, at.y}).energy) / (2 * h),
                 1e-6 * std::abs(g.x));
-    EXPECT_NEAR(g.y, (star.energy({at.x, at.y + h}) - star.energy({at.x, at.y - h})) / (2 * h),
+    EXPECT_NEAR(g.y, (star({at.x, at.y + h}).energy - star({at.x, at.y - h}).energy) / (2 * h),
                 1e-6 * std::abs(g.y));
   }
-  EXPECT_LT(star.smallest({2, 0}), 0);
-  EXPECT_EQ(star.energy({2, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_LT(star({2, 0}).smallest, 0);
+  EXPECT_EQ(star({2, 0}).energy, std::numeric_limits<double>::infinity());
 }

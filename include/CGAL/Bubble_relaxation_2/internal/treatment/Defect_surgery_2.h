@@ -123,14 +123,14 @@ private:
 
   std::vector<Operation> operate(const std::vector<Bad_triangle_2>& worst)
   {
-    std::vector<Mesh_patch_2> patches;
+    std::vector<std::vector<Index>> triangles; // of their patches, most of which nobody operates on
     std::unordered_map<Index, std::vector<Index>> patches_of; // triangles
     Greedy_choice choice;
     choice.start(worst.size());
     for (std::size_t k = 0; k < worst.size(); ++k) {
-      patches.emplace_back(m_mesh, worst[k].triangle);
+      triangles.push_back(triangles_around(m_mesh.triangles, worst[k].triangle));
       choice.add(static_cast<Index>(k));
-      for (Index t : patches[k].triangles()) {
+      for (Index t : triangles[k]) {
         std::vector<Index>& before = patches_of[t];
         choice.rivals(k).insert(choice.rivals(k).end(), before.begin(), before.end());
         before.push_back(static_cast<Index>(k));
@@ -138,13 +138,14 @@ private:
     }
     std::vector<Operation> result;
     choice.decide([&](Index k) {
-      const std::size_t signature = patches[k].signature(worst[k].triangle);
+      Mesh_patch_2 patch(m_mesh, std::move(triangles[k]));
+      const std::size_t signature = patch.signature(worst[k].triangle);
       if (m_hopeless.count(signature) != 0)
         return false;
-      Patch_operation_2 operate(m_domain, m_mesh, patches[k]);
+      Patch_operation_2 operate(m_domain, m_mesh, patch);
       const bool has_helped = operate(worst[k].triangle);
       if (has_helped)
-        result.push_back(Operation{std::move(patches[k]), operate.best()});
+        result.push_back(Operation{std::move(patch), operate.best()});
       else
         m_hopeless.insert(signature);
       return has_helped;

@@ -23,16 +23,36 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
+/// Those of the domain that can be reached from `triangle` in some steps across sides, sorted: the vertices that move
+/// there are those up to about two edges away.
+inline std::vector<Index> triangles_around(const Marked_triangles_2& m, Index triangle)
+{
+  constexpr int reach = 4;
+  std::vector<Index> front(1, triangle), result = front;
+  for (int step = 0; step < reach; ++step) {
+    std::vector<Index> next;
+    for (Index t : front)
+      for (Index n : m.neighbors[t])
+        if (n != no_index && m.inside[n] && !std::binary_search(result.begin(), result.end(), n))
+          next.push_back(n);
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    const auto middle = result.insert(result.end(), next.begin(), next.end());
+    std::inplace_merge(result.begin(), middle, result.end());
+    front = std::move(next);
+  }
+  return result;
+}
+
 /// The surroundings of a triangle as bubbles and edges of their own, so that a change can be tried and
 /// forgotten. Bubbles with triangles outside of the patch must stay; they look like corners.
 class Mesh_patch_2
 {
 public:
-  /// all triangles of the domain that can be reached from `triangle` in some steps across sides
-  Mesh_patch_2(const Bubble_mesh_2& mesh, Index triangle)
-    : m_all_bubbles(mesh.bubbles), m_triangles_of_mesh(mesh.triangles)
+  /// `triangles`: what `triangles_around()` found
+  Mesh_patch_2(const Bubble_mesh_2& mesh, std::vector<Index> triangles)
+    : m_all_bubbles(mesh.bubbles), m_triangles_of_mesh(mesh.triangles), m_triangles(std::move(triangles))
   {
-    collect_triangles(triangle);
     collect_bubbles();
     collect_edges();
   }
@@ -83,31 +103,9 @@ public:
   }
 
 private:
-  /// the vertices that move are those up to about two edges away
-  static constexpr int reach = 4;
-
   bool contains(Index t) const
   {
     return t != no_index && std::binary_search(m_triangles.begin(), m_triangles.end(), t);
-  }
-
-  void collect_triangles(Index triangle)
-  {
-    const Marked_triangles_2& m = m_triangles_of_mesh;
-    std::vector<Index> front(1, triangle);
-    m_triangles = front;
-    for (int step = 0; step < reach; ++step) {
-      std::vector<Index> next;
-      for (Index t : front)
-        for (Index n : m.neighbors[t])
-          if (n != no_index && m.inside[n] && !contains(n))
-            next.push_back(n);
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
-      const auto middle = m_triangles.insert(m_triangles.end(), next.begin(), next.end());
-      std::inplace_merge(m_triangles.begin(), middle, m_triangles.end());
-      front = std::move(next);
-    }
   }
 
   void collect_bubbles()

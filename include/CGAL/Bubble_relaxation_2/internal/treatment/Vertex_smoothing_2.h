@@ -37,27 +37,20 @@ public:
     m_sides.push_back(Side{a, b, std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y))});
   }
 
-  /// the smallest q = 2 r_in / r_out of the triangles if the vertex is at `at`; negative if it is not
-  /// on the inner side of all sides
-  double smallest(Vector at) const
-  {
-    double least = 1;
-    for (const Side& s : m_sides)
-      least = (std::min)(least, Triangle(s, at).quality());
-    return least;
-  }
+  /// the smallest q = 2 r_in / r_out of the triangles, and the sum of q^-8: the worst triangle decides where one is bad,
+  /// all do where they are alike
+  struct Value { double smallest, energy; };
 
-  /// the sum of q^-8: the worst triangle decides where one is bad, all do where they are alike
-  double energy(Vector at) const
+  /// if the vertex is at `at`; infinite energy where a triangle is flat or turned over
+  Value operator()(Vector at) const
   {
-    double sum = 0;
+    Value value{1, 0};
     for (const Side& s : m_sides) {
       const double q = Triangle(s, at).quality();
-      if (!(q > flat))
-        return std::numeric_limits<double>::infinity();
-      sum += eighth_power(1 / q);
+      value.smallest = (std::min)(value.smallest, q);
+      value.energy += q > flat ? eighth_power(1 / q) : std::numeric_limits<double>::infinity();
     }
-    return sum;
+    return value;
   }
 
   Vector gradient(Vector at) const
@@ -70,8 +63,8 @@ public:
         continue;
       const double factor = -8 * eighth_power(1 / q);
       // of log q = log 4 + 2 log(2 area) - log(sum of the lengths) - sum of the logs of the lengths
-      const double to_area = 2 / t.area2, along_p = -(1 / (t.a + t.b + t.c) + 1 / t.b) / t.b,
-                   along_q = -(1 / (t.a + t.b + t.c) + 1 / t.c) / t.c;
+      const double to_area = 2 / t.area2, to_sum = 1 / (t.a + t.b + t.c), to_b = 1 / t.b, to_c = 1 / t.c,
+                   along_p = -(to_sum + to_b) * to_b, along_q = -(to_sum + to_c) * to_c;
       sum.x += factor * (to_area * (s.p.y - s.q.y) + along_p * t.u.x + along_q * t.v.x);
       sum.y += factor * (to_area * (s.q.x - s.p.x) + along_p * t.u.y + along_q * t.v.y);
     }
@@ -140,18 +133,18 @@ public:
     const Star_2 corners = mesh.star(v);
     const Star_quality_2 star = quality_around(mesh, bubbles, v, corners);
     const Vector here{0, 0};
-    const double smallest = star.smallest(here);
-    if (smallest >= m_treated_quality)
+    const Star_quality_2::Value now = star(here);
+    if (now.smallest >= m_treated_quality)
       return false;
     const Vector step = bubbles.is_on_edge(v) ? step_along(star, bubbles.host[v]) : step_in_face(star);
     const double length = std::sqrt(step.x * step.x + step.y * step.y);
     if (!(length > least_step))
       return false;
-    const double energy = star.energy(here);
     double factor = (std::min)(1., longest_step / length);
     for (int attempt = 0; attempt < 4; ++attempt, factor *= 0.4) {
       const Vector there{factor * step.x, factor * step.y};
-      if (star.energy(there) < energy && star.smallest(there) >= smallest &&
+      const Star_quality_2::Value then = star(there);
+      if (then.energy < now.energy && then.smallest >= now.smallest &&
           try_to_move(mesh, bubbles, v, corners, star.point(there), there))
         return true;
     }

@@ -76,7 +76,8 @@ public:
       for (const Bad_triangle_2& bad : own) {
         const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
         m_operations.push_back(Ranked_operation_2{static_cast<Index>(place), bad.triangle,
-                                                  Mesh_patch_2(m_piece.mesh, bad.triangle), {}, false});
+                                                  Mesh_patch_2(m_piece.mesh, triangles_around(m_triangles, bad.triangle)),
+                                                  {}, false});
         is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
       }
     });
