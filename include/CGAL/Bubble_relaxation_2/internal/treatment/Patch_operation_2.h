@@ -65,8 +65,9 @@ private:
   static constexpr double good_quality = 0.9;
   /// so many outcomes get their vertices moved
   static constexpr std::size_t number_of_favourites = 3;
-  /// The others get it too, until one helps, where the triangle has less: it may be obtuse.
+  /// The others get it too, until one helps, where the triangle has less: it may be obtuse. So do they get all sweeps.
   static constexpr double hard_quality = 0.84;
+  static constexpr int easy_sweeps = Smoothing_sweeps_2::number_of_sweeps - 1;
 
   using Defects = std::vector<double>; // the qualities of bad triangles, the worst first
 
@@ -245,7 +246,7 @@ private:
         return;
       Bubble_mesh_2& mesh = m_candidates[k].outcome.mesh;
       Team alone;
-      Smoothing_sweeps_2(m_domain, mesh, alone)();
+      Smoothing_sweeps_2(m_domain, mesh, alone)(is_hard ? Smoothing_sweeps_2::number_of_sweeps : easy_sweeps);
       Defects defects = defects_of(mesh);
       if (is_better(defects, m_defects, m_is_better ? 0. : least_gain)) {
         m_defects = std::move(defects);
