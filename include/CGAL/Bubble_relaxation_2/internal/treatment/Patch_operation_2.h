@@ -24,7 +24,7 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its
-/// vertices or of the three beyond its sides, or to insert one in its middle or on a side. The patch is triangulated, and
+/// vertices or of the three beyond its sides, or to insert one in its middle or on a side. The patch is triangulated;
 /// where that has left the best triangles vertices are moved, which takes longest. The best outcome counts if the worst
 /// triangle of the patch gets better, or stays as it is and the second worst gets better, and so on.
 class Patch_operation_2

@@ -37,8 +37,8 @@ public:
     m_sides.push_back(Side{a, b, std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y))});
   }
 
-  /// the smallest q = 2 r_in / r_out of the triangles, and the sum of q^-8: the worst triangle decides where one is bad,
-  /// all do where they are alike
+  /// the smallest q = 2 r_in / r_out of the triangles, and the sum of q^-8: the worst triangle decides where one is
+  /// bad, all do where they are alike
   struct Value { double smallest, energy; };
 
   /// if the vertex is at `at`; infinite energy where a triangle is flat or turned over

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -75,9 +76,9 @@ public:
     m_comm.agree_after([&] {
       for (const Bad_triangle_2& bad : own) {
         const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
-        m_operations.push_back(Ranked_operation_2{static_cast<Index>(place), bad.triangle,
-                                                  Mesh_patch_2(m_piece.mesh, triangles_around(m_triangles, bad.triangle)),
-                                                  {}, false});
+        Mesh_patch_2 patch(m_piece.mesh, triangles_around(m_triangles, bad.triangle));
+        m_operations.push_back(
+          Ranked_operation_2{static_cast<Index>(place), bad.triangle, std::move(patch), {}, false});
         is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
       }
     });
