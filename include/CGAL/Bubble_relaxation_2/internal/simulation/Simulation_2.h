@@ -34,7 +34,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Size_update
 {
 public:
-  static constexpr double tolerance = 0.01;
+  static constexpr double tolerance = 0.03;
 
   Size_update(const Bubbles_2& b, const Sizes_2& sizing) : m_sizing(sizing), m_x(b.x), m_y(b.y) {}
 
