@@ -36,7 +36,7 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted,
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
                                      const Relaxation_options& options, bool may_limit)
 {
   constexpr int turns = 2, turns_beyond_circles = 3;
@@ -63,6 +63,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& report)
 {
+  tell_wanted_number(problem, report);
   Bubbles_2 bubbles = relax_bubbles(problem, progress, report);
   if (is_treatment_due(problem.options, report))
     bubbles = triangulate_and_treat(problem, std::move(bubbles), report).bubbles;
