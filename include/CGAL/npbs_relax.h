@@ -58,8 +58,9 @@ face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel bubbl
 those on edges lie exactly on them.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param cdt the triangulation that bounds the domain and takes the mesh. Its intersection tag may be any: constraints
-cross, or are refused by `CDT::Intersection_of_constraints_exception`, when they are inserted, not here
+\param cdt the triangulation that bounds the domain and takes the mesh. Constraints cross, or are refused by
+`CDT::Intersection_of_constraints_exception`, when they are inserted, as its intersection tag says; that may be any but
+`No_constraint_intersection_tag`, which does not allow vertices on constraints
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
