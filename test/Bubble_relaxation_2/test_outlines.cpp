@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// Outlines as they come: coasts, combs, stars, and graphs with pins, all at random. However sharp their corners and narrow
-// their channels, what is not forced by a corner is good, and the simulation comes to an end.
+// Outlines as they come: coasts, combs, stars, and graphs with pins, all at random. However sharp their corners and
+// narrow their channels, what is not forced by a corner is good, and the simulation comes to an end.
 
 #include "domains.h"
 #include "random_seeds.h"

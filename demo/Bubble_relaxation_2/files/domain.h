@@ -95,8 +95,8 @@ struct Crossing_segments : std::runtime_error
   static std::string text(const Ends& s) { return "from " + to_string(s.first) + " to " + to_string(s.second); }
 };
 
-/// The constraint that a segment crosses between its ends; pieces of constraints have no vertices there, so a crossing in
-/// a vertex, which is none, is not taken for one.
+/// The constraint that a segment crosses between its ends; pieces of constraints have no vertices there, so a crossing
+/// in a vertex, which is none, is not taken for one.
 inline std::pair<Point, Point> crossed_constraint(const CDT& cdt, const Point& p, const Point& q)
 {
   for (const CDT::Edge& e : cdt.constrained_edges()) {

@@ -285,7 +285,8 @@ TEST(Distributed_relaxation, ranks_stay_balanced)
   CGAL::npbs_relax(mesh, parameters::sizing_function(0.2));
   // bubbles are inserted on one side only
   const auto np = parameters::sizing_function([](const Point& p) { return p.x() < 0.3 ? 0.03 : 0.2; });
-  const Part part = expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP), free_vertices(cdt, mesh));
+  const Part part = expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP),
+                                        free_vertices(cdt, mesh));
   int number_of_ranks = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
   const double mean = double(part.relaxation.report.number_of_vertices) / number_of_ranks;

@@ -28,8 +28,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A domain without the circles around its sharp corners. What is cut off counts as outside until there are nodes for all
-/// else; their triangulation in the whole domain has the triangles of circles and corners that it is to have.
+/// A domain without the circles around its sharp corners. What is cut off counts as outside until there are nodes for
+/// all else; their triangulation in the whole domain has the triangles of circles and corners that it is to have.
 class Cut_domain_2
 {
 public:
@@ -49,8 +49,8 @@ public:
     m_is_cut = !sharp.empty() && m_domain.build(std::move(m_points), std::move(m_edges)) == Marking_error::NONE;
   }
 
-  /// Whether there was something to be cut off, and circles do not meet what is near by a rounding: else the domain is not
-  /// to be used.
+  /// Whether there was something to be cut off, and circles do not meet what is near by a rounding: else the domain is
+  /// not to be used.
   bool is_cut() const { return m_is_cut; }
 
   /// whether points of the whole domain are in this one: those a rounding away from an edge may be beyond a piece of it

@@ -16,10 +16,10 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Marks the faces of the domain in a user's triangulation, if it has marks: those beside constraints that are inside, and
-/// all that no constraint separates from them.
-/// \param for_each_side `for_each_side(visit)` calls `visit(edge, source, inside_left, inside_right)` for the constraints
-/// of the domain: what is on the left, and on the right, seen from the vertex `source`
+/// Marks the faces of the domain in a user's triangulation, if it has marks: those beside constraints that are inside,
+/// and all that no constraint separates from them.
+/// \param for_each_side `for_each_side(visit)` calls `visit(edge, source, inside_left, inside_right)` for the
+/// constraints of the domain: what is on the left, and on the right, seen from the vertex `source`
 template <class Cdt, class For_each_side>
 void mark_domain(Cdt& cdt, const For_each_side& for_each_side)
 {

@@ -131,8 +131,8 @@ inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& s
   return gradient;
 }
 
-/// The triangles whose smallest angle is smaller than one that is asked for: those at sharp corners of the domain have to
-/// be so.
+/// The triangles whose smallest angle is smaller than one that is asked for: those at sharp corners of the domain have
+/// to be so.
 class Small_angles_2
 {
 public:

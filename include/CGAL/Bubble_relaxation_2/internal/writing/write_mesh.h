@@ -170,8 +170,8 @@ private:
       m_on_hull.insert(m_on_hull.end(), {m_path->end()[-2], m_path->back(), &*next.second});
   }
 
-  /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it by
-  /// a rounding, in a needle, it may see another vertex across the edge that was split.
+  /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it
+  /// by a rounding, in a needle, it may see another vertex across the edge that was split.
   void restore_delaunay_around(Vertex_handle v)
   {
     typename Cdt::List_edges edges;
@@ -223,8 +223,8 @@ private:
            CGAL::orientation(c, p, f->vertex(m_cdt.cw(i))->point()) == LEFT_TURN;
   }
 
-  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding, or outside, and then its neighbors may.
-  /// The triangles between them and the hull are real, though outside of the domain.
+  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding, or outside, and then its
+  /// neighbors may. The triangles between them and the hull are real, though outside of the domain.
   void make_hull_convex()
   {
     std::vector<void*> doubtful = m_on_hull;
@@ -297,8 +297,8 @@ private:
   std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
 };
 
-/// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the other
-/// side, that were outside of the domain by a rounding.
+/// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the
+/// other side, that were outside of the domain by a rounding.
 template <class Cdt>
 void count_in_domain(const Cdt& cdt, Report& report)
 {
