@@ -51,6 +51,13 @@ void expect_equal(const Report& report, const Report& expected)
   EXPECT_EQ(report.number_of_returns, expected.number_of_returns);
   EXPECT_EQ(report.converged, expected.converged);
   EXPECT_EQ(report.stop_reason, expected.stop_reason);
+  EXPECT_EQ(report.number_of_wanted_vertices, expected.number_of_wanted_vertices);
+  EXPECT_EQ(report.number_of_forced_triangles, expected.number_of_forced_triangles);
+  EXPECT_EQ(report.forced_x, expected.forced_x);
+  EXPECT_EQ(report.forced_y, expected.forced_y);
+  EXPECT_EQ(report.number_of_small_angles, expected.number_of_small_angles);
+  EXPECT_EQ(report.small_x, expected.small_x);
+  EXPECT_EQ(report.small_y, expected.small_y);
   EXPECT_EQ(report.largest_size_gradient, expected.largest_size_gradient);
   EXPECT_EQ(report.steepest_x, expected.steepest_x);
   EXPECT_EQ(report.steepest_y, expected.steepest_y);

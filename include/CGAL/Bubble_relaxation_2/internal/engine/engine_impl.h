@@ -47,11 +47,9 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
     return {wanted, nullptr, nullptr};
   Limited_sizes_2 limited{wanted, {}};
   Outline_sizes_2(domain, given, wanted, growth, maximum)(turns, limited);
-  auto cut = std::make_shared<const Cut_domain_2>(domain, limited.sizes, growth);
-  if (cut->is_cut() && cut->contains(given.pinned))
+  const auto cut = cut_corners(domain, limited.sizes, growth, given.pinned);
+  if (cut != nullptr)
     cut->cut(given);
-  else
-    cut = nullptr;
   const Domain_2& rest = cut ? cut->domain() : domain;
   Outline_sizes_2(rest, given, wanted, growth, maximum)(turns_beyond_circles, limited);
   Sizes_2 sizes = limited.in_one(wanted, rest, growth);
