@@ -102,9 +102,9 @@ same values on all ranks. Those listed below differ from there.
                           tell each other every `s` steps, or when all bubbles rest; in between the bubbles of others
                           stay where they were, and one that moves into another rank's part waits there for the next
                           exchange. Each rank knows the bubbles within 1.5 max d of its part. Between rounds the
-                          population is controlled as always. Then the result depends on the number of ranks; on one rank
-                          it is the same as with `0`. The more ranks and the larger `s`, the more steps it takes until all
-                          bubbles rest, if they do before the limit}
+                          population is controlled as always. Then the result depends on the number of ranks; on one
+                          rank it is the same as with `0`. The more ranks and the larger `s`, the more steps it takes
+                          until all bubbles rest, if they do before the limit}
     \cgalParamType{a number}
     \cgalParamDefault{`0`}
     \cgalParamExtra{Ranks still add up after each step how many bubbles move, so that they stop together.}
