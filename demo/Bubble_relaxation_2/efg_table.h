@@ -166,7 +166,8 @@ inline void show_settings(std::size_t seeds)
   show("the package's, quadratic basis", Domain::MESH,
        CGAL::parameters::mls_basis(CGAL::Moving_least_squares_basis::QUADRATIC));
   for (int factor : {3, 5, 20, 50})
-    show("the package's, Nitsche's factor " + std::to_string(factor), Domain::MESH, CGAL::parameters::nitsche_factor(factor));
+    show("the package's, Nitsche's factor " + std::to_string(factor), Domain::MESH,
+         CGAL::parameters::nitsche_factor(factor));
   const auto grid = [](std::uint64_t) { return grid_nodes(12); };
   print_row(std::cout, "a grid: 3 x 3, else the paper's", sample(1, grid, paper_settings(1e4, 3)));
   print_row(std::cout, "a grid: the package's", sample(1, grid, Domain::MESH, CGAL::parameters::default_values()));

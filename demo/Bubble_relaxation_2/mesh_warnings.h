@@ -11,17 +11,21 @@
 
 #include "files/domain.h"
 
+#include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/radius_ratio_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
-// What npbs_mesh warns of when it has made a mesh.
+// What npbs_mesh tells and warns of when it has made a mesh.
+
+using Report = CGAL::Bubble_relaxation_report_2<double>;
 
 inline double distance(const Point& p, const Point& q) { return std::hypot(q.x() - p.x(), q.y() - p.y()); }
 
@@ -38,6 +42,72 @@ inline std::string in_words(const Point& p)
   std::ostringstream text;
   text.precision(11);
   text << '(' << p.x() << ", " << p.y() << ')';
+  return text.str();
+}
+
+inline void print_statistics(const Report& report)
+{
+  const auto row = [](const std::string& name) -> std::ostream& {
+    return std::cout << "  " << name << std::string(36 - name.size(), ' ');
+  };
+  const auto print_small_angles = [&row](const std::string& where, std::size_t number, double x, double y) {
+    row("small angles " + where) << number;
+    if (number > 0)
+      std::cout << ", the smallest at " << in_words(Point(x, y));
+    std::cout << '\n';
+  };
+  std::cout << report.quality;
+  row("worst triangle, at") << ' ' << in_words(Point(report.quality.worst_x(), report.quality.worst_y())) << '\n';
+  row("vertices that d alone asks for") << report.number_of_wanted_vertices << '\n';
+  row("largest change of d per length") << report.largest_size_gradient << '\n';
+  print_small_angles("at sharp corners", report.number_of_forced_triangles, report.forced_x, report.forced_y);
+  print_small_angles("elsewhere", report.number_of_small_angles, report.small_x, report.small_y);
+  row("steps") << report.number_of_steps << '\n';
+  row("converged") << (report.converged ? "yes" : "no") << '\n';
+  row("seconds") << report.seconds.total() << '\n';
+}
+
+/// whether most of the vertices are there for the outline; a few that corners take are not worth a word
+inline bool is_forced_by_outline(const Report& report)
+{
+  constexpr std::size_t few = 100;
+  const std::size_t wanted = report.number_of_wanted_vertices;
+  return report.number_of_vertices > 2 * wanted && report.number_of_vertices > wanted + few;
+}
+
+/// what to say about it, and what can be done
+inline std::string forced_by_outline_message(const Report& report, bool is_simplified)
+{
+  std::ostringstream text;
+  text << "--size alone asks for about " << report.number_of_wanted_vertices << " vertices, the outline forces "
+       << report.number_of_vertices - report.number_of_wanted_vertices << " more, where it is finer or narrower; "
+       << (is_simplified ? "larger --min-island and --min-gap take islands and narrows away"
+                         : "--tolerance 0.1 replaces it by one with longer pieces")
+       << ", a larger --size-growth makes fewer triangles, and worse ones";
+  return text.str();
+}
+
+/// what to say if --minimum-angle was not kept
+inline std::string small_angles_message(const Report& report, double minimum_angle)
+{
+  std::ostringstream text;
+  text << report.number_of_small_angles << (report.number_of_small_angles == 1 ? " triangle has" : " triangles have")
+       << " an angle under --minimum-angle " << minimum_angle << " that no sharp corner forces, the smallest at "
+       << in_words(Point(report.small_x, report.small_y))
+       << ": to refine them would take too many vertices, make a smaller angle, or there is no room; a smaller "
+          "--minimum-angle or --size-growth may be kept";
+  return text.str();
+}
+
+/// what to say about sizes that change faster than a mesh can follow
+inline std::string steep_message(const Report& report)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << "d changes by " << report.largest_size_gradient << " per unit of length at "
+       << in_words(Point(report.steepest_x, report.steepest_y)) << ", and along " << 100 * report.steep_share
+       << " % of all edges by more than " << Report::steep_size_gradient
+       << ", which makes bad triangles; --gradation 0.2 limits it";
   return text.str();
 }
 
@@ -66,13 +136,13 @@ public:
   /// \param size d, or nothing
   std::string message(const std::function<double(const Point&)>& size) const
   {
-    const Point center = CGAL::centroid(m_domain.cdt.triangle(m_face));
+    const Point place = is_corner() ? m_face->vertex(m_corner)->point() : CGAL::centroid(m_domain.cdt.triangle(m_face));
     std::ostringstream text;
     text.precision(4);
-    text << "the triangle at " << in_words(center) << " has an angle of " << m_angle
-         << " degrees, q = " << quality(m_face) << ": " << cause();
+    text << (is_corner() ? "the triangle in the corner " : "the triangle at ") << in_words(place) << " has an angle of "
+         << m_angle << " degrees, q = " << quality(m_face) << ": " << cause();
     if (size)
-      text << "; d is " << size(center) << " there";
+      text << "; d is " << size(place) << " there";
     return text.str();
   }
 
@@ -87,11 +157,17 @@ private:
     return angle(f->vertex(CDT::ccw(i))->point(), f->vertex(i)->point(), f->vertex(CDT::cw(i))->point());
   }
 
+  /// whether the angle is between two segments
+  bool is_corner() const
+  {
+    return m_face->is_constrained(CDT::ccw(m_corner)) && m_face->is_constrained(CDT::cw(m_corner));
+  }
+
   std::string cause() const
   {
     std::ostringstream text;
     text.precision(4);
-    if (m_face->is_constrained(CDT::ccw(m_corner)) && m_face->is_constrained(CDT::cw(m_corner)))
+    if (is_corner())
       return "two segments of the domain meet there in this angle";
     int shortest = -1; // the shortest edge between two vertices that cannot move, by the corner opposite
     for (int i = 0; i < 3; ++i)

@@ -91,11 +91,14 @@ po::options_description all_options()
                                        "it, such as 0.1")
     ("min-island", po::value<double>()->default_value(0), "with --tolerance: drop islands with a smaller area")
     ("min-gap", po::value<double>()->default_value(0), "with --tolerance: fill where the domain is narrower")
+    ("simplification-report", po::value<std::string>(), "with --tolerance: a text file with the places of what was "
+                                                        "dropped and filled")
     ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh), or .node or .ele "
                                            "(Triangle; both, and .poly)")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
     ("paper", "the parameters of the paper instead of the defaults")
-    ("rounds", po::value<int>()->default_value(defaults::default_number_of_rounds), "rounds of simulation at most; with --paper 6")
+    ("rounds", po::value<int>()->default_value(defaults::default_number_of_rounds),
+     "rounds of simulation at most; with --paper 6")
     ("iterations", po::value<int>()->default_value(defaults::default_number_of_iterations),
      "steps in a round at most; with --paper 250")
     ("max-bubbles", po::value<long>()->default_value(20000000), "refuse sizes that ask for more vertices")
@@ -159,12 +162,21 @@ void check_arguments(const po::variables_map& arguments)
     check_extension(arguments["picture"].as<std::string>(), {".svg"});
     check_writable(arguments["picture"].as<std::string>());
   }
+  if (arguments.count("simplification-report") > 0) {
+    const std::string report = arguments["simplification-report"].as<std::string>();
+    std::error_code ignored;
+    if (std::filesystem::equivalent(arguments["input"].as<std::string>(), report, ignored))
+      throw std::runtime_error(report + ": is the input; give --simplification-report another name");
+    check_writable(report);
+  }
   if (arguments.count("gradation") > 0 && !(arguments["gradation"].as<double>() > 0))
     throw std::runtime_error("--gradation must be positive");
   if (arguments.count("tolerance") > 0 && arguments.count("size") == 0)
     throw std::runtime_error("--tolerance needs --size");
   if (arguments.count("tolerance") == 0 && !(arguments["min-island"].defaulted() && arguments["min-gap"].defaulted()))
     throw std::runtime_error("--min-island and --min-gap need --tolerance");
+  if (arguments.count("tolerance") == 0 && arguments.count("simplification-report") > 0)
+    throw std::runtime_error("--simplification-report needs --tolerance");
   if (arguments["threads"].as<int>() < 0)
     throw std::runtime_error("--threads must not be negative");
 #ifndef CGAL_LINKED_WITH_TBB
@@ -184,7 +196,6 @@ int count(const po::variable_value& argument, const Parameters& parameters, Tag 
 }
 
 using Size = std::function<double(const Point&)>;
-using Report = CGAL::Bubble_relaxation_report_2<double>;
 
 /// calls npbs_relax with what the arguments say, on top of `parameters`
 template <class Parameters>
@@ -287,31 +298,10 @@ try {
                                                 .minimum_gap(arguments["min-gap"].as<double>()));
   if (arguments.count("quiet") == 0)
     std::cout << "outline\n" << report;
+  if (arguments.count("simplification-report") > 0)
+    write_simplification(arguments["simplification-report"].as<std::string>(), report);
 } catch (const std::exception& e) {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
-}
-
-void print_statistics(const Report& report)
-{
-  std::cout << report.quality << "  worst triangle, at" << std::string(19, ' ')
-            << in_words(Point(report.quality.worst_x(), report.quality.worst_y())) << '\n'
-            << "  largest change of d per length" << std::string(6, ' ') << report.largest_size_gradient << '\n'
-            << "  small angles at sharp corners" << std::string(7, ' ') << report.number_of_forced_triangles << '\n'
-            << "  small angles elsewhere" << std::string(14, ' ') << report.number_of_small_angles << '\n'
-            << "  steps" << std::string(31, ' ') << report.number_of_steps << '\n'
-            << "  converged" << std::string(27, ' ') << (report.converged ? "yes" : "no") << '\n'
-            << "  seconds" << std::string(29, ' ') << report.seconds.total() << '\n';
-}
-
-/// what to say about sizes that change faster than a mesh can follow
-std::string steep_message(const Report& report)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << "d changes by " << report.largest_size_gradient << " per unit of length at "
-       << in_words(Point(report.steepest_x, report.steepest_y)) << ", and along " << 100 * report.steep_share << " % of all edges by more than "
-       << Report::steep_size_gradient << ", which makes bad triangles; --gradation 0.2 limits it";
-  return text.str();
 }
 
 void write_files(const Domain& domain, const Segment_markers& markers, const Report& report,
@@ -325,6 +315,25 @@ void write_files(const Domain& domain, const Segment_markers& markers, const Rep
     picture.add_histogram(report.quality, "q = 2 r_in / r_out");
     picture.write(arguments["picture"].as<std::string>());
   }
+}
+
+/// `warn(text)` is called for all that should not be in a mesh.
+template <class Warn>
+void warn_of_mesh(const Domain& domain, const Report& report, const po::variables_map& arguments, const Size& size,
+                  const Warn& warn)
+{
+  if (report.steep_share > 0)
+    warn(steep_message(report));
+  const std::vector<Point> ends = loose_ends(domain.cdt);
+  if (!ends.empty())
+    warn(loose_ends_message(ends));
+  const bool is_refined = arguments.count("paper") == 0 && report.number_of_steps > 0 &&
+                          report.stop_reason != CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
+  if (is_refined && report.number_of_small_angles > 0)
+    warn(small_angles_message(report, arguments["minimum-angle"].as<double>()));
+  const Bad_triangle worst(domain);
+  if (worst.is_bad())
+    warn(worst.message(size));
 }
 
 int main(int argc, char** argv)
@@ -351,14 +360,10 @@ try {
     print_statistics(report);
   if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
-  if (report.steep_share > 0)
-    warn(steep_message(report));
-  const std::vector<Point> ends = loose_ends(domain.cdt);
-  if (!ends.empty())
-    warn(loose_ends_message(ends));
-  const Bad_triangle worst(domain);
-  if (worst.is_bad())
-    warn(worst.message(size));
+  if (arguments.count("quiet") == 0 && arguments.count("size") > 0 && is_forced_by_outline(report))
+    std::cerr << "npbs_mesh: hint: " << input_name(arguments) << ": "
+              << forced_by_outline_message(report, arguments.count("tolerance") > 0) << '\n';
+  warn_of_mesh(domain, report, arguments, size, warn);
   write_files(domain, markers, report, arguments, size);
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';

@@ -32,8 +32,8 @@ enum class Equal_error
 ///
 /// Let a triangle with sides of length h have the error e of the gradient, in the norm of L2. The integrand is about
 /// (h |D2u|)^2, so e is about h^2 |D2u|. Among all d with as many nodes, the integral of 1/d^2, the sum of all e^2,
-/// the integral of (d |D2u|)^2, is least if d^4 |D2u|^2 is constant: if e is the same on all triangles. On the next mesh it
-/// is the constant c if d = h (c/e)^(1/2) where it was e.
+/// the integral of (d |D2u|)^2, is least if d^4 |D2u|^2 is constant: if e is the same on all triangles. On the next
+/// mesh it is the constant c if d = h (c/e)^(1/2) where it was e.
 ///
 /// The best linear function misses the values by about (h^2 |D2u|)^2, integrated: this is least if d^6 |D2u|^2 is
 /// constant, d = h (c / (h e))^(1/3). But on domains with inner corners a solution is not the best function: the error
@@ -66,9 +66,9 @@ public:
     }
   }
 
-  /// The sizes at the vertices of the mesh that ask for about `number_of_nodes`, no less than a quarter and no more than
-  /// twice what they are: errors are told from this mesh, and foretell little of one that is much finer. Between the
-  /// vertices and in how fast it grows it is limited by `gradation`.
+  /// The sizes at the vertices of the mesh that ask for about `number_of_nodes`, no less than a quarter and no more
+  /// than twice what they are: errors are told from this mesh, and foretell little of one that is much finer. Between
+  /// the vertices and in how fast it grows it is limited by `gradation`.
   Field operator()(const CDT& cdt, double number_of_nodes, double gradation) const
   {
     std::vector<double> d = scaled(1);

@@ -46,7 +46,8 @@ int main()
   for (std::size_t k = nodes.neighbor_offsets[middle]; k < nodes.neighbor_offsets[middle + 1]; ++k) {
     const auto j = static_cast<std::size_t>(nodes.neighbors[k]);
     const double distance = std::sqrt(CGAL::squared_distance(nodes.points[j], nodes.points[middle]));
-    std::cout << "  node " << middle << " has the neighbour " << j << " at " << distance / nodes.sizes[middle] << " d\n";
+    std::cout << "  node " << middle << " has the neighbour " << j << " at "
+              << distance / nodes.sizes[middle] << " d\n";
     pairs.emplace_back(middle, j);
   }
 

@@ -24,9 +24,9 @@ enum class Bubble_integrator
 /// Where the bubbles of the faces start. Those of edges cut them in equal parts of the integral of ds/d.
 enum class Bubble_placement
 {
-  /// the free vertices that exist, but for those in circles around sharp corners, are the bubbles: in the faces whatever d
-  /// asks, on an edge if it has as many as the integral of ds/d asks, rounded; else the edge is cut anew, also with
-  /// `Bubble_population::NONE`
+  /// the free vertices that exist, but for those in circles around sharp corners, are the bubbles: in the faces
+  /// whatever d asks, on an edge if it has as many as the integral of ds/d asks, rounded; else the edge is cut anew,
+  /// also with `Bubble_population::NONE`
   KEEP,
   RHOMBIC,  ///< the paper's: recursive subdivision in rhombic cells with angles of 60 and 120 degrees
   FRONTAL   ///< the default: a front of hexagonally aligned candidates

@@ -55,6 +55,10 @@ struct Bubble_relaxation_report_2
 
   std::size_t number_of_vertices = 0;          ///< vertices of the mesh of the domain
   std::size_t number_of_triangles = 0;         ///< triangles of the mesh of the domain
+  /// About as many vertices as d alone asks for: the integral of 2 / (sqrt(3) d<sup>2</sup>) over the domain, half of
+  /// that of 1/d along its boundary, and one. Corners nearer to each other than d, narrows and the growth of sizes from
+  /// there (`limit_by_outline`) force all others.
+  std::size_t number_of_wanted_vertices = 0;
   std::size_t number_of_initial_bubbles = 0;   ///< bubbles after the initial placement
   std::size_t number_of_rounds = 0;            ///< rounds of simulation, with one that was stopped
   std::size_t number_of_steps = 0;             ///< time steps, all rounds together
@@ -77,9 +81,11 @@ struct Bubble_relaxation_report_2
   /// than 45 degrees they are forced: no mesh has others there. Zero in the report of `npbs_place_nodes()`.
   /// @{
   std::size_t number_of_forced_triangles = 0; ///< those with a vertex in such a corner
-  FT forced_x = FT(0);                        ///< the x coordinate of the smallest of their angles
-  FT forced_y = FT(0);                        ///< the y coordinate of the smallest of their angles
+  FT forced_x = FT(0);                        ///< the x coordinate of the vertex with the smallest of their angles
+  FT forced_y = FT(0);                        ///< the y coordinate of that vertex
   std::size_t number_of_small_angles = 0;     ///< all others; \ref BR2_outlines tells what leaves them
+  FT small_x = FT(0);                         ///< the x coordinate of the vertex with the smallest of their angles
+  FT small_y = FT(0);                         ///< the y coordinate of that vertex
   /// @}
 
   /// \name Gradient of the Sizes
@@ -111,9 +117,13 @@ std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>
       << "\n  seconds: reading " << s.reading << ", placement " << s.placement << ", renewal " << s.renewal
       << ", motion " << s.motion << ", population " << s.population << ", treatment " << s.treatment
       << ", writing " << s.writing << ", evaluation " << s.evaluation << '\n';
-  if (report.number_of_forced_triangles + report.number_of_small_angles > 0)
+  if (report.number_of_forced_triangles + report.number_of_small_angles > 0) {
     out << "  small angles: " << report.number_of_forced_triangles << " triangles at sharp corners of the domain, "
-        << report.number_of_small_angles << " others\n";
+        << report.number_of_small_angles << " others";
+    if (report.number_of_small_angles > 0)
+      out << ", the smallest at (" << report.small_x << ", " << report.small_y << ')';
+    out << '\n';
+  }
   if (report.quality.number_of_triangles() > 0)
     out << report.quality;
   return out;

@@ -125,8 +125,8 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{nitsche_factor}
       \cgalParamDescription{the factor of Nitsche's penalty times the size of the nodes; the equations are not definite
-                            if it is too small, and errors may be large without any other sign. 10 suffices for bubbles, but not
-                            for nodes that lie very close to others on the boundary}
+                            if it is too small, and errors may be large without any other sign. 10 suffices for
+                            bubbles, but not for nodes that lie very close to others on the boundary}
       \cgalParamType{`double`, positive}
       \cgalParamDefault{30}
     \cgalParamNEnd

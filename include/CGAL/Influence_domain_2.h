@@ -39,8 +39,8 @@ open disc of its radius, which is one for all nodes, or one for each.
 
 By default (`Influence_search::BUCKETS`) the plane is cut into cells about as wide as the radii there, each with a
 list of the discs that meet it. A query goes through one list, so it takes no longer where sizes vary. It finds all
-nodes, in whatever way they are placed, and whatever their radii, as long as none reaches farther than 10<sup>15</sup> times the
-median radius.
+nodes, in whatever way they are placed, and whatever their radii, as long as none reaches farther than 10<sup>15</sup>
+times the median radius.
 
 With `Influence_search::EXPANSION` the nodes are found from the neighbour sets that the simulation leaves, as in
 section 3.2 of the paper: a descent to the nearest node, then an expansion over the sets as far as nodes are near
@@ -229,7 +229,8 @@ private:
     std::vector<Bubble_relaxation_2::internal::Influence_disc_2> discs;
     discs.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      discs.push_back({CGAL::to_double(points[i].x()), CGAL::to_double(points[i].y()), radii[radii.size() > 1 ? i : 0]});
+      discs.push_back({CGAL::to_double(points[i].x()), CGAL::to_double(points[i].y()),
+                       radii[radii.size() > 1 ? i : 0]});
     return std::make_shared<Search>(std::move(discs));
   }
 

@@ -151,7 +151,8 @@ public:
   /// does the same with a search that is fastest if each point is near the last one; one object a thread.
   void operator()(const Point_2& p, int number_of_derivatives, Query& query, Shape_functions& result) const
   {
-    m_approximation.find_shapes(Bubble_relaxation_2::internal::rounded(p), number_of_derivatives, query.query(), result);
+    m_approximation.find_shapes(Bubble_relaxation_2::internal::rounded(p), number_of_derivatives, query.query(),
+                                result);
   }
 
   /*!

@@ -58,7 +58,9 @@ face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel bubbl
 those on edges lie exactly on them.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param cdt the triangulation that bounds the domain and takes the mesh
+\param cdt the triangulation that bounds the domain and takes the mesh. Constraints cross, or are refused by
+`CDT::Intersection_of_constraints_exception`, when they are inserted, as its intersection tag says; that may be any but
+`No_constraint_intersection_tag`, which does not allow vertices on constraints
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -211,7 +213,8 @@ those on edges lie exactly on them.
 
 \throws std::invalid_argument if a parameter is out of its range, if a coordinate, a size or the length of an edge is
 not finite or beyond its bounds (see \ref BR2_magnitudes), if a size is not positive, if a seed lies on a constraint
-between two regions, or if there is no domain with constraints all around it
+between two regions, if there is no domain with constraints all around it, or if constraints of an exact kernel cross,
+or its vertices coincide, when they are rounded to `double`
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error if edges of the domain lie nearer to each other than the rounding of the bubbles
 on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is

@@ -76,8 +76,9 @@ may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertice
     \cgalParamDefault{none. If both tolerances are given the smaller one counts in each place}
   \cgalParamNEnd
   \cgalParamNBegin{relative_outline_tolerance}
-    \cgalParamDescription{the same as a share of d}
-    \cgalParamType{a number, positive}
+    \cgalParamDescription{the same as a share of d. Pieces are about as long as d: with more than that what comes out
+                          would have little to do with the outline. A length, `outline_tolerance`, has no such bound}
+    \cgalParamType{a number, positive and at most 1}
     \cgalParamDefault{0.1 if `outline_tolerance` is not given}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_island_area}

@@ -157,7 +157,8 @@ inline Solution solve(const CDT& cdt, const Nodes& nodes, const Problem& problem
   return Solver(cdt, nodes, o.parameters()).solve(problem);
 }
 
-inline CGAL::Element_free_Galerkin_error_2 error(const CDT& cdt, const Nodes& nodes, const Exact& exact, const Options& o,
+inline CGAL::Element_free_Galerkin_error_2 error(const CDT& cdt, const Nodes& nodes, const Exact& exact,
+                                               const Options& o,
                                                std::function<bool(const Point&)> is_dirichlet = nullptr)
 {
   return solve(cdt, nodes, exact.problem(std::move(is_dirichlet)), o).error(exact.u, exact.gradient);

@@ -174,7 +174,8 @@ TEST(Adaptive_solution, by_the_element_free_galerkin_method)
     options.refinement = refinement;
     CDT cdt = l_shape();
     return Adaptive_solution<CDT>(cdt, options)(
-      &by_element_free_galerkin<CGAL::Moving_least_squares_basis::LINEAR, CDT>, [](const CDT&, const Adaptive_step&) {});
+      &by_element_free_galerkin<CGAL::Moving_least_squares_basis::LINEAR, CDT>,
+      [](const CDT&, const Adaptive_step&) {});
   };
   const Steps adapted = solve(Refinement::EQUAL_GRADIENT), uniform = solve(Refinement::UNIFORM);
   ASSERT_GE(adapted.size(), 5u);

@@ -328,7 +328,8 @@ TEST(Bad_domain, seed_beyond_the_bound_of_coordinates)
   CDT cdt = square();
   const std::vector<Point> seeds{Point(0, -1e91)};
   expect_throw<std::invalid_argument>(
-    cdt, CGAL::Bubble_relaxation_parameters::seeds(seeds).sizing_function(0.1), {"seeds", "(0, -1e+91)", "at most 1e+90"});
+    cdt, CGAL::Bubble_relaxation_parameters::seeds(seeds).sizing_function(0.1),
+    {"seeds", "(0, -1e+91)", "at most 1e+90"});
 }
 
 TEST(Bad_input, place_nodes_checks_as_well)

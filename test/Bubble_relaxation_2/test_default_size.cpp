@@ -132,6 +132,9 @@ TEST(Default_size, of_a_slit)
   EXPECT_NEAR(double(report.number_of_vertices), 259, 4);
   EXPECT_NEAR(double(report.number_of_triangles), 339, 8);
   EXPECT_GT(report.number_of_small_angles, 0u); // needles across the gap
+  EXPECT_LE(report.small_y, gap);
+  EXPECT_GE(report.small_x, 0.);
+  EXPECT_LE(report.small_x, 1.);
   std::size_t in_gap = 0, others = 0;
   double sum = 0, least = 1;
   for (auto f : cdt.finite_face_handles()) {

@@ -90,7 +90,8 @@ TEST(Domain_marks, seeds_in_the_domain)
 
 TEST(Domain_marks, a_seed_on_a_constraint_does_not_tell_its_side)
 {
-  for (const domains::Point& p : {domains::Point(1, 1), domains::Point(3, 1), domains::Point(0, 0), domains::Point(0, 3)})
+  using domains::Point;
+  for (const Point& p : {Point(1, 1), Point(3, 1), Point(0, 0), Point(0, 3)})
     for (bool is_in_domain : {false, true}) {
       const std::vector<domains::Point> seeds{p};
       expect_invalid([&] { marked_area(nested(), P::seeds(seeds).seeds_are_in_domain(is_in_domain)); },

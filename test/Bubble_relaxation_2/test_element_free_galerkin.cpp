@@ -264,8 +264,8 @@ TEST(Solution, values_and_gradients_are_those_of_the_error_and_outlive_the_solve
   EXPECT_NEAR(copy.value(p), exact.u(p), 3e-4);
   EXPECT_NEAR((copy.gradient(p) - exact.gradient(p)).squared_length(), 0, 1e-3);
   const double h = 1e-6;
-  EXPECT_NEAR(copy.gradient(p).x(), (copy.value(Point(p.x() + h, p.y())) - copy.value(Point(p.x() - h, p.y()))) / (2 * h),
-              1e-6);
+  EXPECT_NEAR(copy.gradient(p).x(),
+              (copy.value(Point(p.x() + h, p.y())) - copy.value(Point(p.x() - h, p.y()))) / (2 * h), 1e-6);
   // against itself there is no error
   const auto none = copy.error([&](const Point& q) { return copy.value(q); },
                                [&](const Point& q) { return copy.gradient(q); });

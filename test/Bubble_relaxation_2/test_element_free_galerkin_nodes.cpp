@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// The element-free Galerkin method on nodes of meshes, and how fast its error falls there; what it says about bad input;
-// the callback, and threads.
+// The element-free Galerkin method on nodes of meshes, and how fast its error falls there; what it says about bad
+// input; the callback, and threads.
 
 #include "expect_throw.h"
 #include "galerkin_problems.h"

@@ -131,7 +131,8 @@ TEST(Too_many_cells, of_sizes_in_another_unit_or_a_fine_grid)
   Nodes nodes = grid(12);
   for (double& d : nodes.sizes)
     d *= 1e-3;
-  expect_throw<std::length_error>([&] { Solver(square(), nodes, Options().parameters()); }, {"nodes", "more than 1144"});
+  expect_throw<std::length_error>([&] { Solver(square(), nodes, Options().parameters()); },
+                                  {"nodes", "more than 1144"});
   namespace P = CGAL::parameters;
   expect_throw<std::length_error>(
     [&] { Solver(square(), nodes, P::integration_cells(Cells::GRID)); }, {"nodes", "more than 1144"});

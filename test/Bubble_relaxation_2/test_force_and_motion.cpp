@@ -184,8 +184,8 @@ TEST(Runge_kutta, solves_the_equation_of_motion)
     x += 2 * end / steps * v;
   }
   EXPECT_NEAR(distance_after(pair_at(0.24), d, 20,
-                             P::integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4).time_step(end / 20).damping(c).mass(m)
-                               .force_coefficient(k0)),
+                             P::integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4).time_step(end / 20).damping(c)
+                               .mass(m).force_coefficient(k0)),
               x, 1e-6);
 }
 
@@ -262,11 +262,13 @@ std::vector<Trap> traps()
   const Outline box = domains::square(-1, -1, 2);
   return {{"convex", {box}, {}, 0.15},
           {"reflex corners", {star}, {}, 0.12},
-          {"reflex corner in a room", {{{-1, -1}, {1, -1}, {1, 1}, {0.01, 1}, {0, -0.9}, {-0.01, 1}, {-1, 1}}}, {}, 0.15},
+          {"reflex corner in a room",
+           {{{-1, -1}, {1, -1}, {1, 1}, {0.01, 1}, {0, -0.9}, {-0.01, 1}, {-1, 1}}}, {}, 0.15},
           {"slits", {box, {{-0.8, 0}, {0.8, 1e-9}, {0.8, 0}}, {{0, 0.1}, {1e-9, 0.9}, {0, 0.9}}}, {}, 0.15},
           {"band", {spiral}, {}, 0.1},
           {"needle", {{{-1, 0}, {1, 0}, {1, 0.2}}}, {}, 0.2},
-          {"inner constraints", {box}, {{{-1, 0.1}, {1, -0.2}}, {{-0.3, 1}, {-0.3, 0.3}}, {{0.5, -1}, {0.4, -0.3}}}, 0.15},
+          {"inner constraints", {box},
+           {{{-1, 0.1}, {1, -0.2}}, {{-0.3, 1}, {-0.3, 0.3}}, {{0.5, -1}, {0.4, -0.3}}}, 0.15},
           {"chambers", {box}, {{{-1, -1}, {0, 0}, {1, 1}}, {{1, -1}, {0, 0}, {-1, 1}}}, 0.15}};
 }
 

@@ -164,7 +164,8 @@ private:
   {
     const double t = between(0, 6), far = happens(0.5) ? power_of_ten(0, 9) : 0, scale = power_of_ten(-20, 20);
     const auto moved = [&](double x, double y) {
-      return std::make_pair(scale * (far + std::cos(t) * x - std::sin(t) * y), scale * (std::sin(t) * x + std::cos(t) * y));
+      return std::make_pair(scale * (far + std::cos(t) * x - std::sin(t) * y),
+                            scale * (std::sin(t) * x + std::cos(t) * y));
     };
     for (auto* polylines : {&outlines, &lines})
       for (Outline& line : *polylines)
@@ -232,7 +233,8 @@ protected:
     return sum;
   }
 
-  /// not the qualities: where the mesh is written by insertion, a vertex may be moved by a rounding, and flat triangles change
+  /// not the qualities: where the mesh is written by insertion, a vertex may be moved by a rounding, and flat triangles
+  /// change
   template <class Report>
   static void expect_numbers_add_up(const CDT& cdt, const Report& report)
   {
@@ -269,8 +271,8 @@ protected:
       validation::expect_vertices_kept(fixed, after);
       // pieces shorter than a rounding of long ones cannot be told apart, but all together are as long as before
       const double largest = largest_coordinate(before);
-      EXPECT_NEAR(length(after), length(before),
-                  1e-9 * length(before) + 1e-14 * largest * double(before.constraints.size() + after.constraints.size()));
+      const double pieces = double(before.constraints.size() + after.constraints.size());
+      EXPECT_NEAR(length(after), length(before), 1e-9 * length(before) + 1e-14 * largest * pieces);
       expect_numbers_add_up(in.cdt, report);
       Input other(c);
       relax(c, other);
@@ -295,8 +297,10 @@ TEST_F(Fuzz, all_are_meshed_or_refused)
   const double seconds = given != nullptr ? std::atof(given) : 60;
   const auto start = std::chrono::steady_clock::now();
   // seeds of one run are far from those of the next
-  for (unsigned seed = 100000 * random_seeds::seed();
-       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds && !HasFailure(); ++seed)
+  const auto passed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  for (unsigned seed = 100000 * random_seeds::seed(); passed() < seconds && !HasFailure(); ++seed)
     try_case(seed);
   EXPECT_GT(m_number_of_cases, 0u);
   // too many for the maximum, mostly

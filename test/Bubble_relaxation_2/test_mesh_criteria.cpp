@@ -101,8 +101,8 @@ TEST(Mesh_criteria, relaxation_improves_the_mesh_and_keeps_its_size)
     validation::expect_vertices_kept(outline.vertices, validation::snapshot(cdt));
     validation::expect_constraints_kept(outline, validation::snapshot(cdt));
     EXPECT_GT(report.quality.mean_quality(), before.mean_quality() + 0.04);
-    // the meshes of CGAL's refinement differ between its versions: in the square this is 0.9832 with 6.2, and the mean length
-    // 0.98 with 5.5, 0.964 with 6.2
+    // the meshes of CGAL's refinement differ between its versions: in the square this is 0.9832 with 6.2, and the mean
+    // length 0.98 with 5.5, 0.964 with 6.2
     EXPECT_GE(report.quality.mean_quality(), 0.983);
     EXPECT_GE(report.quality.minimum_quality(), 0.82);
     EXPECT_GT(report.quality.minimum_quality(), before.minimum_quality());

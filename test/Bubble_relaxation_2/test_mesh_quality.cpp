@@ -276,6 +276,19 @@ TEST(Mesh_quality, prints_all_figures)
   EXPECT_EQ(out.str().find("0.1235"), std::string::npos) << "the format of the stream was changed";
 }
 
+TEST(Mesh_quality, prints_no_more_empty_rows_than_it_must)
+{
+  // q = 0.08 and 0.98
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {0.5, 0.1}}, {{2, 0}, {3, 0}, {2.5, 0.8}}});
+  std::ostringstream out;
+  out << CGAL::mesh_quality_2(cdt);
+  const std::string text = out.str(), bar = " " + std::string(40, '#') + "\n";
+  EXPECT_EQ(text.substr(text.find("  histogram")), "  histogram of the radius ratio\n"
+                                                   "  0.05 - 0.10          1" + bar +
+                                                   "  0.10 - 0.95          0\n"
+                                                   "  0.95 - 1.00          1" + bar);
+}
+
 TEST(Report, prints_what_was_done)
 {
   CGAL::Bubble_relaxation_report_2<double> report;

@@ -231,8 +231,8 @@ TEST(Neighbor_sets, follow_deletions_and_additions)
   }
 }
 
-/// Bubbles farther than 1.5 do not interact, so that larger neighbour sets change no bit, unless a pair was missing in the
-/// smaller ones. (Who sleeps does depend on the sets, so nobody does here.)
+/// Bubbles farther than 1.5 do not interact, so that larger neighbour sets change no bit, unless a pair was missing in
+/// the smaller ones. (Who sleeps does depend on the sets, so nobody does here.)
 TEST(Neighbor_sets, simulation_misses_no_interacting_pair)
 {
   std::mt19937 random(random_seeds::seed());

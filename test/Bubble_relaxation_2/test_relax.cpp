@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// The paper's domains, meshed with the defaults and with the paper's parameters: invariants, and bounds of quality close
-// to what is measured. The bits are the same in every run, so that no margin is needed for chance.
+// The paper's domains, meshed with the defaults and with the paper's parameters: invariants, and bounds of quality
+// close to what is measured. The bits are the same in every run, so that no margin is needed for chance.
 
 #include "random_seeds.h"
 #include "relax_and_validate.h"
@@ -67,8 +67,9 @@ constexpr Measured measured[2][9] = {
    {10010, 0.9993, 0.996, 57.8, 0.0000, 0.9999, 0.0061}}};
 
 /// with the paper's parameters: the mean and the smallest q
-constexpr double measured_of_paper[][2] = {{0.9751, 0.698}, {0.9898, 0.689}, {0.9822, 0.641}, {0.9813, 0.569}, {0.9732, 0.629},
-                                           {0.9787, 0.736}, {0.9767, 0.716}, {0.9861, 0.606}, {0.9814, 0.674}};
+constexpr double measured_of_paper[][2] = {{0.9751, 0.698}, {0.9898, 0.689}, {0.9822, 0.641},
+                                           {0.9813, 0.569}, {0.9732, 0.629}, {0.9787, 0.736},
+                                           {0.9767, 0.716}, {0.9861, 0.606}, {0.9814, 0.674}};
 
 /// as many as are measured, up to a hundredth
 void expect_about(std::size_t n, double measured)
@@ -274,7 +275,8 @@ TEST(Relax, report_adds_up)
     for (const auto& e : cdt.finite_edges()) {
       if (!e.first->is_in_domain() && !e.first->neighbor(e.second)->is_in_domain())
         continue;
-      const paper::Point &p = e.first->vertex(cdt.ccw(e.second))->point(), &q = e.first->vertex(cdt.cw(e.second))->point();
+      const paper::Point &p = e.first->vertex(cdt.ccw(e.second))->point(),
+                         &q = e.first->vertex(cdt.cw(e.second))->point();
       const double gradient = std::abs(domain.d(p) - domain.d(q)) / std::sqrt(CGAL::squared_distance(p, q));
       ++edges;
       steep += gradient > report.steep_size_gradient;

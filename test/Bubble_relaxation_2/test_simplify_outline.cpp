@@ -629,6 +629,8 @@ TEST(Simplify_outline, bad_input)
   expect_refusal(good, sizing_function(0.), {"sizing_function", "= 0"});
   expect_refusal(good, sizing_function(1.).outline_tolerance(-1.), {"outline_tolerance = -1"});
   expect_refusal(good, sizing_function(1.).relative_outline_tolerance(0.), {"relative_outline_tolerance = 0"});
+  expect_refusal(good, sizing_function(1.).relative_outline_tolerance(1.5),
+                 {"relative_outline_tolerance = 1.5", "at most 1"});
   expect_refusal(good, sizing_function(1.).minimum_island_area(-1.), {"minimum_island_area = -1"});
   expect_refusal(good, sizing_function(1.).minimum_gap(std::nan("")), {"minimum_gap = nan"});
   expect_refusal(good, sizing_function(1.).corner_angle(-1.), {"corner_angle = -1"});
@@ -640,6 +642,15 @@ TEST(Simplify_outline, bad_input)
                  {"relative_outline_tolerance = 1e-20", "d = 2", "(0, 1)"});
   // before the rules work, which would leave nothing
   expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20).minimum_gap(5.), {"outline_tolerance = 1e-20"});
+}
+
+TEST(Simplify_outline, a_tolerance_up_to_the_size_is_taken)
+{
+  CDT share = make({square(0, 0, 1)}), length(share);
+  using CGAL::parameters::sizing_function;
+  CGAL::simplify_outline_2(share, sizing_function(0.2).relative_outline_tolerance(1.));
+  const auto report = CGAL::simplify_outline_2(length, sizing_function(0.2).outline_tolerance(0.3)); // longer than d
+  EXPECT_LE(report.hausdorff_distance, 0.3);
 }
 
 TEST(Simplify_outline, sizes_far_too_small)

@@ -6,7 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// Parts of the treatment of defects that cannot be seen from outside: that it can be undone, and the energy it descends.
+// Parts of the treatment of defects that cannot be seen from outside: that it can be undone, and the energy it
+// descends.
 
 #include "distributed/bubbles.h"
 #include "random_seeds.h"

@@ -191,8 +191,8 @@ TEST(Write_back_plus, the_mesh_is_the_same_with_and_without_a_hierarchy)
                 triangles(domains::make<Plus>({slanted, hole}), d));
 }
 
-/// The mesh alone is written as it is, and all else, outside or in holes, makes that it is inserted: the triangles of the
-/// domain are those that a hierarchy gets, which is never written directly.
+/// The mesh alone is written as it is, and all else, outside or in holes, makes that it is inserted: the triangles of
+/// the domain are those that a hierarchy gets, which is never written directly.
 TEST(Direct_write, gives_the_triangles_that_insertion_gives)
 {
   const Outline notched{{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}, {0, 1}};
@@ -201,7 +201,8 @@ TEST(Direct_write, gives_the_triangles_that_insertion_gives)
     std::vector<Outline> outlines;
     Outline vertices, line;
   };
-  for (const Beside& b : {Beside{{slanted, hole}, {}, {}}, Beside{{slanted}, {}, {}}, Beside{{slanted, hole}, {{0.52, 0.5}}, {}},
+  for (const Beside& b : {Beside{{slanted, hole}, {}, {}}, Beside{{slanted}, {}, {}},
+                          Beside{{slanted, hole}, {{0.52, 0.5}}, {}},
                           Beside{{slanted}, {{3, 3}}, {}}, Beside{{notched}, {{0.5, 0.9}, {3, 2}}, {}},
                           Beside{{notched}, {}, {{0.5, 0.5}, {0.5, 0.8}}}}) {
     const auto relaxed = [&b](auto cdt) {

@@ -81,8 +81,35 @@ inline CDT::Vertex_handle next_on_segment(const CDT& cdt, CDT::Vertex_handle u, 
   return v;
 }
 
+/// A segment crosses another one.
+struct Crossing_segments : std::runtime_error
+{
+  using Ends = std::pair<Point, Point>;
+
+  Ends piece; ///< of the other one, between vertices on it
+
+  Crossing_segments(const Ends& segment, const Ends& other)
+    : std::runtime_error("the segment " + text(segment) + " crosses that " + text(other)), piece(other)
+  {}
+
+  static std::string text(const Ends& s) { return "from " + to_string(s.first) + " to " + to_string(s.second); }
+};
+
+/// The constraint that a segment crosses between its ends; pieces of constraints have no vertices there, so a crossing
+/// in a vertex, which is none, is not taken for one.
+inline std::pair<Point, Point> crossed_constraint(const CDT& cdt, const Point& p, const Point& q)
+{
+  for (const CDT::Edge& e : cdt.constrained_edges()) {
+    const Point &a = e.first->vertex(CDT::ccw(e.second))->point(), &b = e.first->vertex(CDT::cw(e.second))->point();
+    if (CGAL::orientation(p, q, a) * CGAL::orientation(p, q, b) < 0 &&
+        CGAL::orientation(a, b, p) * CGAL::orientation(a, b, q) < 0)
+      return sorted(a, b);
+  }
+  throw std::runtime_error("the segment " + Crossing_segments::text({p, q}) + " crosses another");
+}
+
 /// Inserts a segment with its marker.
-/// \throws std::runtime_error if it crosses another one
+/// \throws Crossing_segments if it crosses another one
 inline void insert_segment(Domain& domain, CDT::Vertex_handle u, CDT::Vertex_handle v, int marker = 0)
 {
   if (u == v)
@@ -90,8 +117,7 @@ inline void insert_segment(Domain& domain, CDT::Vertex_handle u, CDT::Vertex_han
   try {
     domain.cdt.insert_constraint(u, v);
   } catch (const CDT::Intersection_of_constraints_exception&) {
-    throw std::runtime_error("the segment from " + to_string(u->point()) + " to " +
-                             to_string(v->point()) + " crosses another");
+    throw Crossing_segments({u->point(), v->point()}, crossed_constraint(domain.cdt, u->point(), v->point()));
   }
   while (marker != 0 && u != v) { // vertices on the segment cut it
     const CDT::Vertex_handle w = next_on_segment(domain.cdt, u, v);

@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_DEMO_SIMPLIFY_DOMAIN_H
 
 #include "domain.h"
+#include "file_names.h"
 
 #include <CGAL/property_map.h>
 #include <CGAL/simplify_outline_2.h>
@@ -61,6 +62,20 @@ CGAL::Outline_simplification_report_2 simplify_domain(Domain& domain, const Para
   }
   domain.segment_markers = std::move(markers);
   return report;
+}
+
+/// Writes where the rules took islands and narrows away: a line each, with its area.
+/// \throws std::runtime_error with the name and the system's reason
+inline void write_simplification(const std::string& name, const CGAL::Outline_simplification_report_2& report)
+{
+  write_file(name, [&report](std::ostream& out) {
+    out.precision(17);
+    out << "# what x y area\n";
+    for (const auto& island : report.dropped_islands)
+      out << "island " << island.place[0] << ' ' << island.place[1] << ' ' << island.area << '\n';
+    for (const auto& gap : report.filled_gaps)
+      out << "gap " << gap.place[0] << ' ' << gap.place[1] << ' ' << gap.area << '\n';
+  });
 }
 
 #endif // BUBBLE_RELAXATION_2_DEMO_SIMPLIFY_DOMAIN_H

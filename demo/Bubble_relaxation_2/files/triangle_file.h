@@ -12,6 +12,7 @@
 #include "domain.h"
 #include "file_names.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -65,6 +66,9 @@ public:
       fail("a marker must be an integer");
     return static_cast<int>(number);
   }
+
+  /// of the line that was read last
+  int line_number() const { return m_number; }
 
   [[noreturn]] void fail(const std::string& what) const
   {
@@ -156,17 +160,62 @@ inline Numbered_points read_points_of_poly(Triangle_reader& reader, const std::s
   return points;
 }
 
+/// A segment of a file, and where it is there.
+struct Numbered_segment
+{
+  double number;
+  int line;
+  Point source, target;
+
+  /// whether a piece between vertices on a segment is one of this one
+  bool contains(const std::pair<Point, Point>& piece) const
+  {
+    const auto is_on = [this](const Point& p) {
+      return p == source || p == target ||
+             (CGAL::collinear(source, p, target) && CGAL::collinear_are_ordered_along_line(source, p, target));
+    };
+    return is_on(piece.first) && is_on(piece.second);
+  }
+
+  std::string text() const
+  {
+    std::ostringstream text;
+    text.precision(15);
+    text << number << ", " << Crossing_segments::text({source, target});
+    return text.str();
+  }
+};
+
+/// \param segments those that were read, the last of which crosses another one
+[[noreturn]] inline void throw_crossing(const Triangle_reader& reader, const std::vector<Numbered_segment>& segments,
+                                        const Crossing_segments& crossing)
+{
+  const auto other = std::find_if(segments.begin(), segments.end(),
+                                  [&](const Numbered_segment& s) { return s.contains(crossing.piece); });
+  if (other == segments.end())
+    reader.fail(crossing.what());
+  reader.fail("segment " + segments.back().text() + ", crosses segment " + other->text() + ", of line " +
+              std::to_string(other->line));
+}
+
 inline void read_segments(Triangle_reader& reader, Numbered_points& points, Domain& domain)
 {
   std::vector<double> header = reader.line(1, "the number of segments");
   header.resize((std::max)(header.size(), std::size_t(2)), 0);
   const std::size_t segments = reader.count(header[0], "number of segments"),
                     markers = reader.count(header[1], "number of markers");
+  std::vector<Numbered_segment> read;
   for (std::size_t k = 0; k < segments; ++k) {
     const std::vector<double> s = reader.line(3 + markers, "a segment");
     const CDT::Vertex_handle u = points.vertex(s[1], domain, reader, "a segment"),
                              v = points.vertex(s[2], domain, reader, "a segment");
-    insert_segment(domain, u, v, markers > 0 ? reader.marker(s[3]) : 0);
+    const int marker = markers > 0 ? reader.marker(s[3]) : 0;
+    read.push_back({s[0], reader.line_number(), u->point(), v->point()});
+    try {
+      insert_segment(domain, u, v, marker);
+    } catch (const Crossing_segments& crossing) {
+      throw_crossing(reader, read, crossing);
+    }
   }
 }
 

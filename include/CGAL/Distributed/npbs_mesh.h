@@ -49,9 +49,10 @@ struct Relaxed_mesh_2
 \brief makes a mesh of a domain by the node placement method by bubble simulation (NPBS), on all ranks of an MPI
 communicator together, each of which gets its part: what `CGAL::npbs_relax()` does on one. All ranks must call it.
 
-The points, their properties and the report are those of `CGAL::Distributed::npbs_relax()`. The triangles of all ranks together are
-those of the triangulation that `CGAL::npbs_relax()` makes, and that `triangulate()` would make of the points; but the
-ranks have them already, since their qualities decide about the last moves, and nothing has to be triangulated again.
+The points, their properties and the report are those of `CGAL::Distributed::npbs_relax()`. The triangles of all ranks
+together are those of the triangulation that `CGAL::npbs_relax()` makes, and that `triangulate()` would make of the
+points; but the ranks have them already, since their qualities decide about the last moves, and nothing has to be
+triangulated again.
 There are no neighbour sets, and the time for these is saved.
 
 \tparam PointSet a `CGAL::Point_set_3<K::Point_2, K::Vector_2>`

@@ -43,9 +43,9 @@ another points on edges may differ by a rounding.
 \param points the points to start from, any part of all on any rank, or none. They take the place of the vertices of
 `domain` that are inside of it: what `CGAL::npbs_relax()` makes of a triangulation with these points is made here. The
 properties `dimension`, `edge` and `position` are used if they are there; a point with dimension 0 that is no vertex of
-the domain is pinned (but makes no bubbles around it smaller, as pinned vertices of `domain` do with `limit_by_outline`).
-On return it has the points of this rank, in the order of their ids, with these properties, which are added if they
-are not there:
+the domain is pinned (but makes no bubbles around it smaller, as pinned vertices of `domain` do with
+`limit_by_outline`). On return it has the points of this rank, in the order of their ids, with these properties, which
+are added if they are not there:
 - `global_id` (`std::int64_t`): 0, 1, 2, … over all ranks; near ids are near to each other.
 - `size` (`double`): the wanted distance d at the point.
 - `dimension` (`int`): 0 for vertices of the domain and pinned ones, 1 for points on an edge, 2 for points in a face.
@@ -101,10 +101,10 @@ same values on all ranks. Those listed below differ from there.
                           depend on the number of ranks. `s` > 0: the protocol of the paper, for comparison. Ranks
                           tell each other every `s` steps, or when all bubbles rest; in between the bubbles of others
                           stay where they were, and one that moves into another rank's part waits there for the next
-                          exchange. Each rank knows the bubbles within 1.5 max d of its part. Between rounds the population is
-                          controlled as always. Then the result depends on the number of ranks; on one rank it is the
-                          same as with `0`. The more ranks and the larger `s`, the more steps it takes until all
-                          bubbles rest, if they do before the limit}
+                          exchange. Each rank knows the bubbles within 1.5 max d of its part. Between rounds the
+                          population is controlled as always. Then the result depends on the number of ranks; on one
+                          rank it is the same as with `0`. The more ranks and the larger `s`, the more steps it takes
+                          until all bubbles rest, if they do before the limit}
     \cgalParamType{a number}
     \cgalParamDefault{`0`}
     \cgalParamExtra{Ranks still add up after each step how many bubbles move, so that they stop together.}

@@ -139,7 +139,8 @@ inline Case random(const paper::Domain& domain, int n, unsigned seed)
 inline Case equilateral(int n)
 {
   const double s = n, height = std::sqrt(0.75);
-  Case c = read(paper::Domain{0, "equilateral", {{{0, 0}, {s, 0}, {s / 2, s * height}}}, [](const Point&) { return 1.; }, 1, 1});
+  Case c = read(paper::Domain{0, "equilateral", {{{0, 0}, {s, 0}, {s / 2, s * height}}}, 
+                                [](const Point&) { return 1.; }, 1, 1});
   add_outline(c, n - 1, 1);
   for (int row = 1; row < n; ++row)
     for (int k = 1; k < n - row; ++k)

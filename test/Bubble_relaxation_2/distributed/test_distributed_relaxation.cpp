@@ -51,6 +51,13 @@ void expect_equal(const Report& report, const Report& expected)
   EXPECT_EQ(report.number_of_returns, expected.number_of_returns);
   EXPECT_EQ(report.converged, expected.converged);
   EXPECT_EQ(report.stop_reason, expected.stop_reason);
+  EXPECT_EQ(report.number_of_wanted_vertices, expected.number_of_wanted_vertices);
+  EXPECT_EQ(report.number_of_forced_triangles, expected.number_of_forced_triangles);
+  EXPECT_EQ(report.forced_x, expected.forced_x);
+  EXPECT_EQ(report.forced_y, expected.forced_y);
+  EXPECT_EQ(report.number_of_small_angles, expected.number_of_small_angles);
+  EXPECT_EQ(report.small_x, expected.small_x);
+  EXPECT_EQ(report.small_y, expected.small_y);
   EXPECT_EQ(report.largest_size_gradient, expected.largest_size_gradient);
   EXPECT_EQ(report.steepest_x, expected.steepest_x);
   EXPECT_EQ(report.steepest_y, expected.steepest_y);
@@ -285,7 +292,8 @@ TEST(Distributed_relaxation, ranks_stay_balanced)
   CGAL::npbs_relax(mesh, parameters::sizing_function(0.2));
   // bubbles are inserted on one side only
   const auto np = parameters::sizing_function([](const Point& p) { return p.x() < 0.3 ? 0.03 : 0.2; });
-  const Part part = expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP), free_vertices(cdt, mesh));
+  const Part part = expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP),
+                                        free_vertices(cdt, mesh));
   int number_of_ranks = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
   const double mean = double(part.relaxation.report.number_of_vertices) / number_of_ranks;

@@ -37,6 +37,10 @@ public:
   /// how many bubbles these sizes ask for in the domain, when it was counted
   double expected_number = 0;
 
+  /// how many vertices a mesh with these sizes would have if all edges could be as long as d, corners or not; counted
+  /// at the same time
+  double number_without_corners = 0;
+
 private:
   using Destroy = void (*)(const void*);
   using Call = double (*)(const void*, double, double);

@@ -17,9 +17,9 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The bounds of coordinates, and of lengths that are not 0. Products of three lengths, and their sums, are the highest
-/// powers that are computed in double, by the centre of a circle: between these bounds, with some room for fractions of a
-/// size, they neither overflow nor lose bits as denormal numbers do. So a mesh does not depend on the scale, and CGAL gets
-/// no infinite number.
+/// powers that are computed in double, by the centre of a circle: between these bounds, with some room for fractions of
+/// a size, they neither overflow nor lose bits as denormal numbers do. So a mesh does not depend on the scale, and CGAL
+/// gets no infinite number.
 constexpr double largest_magnitude = 1e90, smallest_length = 1e-90;
 
 /// whether a coordinate is finite and not beyond the bound

@@ -23,22 +23,21 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A domain without the circles around its sharp corners. What is cut off counts as outside until there are nodes for all
-/// else; their triangulation in the whole domain has the triangles of circles and corners that it is to have.
+/// A domain without the circles around its sharp corners. What is cut off counts as outside until there are nodes for
+/// all else; their triangulation in the whole domain has the triangles of circles and corners that it is to have.
 class Cut_domain_2
 {
 public:
-  /// `sizes`: how large circles around corners may be; `growth`: by which they grow
-  Cut_domain_2(const Domain_2& whole, const Sizes_2& sizes, double growth)
+  /// `sharp`: corners with circles
+  Cut_domain_2(const Domain_2& whole, const std::vector<Sharp_corner_2>& sharp)
     : m_whole(whole), m_points(whole.corners()), m_nodes_on_arms(whole.edges().size(), {no_index, no_index})
   {
-    std::vector<Sharp_corner_2> sharp = sharp_corners(whole, growth);
-    find_circles(whole, sizes, sharp);
     for (const Sharp_corner_2& c : sharp)
       cut_arms(c);
     for (std::size_t e = 0; e < whole.edges().size(); ++e)
@@ -46,11 +45,10 @@ public:
     for (const Sharp_corner_2& c : sharp)
       for (const Sharp_corner_2::Sector& s : c.sectors())
         add_arc(c, s);
-    m_is_cut = !sharp.empty() && m_domain.build(std::move(m_points), std::move(m_edges)) == Marking_error::NONE;
+    m_is_cut = m_domain.build(std::move(m_points), std::move(m_edges)) == Marking_error::NONE;
   }
 
-  /// Whether there was something to be cut off, and circles do not meet what is near by a rounding: else the domain is not
-  /// to be used.
+  /// Whether circles do not meet what is near by a rounding: else the domain is not to be used.
   bool is_cut() const { return m_is_cut; }
 
   /// whether points of the whole domain are in this one: those a rounding away from an edge may be beyond a piece of it
@@ -182,6 +180,39 @@ private:
   std::vector<Node> m_nodes;          // of corners beyond those of the whole domain
   std::vector<std::array<Index, 2>> m_nodes_on_arms; // of each edge of the whole domain, at its source and target
 };
+
+/// A domain without the circles around its sharp corners. Where one of them meets what is near by a rounding, or comes
+/// between a pinned vertex and the edge that it lies beside by a rounding, that corner gets none: halves are tried, and
+/// halves of those that cannot be cut off, so few bad ones among many cost few tries. Null if no circle is left.
+/// `sizes`: how large circles may be; `growth`: by which they grow; `pinned`: vertices that have to stay in the domain
+inline std::shared_ptr<const Cut_domain_2> cut_corners(const Domain_2& whole, const Sizes_2& sizes, double growth,
+                                                       const std::vector<Point>& pinned)
+{
+  constexpr int most_tries = 100; // each takes as long as reading the domain
+  std::vector<Sharp_corner_2> sharp = sharp_corners(whole, growth), good;
+  find_circles(whole, sizes, sharp);
+  std::shared_ptr<const Cut_domain_2> result;
+  std::vector<std::array<std::size_t, 2>> parts; // of the sharp corners, that may be good
+  if (!sharp.empty())
+    parts.push_back({0, sharp.size()});
+  for (int tries = 0; !parts.empty() && tries < most_tries; ++tries) {
+    const auto [first, last] = parts.back();
+    parts.pop_back();
+    std::vector<Sharp_corner_2> more = good;
+    for (std::size_t k = first; k < last; ++k)
+      more.push_back(sharp[k]);
+    auto cut = std::make_shared<const Cut_domain_2>(whole, more);
+    if (cut->is_cut() && cut->contains(pinned)) {
+      result = std::move(cut);
+      good = std::move(more);
+    } else if (last - first > 1) {
+      const std::size_t middle = first + (last - first) / 2;
+      parts.push_back({middle, last});
+      parts.push_back({first, middle});
+    }
+  }
+  return result;
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

@@ -28,9 +28,9 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A corner in which two edges of the domain meet in less than 45 degrees, surrounded by a circle. No mesh has better
-/// triangles there than the angle allows, but all others can be good, if the circle is part of the mesh: its nodes, which
-/// include one on each edge at the corner, make isosceles triangles with the corner, and the angles beyond the nodes on
-/// the edges are larger than 90 degrees.
+/// triangles there than the angle allows, but all others can be good, if the circle is part of the mesh: its nodes,
+/// which include one on each edge at the corner, make isosceles triangles with the corner, and the angles beyond the
+/// nodes on the edges are larger than 90 degrees.
 class Sharp_corner_2
 {
 public:
@@ -81,7 +81,9 @@ public:
   std::vector<double> nodes(const Sector& s) const
   {
     const double first = m_arms[s.first].spacing, second = m_arms[s.second].spacing;
-    const auto spacing = [&](double a) { return (std::min)({widest, first + m_growth * a, second + m_growth * (s.angle - a)}); };
+    const auto spacing = [&](double a) {
+      return (std::min)({widest, first + m_growth * a, second + m_growth * (s.angle - a)});
+    };
     Edge_integral integral{{0}, {0}}; // over angles
     for (double a = 0; a < s.angle;) {
       const double next = (std::min)(s.angle, a + 0.25 * spacing(a));
@@ -162,8 +164,8 @@ inline std::vector<Sharp_corner_2> sharp_corners(const Domain_2& domain, double 
   return result;
 }
 
-/// Gives sharp corners their circles, and forgets those where roundings of coordinates would show in them. `sizes`: a bit more
-/// than a third of them is the largest radius, since circles around corners that face each other must not meet
+/// Gives sharp corners their circles, and forgets those where roundings of coordinates would show in them. `sizes`: a
+/// bit more than a third of them is the largest radius, since circles around corners that face each other must not meet
 inline void find_circles(const Domain_2& domain, const Sizes_2& sizes, std::vector<Sharp_corner_2>& corners)
 {
   std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge

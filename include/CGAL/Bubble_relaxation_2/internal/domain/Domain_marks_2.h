@@ -67,8 +67,8 @@ protected:
 
   void mark_by_nesting();
 
-  /// \throws std::invalid_argument if there is no domain, if a constraint is missing around it, where bubbles could leave
-  /// it, or if vertices are nearer to each other than the least length
+  /// \throws std::invalid_argument if there is no domain, if a constraint is missing around it, where bubbles could
+  /// leave it, or if vertices are nearer to each other than the least length
   void check_domain() const;
 
   static void check_seed(const Point& seed);

@@ -61,7 +61,8 @@ inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
 
 /// Removes bubbles of an edge until a point beside it is on the same side of the piece between the two bubbles
 /// next to it as of the whole edge.
-inline void keep_side_of_edge(const Domain_2& domain, Index e, std::vector<Index>& on_edge, const Point& p, Bubbles_2& b)
+inline void keep_side_of_edge(const Domain_2& domain, Index e, std::vector<Index>& on_edge, const Point& p,
+                              Bubbles_2& b)
 {
   const Orientation side = CGAL::orientation(domain.source(e), domain.target(e), p);
   const double s = position_on_edge(domain, e, p);
@@ -79,8 +80,8 @@ inline void keep_side_of_edge(const Domain_2& domain, Index e, std::vector<Index
   }
 }
 
-/// Removes bubbles on edges that, by their own rounding, put a pinned vertex on the other side of its edge and so out of
-/// the domain.
+/// Removes bubbles on edges that, by their own rounding, put a pinned vertex on the other side of its edge and so out
+/// of the domain.
 inline void remove_beside_pins(const Domain_2& domain, Bubbles_2& b)
 {
   std::vector<std::vector<Index>> on_edge;

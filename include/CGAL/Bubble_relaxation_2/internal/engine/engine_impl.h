@@ -36,7 +36,7 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2 wanted,
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
                                      const Relaxation_options& options, bool may_limit)
 {
   constexpr int turns = 1, turns_beyond_circles = 2;
@@ -47,11 +47,9 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
     return {wanted, nullptr, nullptr};
   Limited_sizes_2 limited(wanted, domain.bbox(), growth);
   Outline_sizes_2(domain, given, maximum, limited)(turns);
-  auto cut = std::make_shared<const Cut_domain_2>(domain, limited.sizes(), growth);
-  if (cut->is_cut() && cut->contains(given.pinned))
+  const auto cut = cut_corners(domain, limited.sizes(), growth, given.pinned);
+  if (cut != nullptr)
     cut->cut(given);
-  else
-    cut = nullptr;
   const Domain_2& rest = cut ? cut->domain() : domain;
   Outline_sizes_2(rest, given, maximum, limited)(turns_beyond_circles);
   Sizes_2 sizes = limited.sizes();
@@ -63,6 +61,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& report)
 {
+  tell_wanted_number(problem, report);
   Bubbles_2 bubbles = relax_bubbles(problem, progress, report);
   if (is_treatment_due(problem.options, report))
     bubbles = triangulate_and_treat(problem, std::move(bubbles), report).bubbles;

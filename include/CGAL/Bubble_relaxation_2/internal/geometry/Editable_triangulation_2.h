@@ -256,8 +256,8 @@ private:
       m_log->note(m_triangles, t);
   }
 
-  /// makes `neighbor` what lies beyond the side of `t` between the vertices `u` and `v`. The old neighbor would not tell
-  /// which side that is: outside of the domain a triangle, turned over by a rounding, can have one twice
+  /// makes `neighbor` what lies beyond the side of `t` between the vertices `u` and `v`. The old neighbor would not
+  /// tell which side that is: outside of the domain a triangle, turned over by a rounding, can have one twice
   void set_neighbor(Index t, Index u, Index v, Index neighbor)
   {
     for (int i = 0; i < 3 && t != no_index; ++i)

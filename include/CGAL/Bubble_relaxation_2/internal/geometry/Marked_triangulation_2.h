@@ -46,7 +46,10 @@ struct Marked_triangulation_2 : Flat_triangulation_2
 };
 
 /// What `mark_triangulation()` found wrong with its edges.
-enum class Marking_error { NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE, NO_TRIANGLE, MARKS_DIFFER };
+enum class Marking_error
+{
+  NONE, EDGES_CROSS, EDGE_THROUGH_POINT, EDGE_TWICE, POINTS_COINCIDE, NO_TRIANGLE, MARKS_DIFFER
+};
 
 /// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
 /// edge gets the side's mark, and marks spread until the next edge. `sides`: per triangle, what edge is behind each
@@ -123,8 +126,8 @@ struct Bubble_mesh_2
   Point point(Index t, int i) const { return bubbles.point(static_cast<std::size_t>(triangles.vertices[t][i])); }
 };
 
-/// The corners of a triangle from the vertex with the smallest index on: what rounds must not depend on where a triangle
-/// begins.
+/// The corners of a triangle from the vertex with the smallest index on: what rounds must not depend on where a
+/// triangle begins.
 inline std::array<int, 3> corners_in_order(const Triangles_2& tr, Index t)
 {
   const std::array<Index, 3>& v = tr.vertices[t];

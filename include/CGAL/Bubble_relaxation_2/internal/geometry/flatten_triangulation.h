@@ -79,8 +79,8 @@ struct Handles
   }
 };
 
-/// Evaluates a point whose coordinates are lazy numbers: what one becomes in double depends on what was asked of it before,
-/// until it has been evaluated.
+/// Evaluates a point whose coordinates are lazy numbers: what one becomes in double depends on what was asked of it
+/// before, until it has been evaluated.
 template <class Point_2>
 auto evaluate_lazy(const Point_2& p, int) -> decltype(exact(p), void())
 {
@@ -145,7 +145,8 @@ private:
   }
 };
 
-/// \throws std::invalid_argument if a point of the user's triangulation is not finite, or beyond the bound of coordinates
+/// \throws std::invalid_argument if a point of the user's triangulation is not finite, or beyond the bound of
+/// coordinates
 inline void check_coordinates(const std::vector<Point>& points)
 {
   for (const Point& p : points)

@@ -23,9 +23,9 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Replaces a span by pieces between places on it, of the least cost: a shortest path over all pieces that stay within
 /// the tolerance. Places are its vertices, some of them where they are many times denser than pieces will be, and parts
-/// of long segments. A piece stays within the tolerance if all vertices of the span between its ends are near to it; then
-/// every point of the span between them is, and every point of the piece is near to one of the span, which goes from one
-/// end to the other.
+/// of long segments. A piece stays within the tolerance if all vertices of the span between its ends are near to it;
+/// then every point of the span between them is, and every point of the piece is near to one of the span, which goes
+/// from one end to the other.
 class Piece_fitting_2
 {
   static constexpr std::size_t small_ring = 200; // places on a ring, up to which other starts are tried

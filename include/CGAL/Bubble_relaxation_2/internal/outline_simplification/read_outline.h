@@ -44,6 +44,9 @@ Simplification_options read_simplification_options(const NamedParameters& np)
   if constexpr (has_share) {
     o.relative_tolerance = CGAL::to_double(parameters::get_parameter(np, internal_np::relative_outline_tolerance));
     check_positive("relative_outline_tolerance", o.relative_tolerance);
+    if (o.relative_tolerance > 1)
+      throw_invalid_parameter("relative_outline_tolerance", o.relative_tolerance,
+                              "at most 1, a share of the wanted length of pieces");
   }
   const auto take_number = [&](auto tag, const char* name, double& value) {
     if constexpr (Is_given<NamedParameters, decltype(tag)>::value) {

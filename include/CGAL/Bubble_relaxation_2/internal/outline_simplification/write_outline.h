@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_WRITE_OUTLINE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_WRITE_OUTLINE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/mark_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/read_outline.h>
 
@@ -70,7 +70,7 @@ public:
     else
       insert_segments();
     check();
-    mark_domain();
+    mark_domain(m_cdt, [this](const auto& visit) { for_each_side(visit); });
   }
 
 private:
@@ -155,33 +155,14 @@ private:
     }
   }
 
-  void mark_domain()
+  template <class Visit>
+  void for_each_side(const Visit& visit) const
   {
-    if constexpr (Domain_marks_2<Cdt>::has_marks) {
-      for (Face_handle f : m_cdt.all_face_handles())
-        f->set_in_domain(false);
-      std::vector<void*> stack; // faces
-      const auto mark = [&](Face_handle f, bool inside) {
-        if (!inside || f->is_in_domain())
-          return;
-        f->set_in_domain(true);
-        stack.push_back(&*f);
-      };
-      for (const Outline_segment_2& s : m_outline.segments) {
-        Face_handle f;
-        int i = 0;
-        m_cdt.is_edge(vertex(s.source), vertex(s.target), f, i);
-        const bool f_is_left = f->vertex(m_cdt.ccw(i)) == vertex(s.source);
-        mark(f, f_is_left ? s.inside_left : s.inside_right);
-        mark(f->neighbor(i), f_is_left ? s.inside_right : s.inside_left);
-      }
-      while (!stack.empty()) {
-        const Face_handle f = Handles<Cdt>::face(stack.back());
-        stack.pop_back();
-        for (int i = 0; i < 3; ++i)
-          if (!f->is_constrained(i))
-            mark(f->neighbor(i), true);
-      }
+    for (const Outline_segment_2& s : m_outline.segments) {
+      Face_handle f;
+      int i = 0;
+      m_cdt.is_edge(vertex(s.source), vertex(s.target), f, i);
+      visit({f, i}, vertex(s.source), s.inside_left, s.inside_right);
     }
   }
 

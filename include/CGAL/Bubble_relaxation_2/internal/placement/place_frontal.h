@@ -58,8 +58,8 @@ public:
     m_crystal.link_from(0);
   }
 
-  /// One of the bubbles that were there before belongs to the front when the growth begins. Of those that are crowded on an
-  /// outline far finer than d, few are enough to propose.
+  /// One of the bubbles that were there before belongs to the front when the growth begins. Of those that are crowded
+  /// on an outline far finer than d, few are enough to propose.
   void add_to_front(std::size_t i)
   {
     const Bubbles_2& b = m_crystal.bubbles();

@@ -63,6 +63,12 @@ void for_each_own_edge(const Bubble_mesh_2& mesh, std::size_t first, std::size_t
   });
 }
 
+/// Puts into the report how many vertices d alone asks for.
+inline void tell_wanted_number(const Problem_2& problem, Report& report)
+{
+  report.number_of_wanted_vertices = static_cast<std::size_t>(std::llround(problem.wanted.number_without_corners));
+}
+
 /// How much d changes along edges, in whatever order they come.
 class Size_gradient_2
 {
@@ -125,8 +131,8 @@ inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& s
   return gradient;
 }
 
-/// The triangles whose smallest angle is smaller than one that is asked for: those at sharp corners of the domain have to
-/// be so.
+/// The triangles whose smallest angle is smaller than one that is asked for: those at sharp corners of the domain have
+/// to be so.
 class Small_angles_2
 {
 public:
@@ -152,35 +158,49 @@ public:
       const bool is_forced = std::any_of(v.begin(), v.end(), [&](Index i) {
         return b.is_corner(i) && b.host[i] != no_index && m_is_sharp[b.host[i]];
       });
-      ++(is_forced ? m_number_of_forced : m_number_of_others);
-      const Point p = mesh.point(t, smallest.vertex);
-      if (is_forced && std::make_pair(smallest.sine, p) < std::make_pair(m_least, m_where)) {
-        m_least = smallest.sine;
-        m_where = p;
-      }
+      (is_forced ? m_forced : m_others).add(smallest.sine, mesh.point(t, smallest.vertex));
     }
   }
 
   void tell(Report& report, const Team& all = Team()) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::array<std::size_t, 2> counts{m_number_of_forced, m_number_of_others};
-    all.add_up(counts.data(), counts.size());
-    report.number_of_forced_triangles = counts[0];
-    report.number_of_small_angles = counts[1];
-    if (counts[0] == 0)
-      return;
-    const bool is_here = m_least == all.smallest(m_least);
-    report.forced_x = all.smallest(is_here ? m_where.x() : infinity);
-    report.forced_y = all.smallest(is_here && m_where.x() == report.forced_x ? m_where.y() : infinity);
+    m_forced.tell(report.number_of_forced_triangles, report.forced_x, report.forced_y, all);
+    m_others.tell(report.number_of_small_angles, report.small_x, report.small_y, all);
   }
 
 private:
+  /// some of them: how many, and where the smallest is
+  struct Some
+  {
+    std::size_t number = 0;
+    double least = std::numeric_limits<double>::infinity(); // sine
+    Point where = Point(0, 0);
+
+    void add(double sine, const Point& p)
+    {
+      ++number;
+      if (std::make_pair(sine, p) < std::make_pair(least, where)) {
+        least = sine;
+        where = p;
+      }
+    }
+
+    void tell(std::size_t& number_of_all, double& x, double& y, const Team& all) const
+    {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      number_of_all = number;
+      all.add_up(&number_of_all, 1);
+      if (number_of_all == 0)
+        return;
+      const bool is_here = least == all.smallest(least);
+      x = all.smallest(is_here ? where.x() : infinity);
+      y = all.smallest(is_here && where.x() == x ? where.y() : infinity);
+    }
+  };
+
   double m_sine;
   std::vector<char> m_is_sharp;
-  std::size_t m_number_of_forced = 0, m_number_of_others = 0;
-  double m_least = std::numeric_limits<double>::infinity(); // sine of a forced angle
-  Point m_where = Point(0, 0);
+  Some m_forced, m_others;
 };
 
 /// adds the lengths of edges of this rank over d in the midpoints, of those that have their first triangle in a range
@@ -219,6 +239,7 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Report
 {
   const Threads& threads = problem.options.threads;
   const Phase_timer timer(report.seconds.evaluation);
+  tell_wanted_number(problem, report);
   constexpr std::size_t block_size = 4096;
   const std::size_t n = mesh.triangles.number_of_triangles();
   std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);

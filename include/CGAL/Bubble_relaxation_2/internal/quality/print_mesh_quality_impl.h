@@ -45,22 +45,22 @@ inline void print_table(std::ostream& out, const Mesh_quality_2<double>& q)
   row("  1 %, 99 %") << q.length_ratio_percentile(1) << "  " << q.length_ratio_percentile(99) << '\n';
 }
 
-/// one line a bar, from the first that is not empty
+/// one line a bar, from the first that is not empty; one line for empty ones that follow each other
 inline void print_histogram(std::ostream& out, const Mesh_quality_2<double>& q)
 {
   constexpr std::size_t width = 40;
   const auto& bars = q.histogram();
   const std::size_t highest = *std::max_element(bars.begin(), bars.end());
-  bool has_begun = false;
+  const auto is_empty = [](std::size_t bar) { return bar == 0; };
+  const auto position = [&bars](auto bar) { return double(bar - bars.begin()) / double(bars.size()); };
   out << std::setprecision(2) << "  histogram of the radius ratio\n";
-  for (std::size_t k = 0; k < bars.size(); ++k) {
-    has_begun = has_begun || bars[k] > 0;
-    if (!has_begun)
-      continue;
-    // a bar that holds anything shows
-    const std::size_t length = bars[k] == 0 ? 0 : (std::max)(std::size_t(1), bars[k] * width / highest);
-    out << "  " << double(k) / double(bars.size()) << " - " << double(k + 1) / double(bars.size())
-        << ' ' << std::setw(10) << bars[k] << ' ' << std::string(length, '#') << '\n';
+  for (auto bar = std::find_if_not(bars.begin(), bars.end(), is_empty); bar != bars.end();) {
+    const auto next = is_empty(*bar) ? std::find_if_not(bar, bars.end(), is_empty) : bar + 1;
+    out << "  " << position(bar) << " - " << position(next) << ' ' << std::setw(10) << *bar;
+    if (!is_empty(*bar)) // a bar that holds anything shows
+      out << ' ' << std::string((std::max)(std::size_t(1), *bar * width / highest), '#');
+    out << '\n';
+    bar = next;
   }
 }
 

@@ -83,7 +83,8 @@ private:
   Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
     : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
       limits(limit_by_outline(reading.domain, reading.given, wanted, options,
-                              options.limit_by_outline && (reading.free.empty() || has_sizing_function<NamedParameters>)))
+                              options.limit_by_outline &&
+                                (reading.free.empty() || has_sizing_function<NamedParameters>)))
   {
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept

@@ -35,17 +35,22 @@ public:
   double operator()()
   {
     const double in_area = integral_over_faces();
-    double on_edges = 0, cells_of_edges = 0;
+    double on_edges = 0, cells_of_edges = 0, on_boundary = 0;
     for (std::size_t e = 0; e < m_domain.edges().size() && on_edges <= m_limit; ++e) {
-      const double between_ends = (std::max)(0., integral_over_edge(static_cast<Index>(e)) - 1);
+      const double integral = integral_over_edge(static_cast<Index>(e)), between_ends = (std::max)(0., integral - 1);
       const Domain_edge_2& edge = m_domain.edges()[e];
+      on_boundary += edge.inside_left && edge.inside_right ? 0 : integral;
       on_edges += between_ends;
       cells_of_edges += 0.5 * between_ends * (edge.inside_left + edge.inside_right);
     }
+    m_without_corners = in_area + 0.5 * on_boundary + 1; // as Pick counts the points of a lattice in a polygon
     // the area around a bubble on an edge, on the sides that belong to the domain, is taken
     return static_cast<double>(m_domain.corners().size()) + on_edges +
            (std::max)(0., in_area - cells_of_edges);
   }
+
+  /// how many the sizing field alone asks for, as if edges need not end at corners; known after the call above
+  double without_corners() const { return m_without_corners; }
 
   /// the integral of the density over the domain
   double integral_over_faces()
@@ -140,7 +145,7 @@ private:
   const Domain_2& m_domain;
   const Sizes_2& m_sizing;
   double m_limit, m_coarsest;
-  double m_sum = 0;
+  double m_sum = 0, m_without_corners = 0;
   double m_mean_density = 0; // of the last smooth triangle
 };
 
@@ -171,11 +176,12 @@ inline void count_bubbles_on_edges(const Domain_2& domain, std::size_t maximum, 
 /// \throws std::length_error if they are more than the user wants to have
 inline void count_bubbles(const Domain_2& domain, std::size_t maximum, const char* asking, Sizes_2& sizes)
 {
-  const double expected =
-    Expected_number_of_bubbles(domain, sizes, static_cast<double>(maximum))();
+  Expected_number_of_bubbles count(domain, sizes, static_cast<double>(maximum));
+  const double expected = count();
   if (expected > static_cast<double>(maximum))
     throw_too_many_bubbles(maximum, asking, expected);
   sizes.expected_number = expected;
+  sizes.number_without_corners = count.without_corners();
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/mark_domain.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -54,7 +55,7 @@ public:
     split_constraints();
     make_hull_convex();
     insert_in_faces();
-    mark_domain();
+    mark_domain(m_cdt, [this](const auto& visit) { for_each_side(visit); });
   }
 
 private:
@@ -169,8 +170,8 @@ private:
       m_on_hull.insert(m_on_hull.end(), {m_path->end()[-2], m_path->back(), &*next.second});
   }
 
-  /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it by
-  /// a rounding, in a needle, it may see another vertex across the edge that was split.
+  /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it
+  /// by a rounding, in a needle, it may see another vertex across the edge that was split.
   void restore_delaunay_around(Vertex_handle v)
   {
     typename Cdt::List_edges edges;
@@ -222,8 +223,8 @@ private:
            CGAL::orientation(c, p, f->vertex(m_cdt.cw(i))->point()) == LEFT_TURN;
   }
 
-  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding, or outside, and then its neighbors may.
-  /// The triangles between them and the hull are real, though outside of the domain.
+  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding, or outside, and then its
+  /// neighbors may. The triangles between them and the hull are real, though outside of the domain.
   void make_hull_convex()
   {
     std::vector<void*> doubtful = m_on_hull;
@@ -276,36 +277,14 @@ private:
         near = m_cdt.insert(Cdt_point(m_bubbles.x[i], m_bubbles.y[i]), near)->face();
   }
 
-  void mark_domain()
+  template <class Visit>
+  void for_each_side(const Visit& visit) const
   {
-    if constexpr (Domain_marks_2<Cdt>::has_marks) {
-      for (Face_handle f : m_cdt.all_face_handles())
-        f->set_in_domain(false);
-      std::vector<void*> stack; // faces
-      const auto mark = [&](Face_handle f, bool inside) {
-        if (!inside || f->is_in_domain())
-          return;
-        f->set_in_domain(true);
-        stack.push_back(&*f);
-      };
-      for (std::size_t e = 0; e < m_paths.size(); ++e) {
-        const Chain& chain = m_reading.graph->chains()[e];
-        for (std::size_t k = 1; k < m_paths[e].size(); ++k) {
-          const Vertex_handle from = vertex(m_paths[e][k - 1]);
-          const Edge edge = next_towards(from, vertex(m_paths[e][k])).first;
-          const Face_handle f = edge.first;
-          const int i = edge.second;
-          const bool f_is_left = f->vertex(m_cdt.ccw(i)) == from;
-          mark(f, f_is_left ? chain.inside_left : chain.inside_right);
-          mark(f->neighbor(i), f_is_left ? chain.inside_right : chain.inside_left);
-        }
-      }
-      while (!stack.empty()) {
-        const Face_handle f = Handles<Cdt>::face(stack.back());
-        stack.pop_back();
-        for (int i = 0; i < 3; ++i)
-          if (!f->is_constrained(i))
-            mark(f->neighbor(i), true);
+    for (std::size_t e = 0; e < m_paths.size(); ++e) {
+      const Chain& chain = m_reading.graph->chains()[e];
+      for (std::size_t k = 1; k < m_paths[e].size(); ++k) {
+        const Vertex_handle from = vertex(m_paths[e][k - 1]);
+        visit(next_towards(from, vertex(m_paths[e][k])).first, from, chain.inside_left, chain.inside_right);
       }
     }
   }
@@ -318,8 +297,8 @@ private:
   std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
 };
 
-/// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the other
-/// side, that were outside of the domain by a rounding.
+/// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the
+/// other side, that were outside of the domain by a rounding.
 template <class Cdt>
 void count_in_domain(const Cdt& cdt, Report& report)
 {

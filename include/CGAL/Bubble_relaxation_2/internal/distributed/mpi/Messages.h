@@ -151,8 +151,8 @@ void deliver_expected(const Communicator& comm, const Messages<T>& out, Messages
   delivery.finish();
 }
 
-/// Puts in the values of what other ranks own. `sent`, `received`: indices of what pairs of ranks share, in one order on
-/// both sides.
+/// Puts in the values of what other ranks own. `sent`, `received`: indices of what pairs of ranks share, in one order
+/// on both sides.
 template <class T>
 void share_values(const Communicator& comm, const Messages<Index>& sent, const Messages<Index>& received,
                   std::vector<T>& values)

@@ -307,7 +307,8 @@ inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<st
     next = std::copy(message.second.begin(), message.second.end(), next);
 }
 
-/// Collective. Removes bubbles of ours that would confuse the triangulation, as `remove_confusing_on_edges()` does of all.
+/// Collective. Removes bubbles of ours that would confuse the triangulation, as `remove_confusing_on_edges()` does of
+/// all.
 inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain, Bubbles_2& b)
 {
   std::vector<Bubble_record_2> all;

@@ -48,7 +48,8 @@ struct Placement_2
 };
 
 /// Bubbles where those in faces were given.
-inline void keep_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing, Placement_2& placed)
+inline void keep_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing,
+                       Placement_2& placed)
 {
   Index hint = 0;
   for (const Starting_points_2::Free& f : given.free()) {
@@ -71,8 +72,8 @@ inline Bubbles_2 large_bubbles(const Domain_2& domain, const Sizes_2& sizing, co
 }
 
 /// Bubbles where those in faces were given, as far as they fit d; the rest is filled by a front of all ranks.
-inline void adapt_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing, Growth_team_2& team,
-                        Bubbles_2& bubbles)
+inline void adapt_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing,
+                        Growth_team_2& team, Bubbles_2& bubbles)
 {
   team.divide(domain, large_bubbles(domain, sizing, bubbles));
   const std::vector<Mesh_star_2> stars = given.stars();

@@ -98,6 +98,7 @@ inline void evaluate_distributed(const Distributed_mesh_2& mesh, const Problem_2
                                  Report& report)
 {
   const Phase_timer timer(report.seconds.evaluation);
+  tell_wanted_number(problem, report);
   report.quality = distributed_quality(mesh, &problem.sizes, comm);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();

@@ -113,8 +113,9 @@ inline std::size_t most_cells(std::size_t number_of_nodes) { return 1000 * (numb
 
 [[noreturn]] inline void throw_too_many_cells(std::size_t most)
 {
-  throw std::length_error("Bubble_relaxation_2: parameter nodes: their sizes ask for more than " + std::to_string(most) +
-                          " cells of integration: some are too small for the domain, or in another unit");
+  throw std::length_error("Bubble_relaxation_2: parameter nodes: their sizes ask for more than " +
+                          std::to_string(most) + " cells of integration: some are too small for the domain, or in "
+                          "another unit");
 }
 
 /// Cuts a triangle in two at the middle of its longest side, and the parts again, until they are small against

@@ -154,8 +154,8 @@ private:
     const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
     std::nth_element(radii.begin(), middle, radii.end());
     if (!radii.empty() && !(extent <= most_radii * *middle && extent <= largest))
-      throw std::invalid_argument("Bubble_relaxation_2: the influence domain of node " + std::to_string(farthest) + " at " +
-                                  in_words(discs[farthest].x, discs[farthest].y) + ", of radius " +
+      throw std::invalid_argument("Bubble_relaxation_2: the influence domain of node " + std::to_string(farthest) +
+                                  " at " + in_words(discs[farthest].x, discs[farthest].y) + ", of radius " +
                                   in_words(discs[farthest].radius) + ", reaches " + in_words(extent) +
                                   " from the first node, which must be at most 1e15 times the median radius, " +
                                   in_words(*middle) + ", and at most 1e153");
