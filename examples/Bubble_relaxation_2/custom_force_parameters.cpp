@@ -61,7 +61,7 @@ int main()
         .population_control(CGAL::Bubble_population::OVERLAP_RATIO));
   run("rhombic placement", P::initial_placement(CGAL::Bubble_placement::RHOMBIC));
   run("no population control", P::population_control(CGAL::Bubble_population::NONE));
-  run("twice the force, more damping", P::force_coefficient(2.).damping(0.6));
+  run("twice the force, more damping", P::force_coefficient(2.).damping(0.8));
   run("half the mass and the time step", P::mass(0.5).time_step(0.25));
   run("20 rounds, exact rest", P::number_of_rounds(20).displacement_tolerance(1e-6));
   run("defaults", P::integrator(CGAL::Bubble_integrator::SEMI_IMPLICIT_EULER));

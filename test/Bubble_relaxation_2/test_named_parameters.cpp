@@ -35,7 +35,7 @@ TEST(Named_parameters, values_come_back_in_any_order)
 {
   const auto expect = [](const auto& np) {
     const auto o = read_options(np);
-    EXPECT_EQ(o.damping, 0.7);
+    EXPECT_EQ(o.damping, 0.45);
     EXPECT_EQ(o.mass, 2.5);
     EXPECT_EQ(o.number_of_iterations, 17u);
     EXPECT_EQ(o.number_of_rounds, 3u);
@@ -43,11 +43,11 @@ TEST(Named_parameters, values_come_back_in_any_order)
     EXPECT_FALSE(o.callback(0.5));
   };
   const auto stop = [](double) { return false; };
-  expect(P::damping(0.7).mass(2.5).number_of_iterations(17).number_of_rounds(3).callback(stop));
+  expect(P::damping(0.45).mass(2.5).number_of_iterations(17).number_of_rounds(3).callback(stop));
   expect(P::number_of_rounds(3).callback(std::function<bool(double)>(stop)).number_of_iterations(17)
-           .mass(2.5).damping(0.7));
-  expect(B::callback(stop).number_of_iterations(17).number_of_rounds(3u).damping(0.7).mass(2.5));
-  expect(B::number_of_iterations(17).damping(0.7).mass(2.5).callback(stop).number_of_rounds(3));
+           .mass(2.5).damping(0.45));
+  expect(B::callback(stop).number_of_iterations(17).number_of_rounds(3u).damping(0.45).mass(2.5));
+  expect(B::number_of_iterations(17).damping(0.45).mass(2.5).callback(stop).number_of_rounds(3));
 }
 
 TEST(Named_parameters, every_name_is_read)
@@ -74,7 +74,7 @@ TEST(Named_parameters, defaults_depend_on_the_integrator)
   const auto euler = read_options(P::default_values());
   EXPECT_EQ(euler.integrator, CGAL::Bubble_integrator::SEMI_IMPLICIT_EULER);
   EXPECT_EQ(euler.time_step, 0.6);
-  EXPECT_EQ(euler.damping, 0.5);
+  EXPECT_EQ(euler.damping, 0.7);
   EXPECT_EQ(euler.displacement_tolerance, 0.007);
   EXPECT_FALSE(euler.placement_is_given);
   const auto rk = read_options(P::integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4));
@@ -176,7 +176,7 @@ TEST(Named_parameters, of_meshless_methods)
            .influence_search(E::EXPANSION));
   EXPECT_EQ(P::get_parameter(P::mass(1.).grid_cells(7), N::grid_cells), 7);
   // they go with those of other functions, and these read what is theirs
-  EXPECT_EQ(read_options(P::support_factor(2.).damping(0.7).mls_basis(1)).damping, 0.7);
+  EXPECT_EQ(read_options(P::support_factor(2.).damping(0.45).mls_basis(1)).damping, 0.45);
 }
 
 TEST(Named_parameters, references_and_copies)

@@ -83,7 +83,7 @@ TEST(Distributed_faults, parameters_that_are_not_the_same)
     expect_failure<std::invalid_argument>("parameter " + text + last, c.cdt, different);
   };
   const bool l = is_last();
-  expect("damping = 0.5 on rank 0, but 0.7", np.damping(l ? 0.7 : 0.5));
+  expect("damping = 0.7 on rank 0, but 0.5", np.damping(l ? 0.5 : 0.7));
   expect("mass = 1 on rank 0, but 2", np.mass(l ? 2. : 1.));
   expect("force_coefficient = 1 on rank 0, but 1.25", np.force_coefficient(l ? 1.25 : 1.));
   expect("time_step = 0.6 on rank 0, but 0.5", np.time_step(l ? 0.5 : 0.6));

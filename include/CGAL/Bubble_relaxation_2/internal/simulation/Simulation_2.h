@@ -34,13 +34,13 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Size_update
 {
 public:
-  static constexpr double tolerance = 0.01;
-
-  Size_update(const Bubbles_2& b, const Sizes_2& sizing) : m_sizing(sizing), m_x(b.x), m_y(b.y) {}
+  Size_update(const Bubbles_2& b, const Sizes_2& sizing, double tolerance)
+    : m_sizing(sizing), m_tolerance(tolerance), m_x(b.x), m_y(b.y)
+  {}
 
   void operator()(Bubbles_2& b, std::size_t i)
   {
-    const double dx = b.x[i] - m_x[i], dy = b.y[i] - m_y[i], far = tolerance * b.d[i];
+    const double dx = b.x[i] - m_x[i], dy = b.y[i] - m_y[i], far = m_tolerance * b.d[i];
     if (dx * dx + dy * dy <= far * far)
       return;
     b.d[i] = m_sizing(b.x[i], b.y[i]);
@@ -75,6 +75,7 @@ public:
 
 private:
   const Sizes_2& m_sizing;
+  const double m_tolerance;
   std::vector<double> m_x, m_y; // where d was asked
 };
 
@@ -113,7 +114,8 @@ public:
   Simulation_2(const Problem_2& problem, Bubbles_2& bubbles, Team& team)
     : m_options(problem.options), m_tolerance(m_options.displacement_tolerance), m_boundary(problem.domain),
       m_integrator(make_integrator(m_options)), m_bubbles(bubbles), m_team(team),
-      m_neighbors(m_options.neighbor_radius), m_update_size(bubbles, problem.sizes)
+      m_neighbors(m_options.neighbor_radius),
+      m_update_size(bubbles, problem.sizes, m_integrator->lets_bubbles_sleep() ? 0.03 : 0.01) // the paper's: 0.01
   {
     m_active.wake_all(bubbles);
   }
