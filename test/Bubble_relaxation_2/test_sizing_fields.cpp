@@ -216,6 +216,21 @@ TEST(Gradation_limited_sizing_field, of_an_exact_kernel_and_by_seeds)
   EXPECT_NEAR(h(K::Point_2(0.0, 0.5)), 0.01, 1e-12); // the ring is not in the domain
 }
 
+TEST(Gradation_limited_sizing_field, of_a_needle)
+{
+  // triangles whose long sides are all the same lower each other's sizes by less each time: that took minutes
+  domains::Outline needle;
+  const int n = 12;
+  for (int k = 0; k < n; ++k)
+    needle.emplace_back(double(k) / n, -1e-5 * (1 + k * 5 % 7));
+  for (int k = n; k > 0; --k)
+    needle.emplace_back((k - 0.4) / n, 1e-5 * (1 + k * 3 % 11));
+  const CDT cdt = domains::make({needle});
+  const CGAL::Gradation_limited_sizing_field_2<CDT> field(cdt, 0.2);
+  for (double x = 0.01; x < 0.9; x += 0.01)
+    EXPECT_LE(std::abs(field(Point(x + 0.001, 0)) - field(Point(x, 0))), 1.001 * 0.2 * 0.001) << x;
+}
+
 TEST(Gradation_limited_sizing_field, makes_a_good_mesh_of_a_jump)
 {
   CDT abrupt = square(), limited = square();

@@ -39,21 +39,21 @@ CGAL_BUBBLE_RELAXATION_2_INLINE
 Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
                                      const Relaxation_options& options, bool may_limit)
 {
-  constexpr int turns = 2, turns_beyond_circles = 3;
+  constexpr int turns = 1, turns_beyond_circles = 2;
   const std::size_t maximum = options.maximum_number_of_bubbles;
   const double growth = options.size_growth;
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
   if (!may_limit)
     return {wanted, nullptr, nullptr};
-  Limited_sizes_2 limited{wanted, {}};
-  Outline_sizes_2(domain, given, wanted, growth, maximum)(turns, limited);
-  const auto cut = cut_corners(domain, limited.sizes, growth, given.pinned);
+  Limited_sizes_2 limited(wanted, domain.bbox(), growth);
+  Outline_sizes_2(domain, given, maximum, limited)(turns);
+  const auto cut = cut_corners(domain, limited.sizes(), growth, given.pinned);
   if (cut != nullptr)
     cut->cut(given);
   const Domain_2& rest = cut ? cut->domain() : domain;
-  Outline_sizes_2(rest, given, wanted, growth, maximum)(turns_beyond_circles, limited);
-  Sizes_2 sizes = limited.in_one(wanted, rest, growth);
-  if (!limited.sources.empty())
+  Outline_sizes_2(rest, given, maximum, limited)(turns_beyond_circles);
+  Sizes_2 sizes = limited.sizes();
+  if (limited.is_limited())
     count_bubbles(rest, maximum, sizes_and_outline, sizes);
   return {sizes, cut, cut ? &rest : nullptr};
 }

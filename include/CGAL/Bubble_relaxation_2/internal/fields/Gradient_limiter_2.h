@@ -68,7 +68,9 @@ public:
   /// steeper than `g`, by 15 % beside a minimum in a vertex of equilateral triangles.
   void spread(std::vector<double>& values)
   {
-    sweep(values, [this](Index t, std::vector<double>& h) {
+    // in needles fronts go to and fro between the long sides, and each time they lower values by less
+    constexpr double little = 1e-4;
+    sweep(values, little, [this](Index t, std::vector<double>& h) {
       std::array<double, 3> limits;
       for (int i = 0; i < 3; ++i) {
         const Index a = m_tr.vertices[t][ccw(i)], b = m_tr.vertices[t][cw(i)];
@@ -81,7 +83,7 @@ public:
   /// Lowers values until their linear interpolation is no steeper than `g` in any triangle.
   void clip(std::vector<double>& values)
   {
-    sweep(values, [this](Index t, std::vector<double>& h) { return clipped(t, h); });
+    sweep(values, least_change, [this](Index t, std::vector<double>& h) { return clipped(t, h); });
   }
 
   /// the length of the gradient of the linear interpolation in a triangle
@@ -136,9 +138,18 @@ private:
     b = (std::min)(b, m_g * std::sqrt(s.bb));
     if (gradient(s, a, b) > m_g)
       lower(s, a, b);
-    limits[order[1]] = base + a;
-    limits[order[2]] = base + b;
+    limits[order[1]] = base + patience(t, order[1]) * a;
+    limits[order[2]] = base + patience(t, order[2]) * b;
     return limits;
+  }
+
+  /// In needles triangles lower the values of each other again and again. The share of its height over the smallest
+  /// value of a triangle that a vertex is left with: 1 at first, 0 when it was lowered very often, which ends that.
+  double patience(Index t, int i) const
+  {
+    constexpr int often = 50;
+    const int times = m_times_lowered[m_tr.vertices[t][i]];
+    return times < often ? 1 : (std::max)(0., 2 - double(times) / often);
   }
 
   /// Lowers the values `a` and `b` over that of the third vertex until the gradient is g.
@@ -168,11 +179,13 @@ private:
            squared_side;
   }
 
+  /// `little`: values are not lowered by a share that is less
   template <class Limits>
-  void sweep(std::vector<double>& values, const Limits& limits)
+  void sweep(std::vector<double>& values, double little, const Limits& limits)
   {
     using Visit = std::pair<double, Index>;
     std::vector<Visit> all;
+    m_times_lowered.assign(values.size(), 0);
     for (std::size_t v = 0; v < values.size(); ++v)
       if (m_first[v] != m_first[v + 1])
         all.emplace_back(values[v], static_cast<Index>(v));
@@ -187,8 +200,9 @@ private:
         const std::array<double, 3> limit = limits(m_triangles[k], values);
         for (int i = 0; i < 3; ++i) {
           const Index v = m_tr.vertices[m_triangles[k]][i];
-          if (limit[i] < values[v] * (1 - least_change)) {
+          if (limit[i] < values[v] * (1 - little)) {
             values[v] = limit[i];
+            ++m_times_lowered[v];
             queue.emplace(limit[i], v);
           }
         }
@@ -200,6 +214,7 @@ private:
   double m_g;
   std::vector<std::size_t> m_first; // of each vertex in `m_triangles`
   std::vector<Index> m_triangles;   // of the domain around each vertex
+  std::vector<int> m_times_lowered; // of each vertex in this sweep
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

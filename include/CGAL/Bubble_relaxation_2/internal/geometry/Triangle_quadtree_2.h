@@ -42,7 +42,7 @@ public:
   /// `fill(square, things, leaf, divide)` either puts something into the leaf or calls `divide(part)`, where `part(k)`
   /// are the things for the quarter `k` of the square.
   template <class Things, class Fill>
-  Quadtree_2(const Square& root, const Things& things, const Fill& fill) : m_root(root)
+  Quadtree_2(const Square& root, const Things& things, Fill&& fill) : m_root(root)
   {
     m_cells.emplace_back();
     build(0, root, things, fill);
@@ -69,7 +69,7 @@ private:
   };
 
   template <class Things, class Fill>
-  void build(std::size_t cell, const Square& square, const Things& things, const Fill& fill)
+  void build(std::size_t cell, const Square& square, const Things& things, Fill& fill)
   {
     fill(square, things, m_cells[cell].leaf, [&](const auto& part) {
       const std::size_t first = m_cells.size();

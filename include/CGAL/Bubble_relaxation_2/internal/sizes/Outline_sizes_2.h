@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/expected_number_of_bubbles.h>
 
 #include <CGAL/Bbox_2.h>
@@ -29,100 +29,6 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// A place on the outline of a domain and the size that is wanted there.
-struct Size_source_2
-{
-  Point point;
-  double d;
-};
-
-/// The size d(x) = min over all sources s of d_s + g |x - s|, which grows by no more than g per unit.
-///
-/// A quadtree holds in each leaf the few sources that are the least somewhere in it, so a query does not
-/// look at all of them; where there would be many, d may be a little too large. The result depends neither
-/// on the order of the sources nor on former queries.
-class Outline_field_2
-{
-public:
-  /// `growth`: g
-  Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box, double growth)
-    : m_growth(growth), m_sources({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
-                 0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), 0},
-                sources, Fill{growth})
-  {}
-
-  double operator()(double x, double y) const
-  {
-    const Sources& sources = m_sources(x, y);
-    double least = size_from(sources.front(), m_growth, x, y);
-    for (const Size_source_2& s : sources)
-      least = (std::min)(least, size_from(s, m_growth, x, y));
-    return least;
-  }
-
-  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
-
-private:
-  static constexpr std::size_t most_sources = 8; // in a leaf
-  static constexpr int deepest = 40;
-
-  using Sources = std::vector<Size_source_2>;
-  using Tree = Quadtree_2<Sources>;
-
-  static double size_from(const Size_source_2& s, double growth, double x, double y)
-  {
-    const double dx = x - s.point.x(), dy = y - s.point.y();
-    return s.d + growth * std::sqrt(dx * dx + dy * dy);
-  }
-
-  struct Fill
-  {
-    double growth;
-
-    template <class Divide>
-    void operator()(const Tree::Square& c, const Sources& sources, Sources& leaf, const Divide& divide) const
-    {
-      // within the cell two sources cannot change their order if they differ by more than this
-      const double slack = 2 * growth * std::sqrt(2.) * c.half;
-      std::vector<double> sizes;
-      sizes.reserve(sources.size());
-      for (const Size_source_2& s : sources)
-        sizes.push_back(size_from(s, growth, c.x, c.y));
-      const double least = *std::min_element(sizes.begin(), sizes.end());
-      Sources kept;
-      for (std::size_t k = 0; k < sources.size(); ++k)
-        if (sizes[k] <= least + slack)
-          kept.push_back(sources[k]);
-      // far from a finely divided outline many sources stay, but d hardly changes within the cell
-      const bool is_even = slack <= 0.5 * least || c.depth == deepest;
-      if (kept.size() > most_sources && !is_even)
-        divide([&kept](int) -> const Sources& { return kept; });
-      else if (kept.size() > most_sources)
-        for (int k = 0; k < 9; ++k)
-          leaf.push_back(nearest(kept, c.x + (k % 3 - 1) * c.half, c.y + (k / 3 - 1) * c.half));
-      else
-        leaf = std::move(kept);
-    }
-
-    const Size_source_2& nearest(const Sources& sources, double x, double y) const
-    {
-      const Size_source_2* best = &sources.front();
-      double least = size_from(*best, growth, x, y);
-      for (const Size_source_2& s : sources) {
-        const double d = size_from(s, growth, x, y);
-        if (d < least || (d == least && s.point < best->point)) {
-          best = &s;
-          least = d;
-        }
-      }
-      return *best;
-    }
-  };
-
-  const double m_growth;
-  Tree m_sources;
-};
 
 inline double extent(const Domain_2& domain)
 {
@@ -160,56 +66,63 @@ inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
   return result;
 }
 
-/// Sizes that are followed, and where the outline asks for less than is wanted.
-struct Limited_sizes_2
+/// The wanted sizes, and smaller ones where the outline asks for it.
+class Limited_sizes_2
 {
-  Sizes_2 sizes;
-  std::vector<Size_source_2> sources;
-
+public:
   /// `growth`: how fast sizes grow away from sources
-  void add(const std::vector<Size_source_2>& more, const Domain_2& domain, double growth)
+  Limited_sizes_2(const Sizes_2& wanted, const Bbox_2& box, double growth)
+    : m_wanted(wanted), m_box(box), m_growth(growth), m_sizes(wanted)
+  {}
+
+  const Sizes_2& sizes() const { return m_sizes; }
+  const Sizes_2& wanted() const { return m_wanted; }
+  bool is_limited() const { return !m_sources.empty(); }
+
+  void add(const std::vector<Size_source_2>& more)
   {
     if (more.empty())
       return;
-    sizes = smaller_of(sizes, Sizes_2(Outline_field_2(more, domain.bbox(), growth)));
-    sources.insert(sources.end(), more.begin(), more.end());
+    m_sources.insert(m_sources.end(), more.begin(), more.end());
+    m_sizes = smaller_of(m_wanted, Sizes_2(Outline_field_2(m_sources, m_box, m_growth)));
   }
 
-  /// the same with all sources in one field, which is asked faster
-  Sizes_2 in_one(const Sizes_2& wanted, const Domain_2& domain, double growth) const
-  {
-    return sources.empty() ? wanted : smaller_of(wanted, Sizes_2(Outline_field_2(sources, domain.bbox(), growth)));
-  }
+private:
+  const Sizes_2 m_wanted;
+  const Bbox_2 m_box;
+  const double m_growth;
+  std::vector<Size_source_2> m_sources;
+  Sizes_2 m_sizes;
 };
 
-/// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed there,
-/// no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .9. Only in a
-/// corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
+/// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed
+/// there, no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .9. Only
+/// in a corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
 class Outline_sizes_2
 {
 public:
-  /// `maximum`: of bubbles
-  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth,
-                  std::size_t maximum)
-    : m_domain(domain), m_given(given), m_wanted(wanted), m_growth(growth), m_maximum(maximum)
+  /// `maximum`: of bubbles; `limited`: the sizes that are followed, which are made smaller
+  Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, std::size_t maximum, Limited_sizes_2& limited)
+    : m_domain(domain), m_given(given), m_maximum(maximum), m_limited(limited)
   {}
 
   /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
   /// more places
   /// \throws std::length_error if too many bubbles are asked for on edges alone
-  void operator()(int turns, Limited_sizes_2& limited)
+  void operator()(int turns)
   {
     for (const Size_source_2& s : sizes_of_pieces(m_domain))
-      limit(s.point, s.d, limited.sizes);
+      limit(s.point, s.d);
     bool is_found = true;
     for (int turn = 0; turn < turns && is_found; ++turn) {
-      limited.add(m_found, m_domain, m_growth);
+      m_limited.add(m_found);
       m_found.clear();
-      count_bubbles_on_edges(m_domain, m_maximum, limited.sizes); // along a crack each turn asks for ten times as many
-      add_widths(limited.sizes);
+      // along a crack each turn asks for ten times as many
+      count_bubbles_on_edges(m_domain, m_maximum, m_limited.sizes());
+      add_widths();
       is_found = !m_found.empty();
     }
-    limited.add(m_found, m_domain, m_growth);
+    m_limited.add(m_found);
   }
 
 private:
@@ -222,23 +135,23 @@ private:
   /// A crack that is narrower than this share of what is wanted has no room for triangles: its sides count as touching.
   static constexpr double narrowest = 1e-6;
 
-  void limit_by_width(const Point& p, double width, const Sizes_2& followed)
+  void limit_by_width(const Point& p, double width)
   {
-    if (width > narrowest * m_wanted(p))
-      limit(p, width, followed);
+    if (width > narrowest * m_limited.wanted()(p))
+      limit(p, width);
   }
 
-  void limit(const Point& p, double distance, const Sizes_2& followed)
+  void limit(const Point& p, double distance)
   {
     const double d = tolerated * distance;
-    if (d < notable * followed(p))
+    if (d < notable * m_limited.sizes()(p))
       m_found.push_back(Size_source_2{p, (std::max)(d, smallest_size * extent(m_domain))});
   }
 
   /// divides the constraints by the sizes found so far, and measures across the triangles between them
-  void add_widths(const Sizes_2& field)
+  void add_widths()
   {
-    const Bubbles_2 nodes = nodes_on_constraints(field);
+    const Bubbles_2 nodes = nodes_on_constraints();
     std::vector<Point> points;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       points.push_back(nodes.point(i));
@@ -251,13 +164,13 @@ private:
           continue;
         const auto& v = mesh.vertices[t];
         if (mesh.edges[t][i] == no_index)
-          add_distance(nodes, v[ccw(i)], v[cw(i)], field);
+          add_distance(nodes, v[ccw(i)], v[cw(i)]);
         else if (!is_in_corner(nodes, v[i], v[ccw(i)], v[cw(i)]))
-          add_width(mesh, static_cast<Index>(t), i, field);
+          add_width(mesh, static_cast<Index>(t), i);
       }
   }
 
-  Bubbles_2 nodes_on_constraints(const Sizes_2& field) const
+  Bubbles_2 nodes_on_constraints() const
   {
     Bubbles_2 nodes;
     for (std::size_t c = 0; c < m_domain.corners().size(); ++c)
@@ -265,7 +178,7 @@ private:
     for (const Point& p : m_given.pinned)
       nodes.add(p, extent(m_domain), Bubbles_2::CORNER, no_index);
     for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
-      place_on_edge(m_domain, static_cast<Index>(e), field, nodes);
+      place_on_edge(m_domain, static_cast<Index>(e), m_limited.sizes(), nodes);
     remove_coincident(m_domain, nodes);
     return nodes;
   }
@@ -273,13 +186,13 @@ private:
   static bool is_pin(const Bubbles_2& nodes, Index i) { return nodes.host[i] == no_index; }
 
   /// the distance of a pinned vertex from another one or from a corner
-  void add_distance(const Bubbles_2& nodes, Index i, Index j, const Sizes_2& field)
+  void add_distance(const Bubbles_2& nodes, Index i, Index j)
   {
     if (!nodes.is_corner(i) || !nodes.is_corner(j) || !(is_pin(nodes, i) || is_pin(nodes, j)))
       return;
     const Point p = nodes.point(i), q = nodes.point(j);
     for (const Point& end : {p, q})
-      limit(end, std::sqrt(CGAL::squared_distance(p, q)), field);
+      limit(end, std::sqrt(CGAL::squared_distance(p, q)));
   }
 
   /// whether a node and the side from `p` to `q` lie on two edges that meet in a corner
@@ -309,7 +222,7 @@ private:
   }
 
   /// the distance of the vertex `i` of a triangle from the constraint opposite to it
-  void add_width(const Marked_triangulation_2& mesh, Index t, int i, const Sizes_2& field)
+  void add_width(const Marked_triangulation_2& mesh, Index t, int i)
   {
     const Point &p = mesh.point(t, i), &a = mesh.point(t, ccw(i)), &b = mesh.point(t, cw(i));
     const Kernel::Vector_2 u = b - a;
@@ -319,14 +232,13 @@ private:
       return;
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
     for (const Point& end : {p, foot})
-      limit_by_width(end, std::sqrt(CGAL::squared_distance(p, foot)), field);
+      limit_by_width(end, std::sqrt(CGAL::squared_distance(p, foot)));
   }
 
   const Domain_2& m_domain;
   const Given_mesh_2& m_given;
-  const Sizes_2& m_wanted;
-  const double m_growth;
   const std::size_t m_maximum;
+  Limited_sizes_2& m_limited;
   std::vector<Size_source_2> m_found; // in this turn
 };
 
