@@ -60,7 +60,7 @@ public:
 
 private:
   /// how much the first q of a patch that changes must gain
-  static constexpr double least_gain = 0.01;
+  static constexpr double least_gain = 0.0005;
   /// triangles with less count as defects
   static constexpr double good_quality = 0.9;
   /// so many outcomes get their vertices moved
