@@ -41,7 +41,7 @@ class Delaunay_population
 {
 public:
   /// insert where the radius of an empty circle exceeds this times d (0.577 in the hexagonal lattice)
-  double largest_radius = 0.655;
+  double largest_radius = 0.645;
   /// delete where two bubbles are nearer than this times their mean size
   double least_distance = 0.62;
   /// delete bubbles of the faces with as many neighbours or less
