@@ -138,7 +138,7 @@ those on edges lie exactly on them.
   \cgalParamNBegin{damping}
     \cgalParamDescription{c of eq. 3}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{0.65, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
+    \cgalParamDefault{0.6, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
   \cgalParamNEnd
   \cgalParamNBegin{time_step}
     \cgalParamDescription{the length of a step in time. With `Bubble_population::DELAUNAY` it is halved before each

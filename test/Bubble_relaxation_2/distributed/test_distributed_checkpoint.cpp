@@ -306,7 +306,7 @@ TEST_F(Checkpoint_of_trunk, is_refused_unless_it_is_whole)
 
 TEST_F(Checkpoint_of_trunk, is_refused_by_another_simulation)
 {
-  expect_all_throw<std::invalid_argument>(attempt(P::restart_from(path).damping(0.4)), "another damping: 0.65");
+  expect_all_throw<std::invalid_argument>(attempt(P::restart_from(path).damping(0.4)), "another damping: 0.6");
   expect_all_throw<std::invalid_argument>(attempt(P::restart_from(path).number_of_iterations(29)),
                                           "another number_of_iterations");
   expect_all_throw<std::invalid_argument>(attempt(P::restart_from(path).number_of_rounds(1)), "number_of_rounds is 1");

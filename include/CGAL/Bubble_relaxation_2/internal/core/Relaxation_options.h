@@ -36,7 +36,7 @@ struct Relaxation_options
   Bubble_integrator integrator = Bubble_integrator::SEMI_IMPLICIT_EULER;
   double force_coefficient = 1;
   double mass = 1;
-  double damping = 0.65;
+  double damping = 0.6;
   double time_step = 0.6;
   std::size_t number_of_iterations = default_number_of_iterations;
   std::size_t number_of_rounds = default_number_of_rounds;
