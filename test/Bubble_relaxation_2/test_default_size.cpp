@@ -95,9 +95,9 @@ TEST(Default_size, of_an_l_with_a_finely_divided_hole)
 {
   const Outline hole = domains::polygon(0.5, 0.5, 0.25, 60);
   const auto report = relax({l_shape, hole}, 3 - domains::area(hole));
-  EXPECT_GE(report.quality.mean_quality(), 0.976);
-  EXPECT_GE(report.quality.minimum_quality(), 0.875);
-  EXPECT_NEAR(report.quality.mean_length_ratio(), 0.991, 0.005);
+  EXPECT_GE(report.quality.mean_quality(), 0.975);
+  EXPECT_GE(report.quality.minimum_quality(), 0.865);
+  EXPECT_NEAR(report.quality.mean_length_ratio(), 0.996, 0.005);
 }
 
 TEST(Default_size, of_a_channel)
