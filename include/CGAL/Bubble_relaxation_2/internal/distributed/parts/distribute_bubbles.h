@@ -33,6 +33,13 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
+/// bubbles of one rank, and who owns what
+struct Placed_part_2
+{
+  Bubbles_2 bubbles;
+  Hilbert_partition_2 partition;
+};
+
 /// brings each of some records with places to the rank that owns its place
 template <class Record>
 std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& partition, std::vector<Record> records)
