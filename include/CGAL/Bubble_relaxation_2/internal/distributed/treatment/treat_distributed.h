@@ -45,11 +45,8 @@ public:
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.
   Distributed_mesh_2 triangulate(const Bubbles_2& own) const
   {
-    Distributed_mesh_2 mesh =
-      distributed_triangulate(m_domain, own, m_partition, m_comm);
-    m_comm.agree_after([&] {
-      label_edges(mesh.triangles);
-    });
+    Distributed_mesh_2 mesh = distributed_triangulate(m_domain, own, m_partition, m_comm);
+    label_edges(mesh.triangles);
     return mesh;
   }
 
@@ -156,17 +153,12 @@ private:
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
   {
-    const std::vector<Bubble_record_2> all = gather_outline(m_comm, mesh.bubbles);
-    bool is_valid = false;
-    m_comm.agree_after([&] {
-      Bubbles_2 bubbles;
-      for (const Bubble_record_2& r : all)
-        add_own(bubbles, r);
-      bubbles.sort_by_id();
-      Marked_triangles_2 outline;
-      is_valid = triangulate_outline(m_domain, bubbles, outline);
-    });
-    return is_valid;
+    Bubbles_2 bubbles;
+    for (const Bubble_record_2& r : gather_outline(m_comm, mesh.bubbles))
+      add_own(bubbles, r);
+    bubbles.sort_by_id();
+    Marked_triangles_2 outline;
+    return triangulate_outline(m_domain, bubbles, outline);
   }
 
   void operate(Treated_piece& piece, double& smallest, Treatment_counts& counts) const
@@ -233,11 +225,8 @@ inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, cons
 inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
                                            const Hilbert_partition_2& partition, Communicator& comm)
 {
-  Bubbles_2 own;
-  comm.agree_after([&] {
-    own = own_bubbles(mesh, comm.rank());
-    cut.join(own);
-  });
+  Bubbles_2 own = own_bubbles(mesh, comm.rank());
+  cut.join(own);
   const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
   return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
 }
@@ -262,8 +251,7 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
 inline Distributed_mesh_2 insert_points(const Problem_2& problem, const Hilbert_partition_2& partition, Communicator& comm,
                                         const std::vector<Steiner_point_2>& points, const Distributed_mesh_2& mesh)
 {
-  Bubbles_2 own;
-  comm.agree_after([&] { own = own_bubbles(mesh, comm.rank()); });
+  Bubbles_2 own = own_bubbles(mesh, comm.rank());
   std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
   comm.agree_after([&] {
     for (const Steiner_point_2& p : points) {
