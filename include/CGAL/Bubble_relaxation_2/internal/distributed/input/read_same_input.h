@@ -49,6 +49,19 @@ public:
     add(p.y());
   }
 
+  template <class T>
+  void add(const std::vector<T>& values)
+  {
+    for (const T& value : values)
+      add(value);
+  }
+  template <class T, std::size_t n>
+  void add(const std::array<T, n>& values)
+  {
+    for (const T& value : values)
+      add(value);
+  }
+
   /// of something without gaps
   void add_bytes(const void* first, std::size_t n)
   {
@@ -65,8 +78,7 @@ private:
 inline std::uint64_t hash_of(const Domain_2& domain)
 {
   Hash_of_numbers hash;
-  for (const Point& p : domain.corners())
-    hash.add(p);
+  hash.add(domain.corners());
   for (const Domain_edge_2& e : domain.edges()) {
     hash.add(e.source);
     hash.add(e.target);
@@ -96,8 +108,7 @@ inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& gi
   Hash_of_numbers hash;
   const auto add = [&hash](const std::vector<Point>& points) {
     hash.add(points.size());
-    for (const Point& p : points)
-      hash.add(p);
+    hash.add(points);
   };
   add(given.pinned);
   add(given.free);

@@ -64,18 +64,17 @@ public:
   Distributed_mesh_2 operator()()
   {
     for (;;) {
-      Messages<Triangle_question_2> questions;
-      m_comm.agree_after([&] {
+      m_comm.agree_after([&] { // edges may be nearer to each other than their rounding
         if (m_is_new)
           triangulate();
-        questions = questions_about_triangles();
       });
+      const Messages<Triangle_question_2> questions = questions_about_triangles();
       if (!m_comm.any(!questions.empty()))
         break;
       ++m_mesh.number_of_rounds;
       ask(questions);
     }
-    m_comm.agree_after([&] { m_mesh.mark_triangles(m_comm.rank()); });
+    m_mesh.mark_triangles(m_comm.rank());
     return std::move(m_mesh);
   }
 
@@ -84,37 +83,29 @@ private:
 
   void get_outline()
   {
-    const std::vector<Bubble_record_2> records = gather_outline(m_comm, m_own);
-    m_comm.agree_after([&] {
-      m_mesh.bubbles = with_owner(m_own, m_comm.rank());
-      for (const Bubble_record_2& r : records) {
-        const int owner = m_partition.owner(r.x, r.y);
-        if (owner != m_comm.rank())
-          add(m_mesh.bubbles, r, owner);
-      }
-    });
+    m_mesh.bubbles = with_owner(m_own, m_comm.rank());
+    for (const Bubble_record_2& r : gather_outline(m_comm, m_own)) {
+      const int owner = m_partition.owner(r.x, r.y);
+      if (owner != m_comm.rank())
+        add(m_mesh.bubbles, r, owner);
+    }
   }
 
   void get_nearby(double reach)
   {
     Messages<Bubble_record_2> out;
-    m_comm.agree_after([&] {
-      const Bubbles_2& b = m_own;
-      Clearance_2 clearance(m_partition, m_comm.rank());
-      for (std::size_t i = 0; i < m_own.size(); ++i)
-        if (!is_on_outline(b, i))
-          for (int rank : clearance.others_in_disc(b.x[i], b.y[i], reach * b.d[i])) {
-            out[rank].push_back(record(b, i));
-            m_answers.note_sent(rank, static_cast<Index>(i));
-          }
-    });
-    const Messages<Bubble_record_2> in = deliver(m_comm, out);
-    m_comm.agree_after([&] {
-      for (const auto& message : in)
-        for (const Bubble_record_2& r : message.second)
-          add(m_mesh.bubbles, r, message.first);
-      m_mesh.bubbles.sort_by_id();
-    });
+    const Bubbles_2& b = m_own;
+    Clearance_2 clearance(m_partition, m_comm.rank());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!is_on_outline(b, i))
+        for (int rank : clearance.others_in_disc(b.x[i], b.y[i], reach * b.d[i])) {
+          out[rank].push_back(record(b, i));
+          m_answers.note_sent(rank, static_cast<Index>(i));
+        }
+    for (const auto& message : deliver(m_comm, out))
+      for (const Bubble_record_2& r : message.second)
+        add(m_mesh.bubbles, r, message.first);
+    m_mesh.bubbles.sort_by_id();
   }
 
   void triangulate()
@@ -190,15 +181,11 @@ private:
 
   void ask(const Messages<Triangle_question_2>& questions)
   {
-    const Messages<Triangle_question_2> asked = deliver(m_comm, questions);
     Messages<Bubble_answer_2> answers;
-    m_comm.agree_after([&] {
-      for (const auto& message : asked)
-        for (const Triangle_question_2& question : message.second)
-          m_answers(message.first, question, answers[message.first]);
-    });
-    const Messages<Bubble_answer_2> got = deliver(m_comm, answers);
-    m_comm.agree_after([&] { learn(got); });
+    for (const auto& message : deliver(m_comm, questions))
+      for (const Triangle_question_2& question : message.second)
+        m_answers(message.first, question, answers[message.first]);
+    learn(deliver(m_comm, answers));
   }
 
   void learn(const Messages<Bubble_answer_2>& answers)

@@ -106,14 +106,12 @@ inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
 }
 
 /// Collective. The bubbles of all ranks on the outline, those of one rank after those of another.
-inline std::vector<Bubble_record_2> gather_outline(Communicator& comm, const Bubbles_2& bubbles)
+inline std::vector<Bubble_record_2> gather_outline(const Communicator& comm, const Bubbles_2& bubbles)
 {
   std::vector<Bubble_record_2> own;
-  comm.agree_after([&] {
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (bubbles.is_ours(i) && is_on_outline(bubbles, i))
-        own.push_back(record(bubbles, i));
-  });
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    if (bubbles.is_ours(i) && is_on_outline(bubbles, i))
+      own.push_back(record(bubbles, i));
   return gather_records(comm, own);
 }
 

@@ -33,6 +33,13 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
+/// bubbles of one rank, and who owns what
+struct Placed_part_2
+{
+  Bubbles_2 bubbles;
+  Hilbert_partition_2 partition;
+};
+
 /// brings each of some records with places to the rank that owns its place
 template <class Record>
 std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& partition, std::vector<Record> records)
@@ -215,16 +222,13 @@ private:
                                     "points of others have not");
     });
     Messages<std::int64_t> out;
+    for (std::int64_t number : points.id)
+      out[static_cast<int>(number % m_comm.size())].push_back(number);
+    std::vector<std::int64_t> numbers;
+    for (const auto& message : deliver(m_comm, out))
+      numbers.insert(numbers.end(), message.second.begin(), message.second.end());
+    std::sort(numbers.begin(), numbers.end());
     m_comm.agree_after([&] {
-      for (std::int64_t number : points.id)
-        out[static_cast<int>(number % m_comm.size())].push_back(number);
-    });
-    const Messages<std::int64_t> in = deliver(m_comm, out);
-    m_comm.agree_after([&] {
-      std::vector<std::int64_t> numbers;
-      for (const auto& message : in)
-        numbers.insert(numbers.end(), message.second.begin(), message.second.end());
-      std::sort(numbers.begin(), numbers.end());
       const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
       if (twice != numbers.end())
         throw std::invalid_argument("Bubble_relaxation_2: two points have the global_id " +
@@ -312,26 +316,21 @@ inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<st
 inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain, Bubbles_2& b)
 {
   std::vector<Bubble_record_2> all;
-  comm.agree_after([&] {
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_ours(i) && (b.is_on_edge(i) || b.is_corner(i)))
-        all.push_back(record(b, i));
-  });
-  all = gather_records(comm, all);
-  comm.agree_after([&] {
-    std::sort(all.begin(), all.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) { return p.id < q.id; });
-    Bubbles_2 outline;
-    for (const Bubble_record_2& r : all)
-      add_own(outline, r);
-    remove_confusing_on_edges(domain, outline);
-    std::unordered_set<std::int64_t> gone;
-    for (std::size_t k = 0; k < outline.size(); ++k)
-      if (outline.is_gone(k))
-        gone.insert(outline.id[k]);
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_on_edge(i) && gone.count(b.id[i]) != 0)
-        b.remove(i);
-  });
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_ours(i) && (b.is_on_edge(i) || b.is_corner(i)))
+      all.push_back(record(b, i));
+  Bubbles_2 outline;
+  for (const Bubble_record_2& r : gather_records(comm, all))
+    add_own(outline, r);
+  outline.sort_by_id();
+  remove_confusing_on_edges(domain, outline);
+  std::unordered_set<std::int64_t> gone;
+  for (std::size_t k = 0; k < outline.size(); ++k)
+    if (outline.is_gone(k))
+      gone.insert(outline.id[k]);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_on_edge(i) && gone.count(b.id[i]) != 0)
+      b.remove(i);
 }
 
 /// Collective. The bubbles that are left, each on the rank that owns its place and numbered from 0 on. `end`: all have

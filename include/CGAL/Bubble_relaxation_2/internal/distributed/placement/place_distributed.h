@@ -27,13 +27,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// bubbles of one rank, and who owns what
-struct Placed_part_2
-{
-  Bubbles_2 bubbles;
-  Hilbert_partition_2 partition;
-};
-
 /// Bubbles as they are placed: those that all ranks have, and after them those that only this rank has, or that
 /// others have too.
 struct Placement_2

@@ -55,9 +55,9 @@ public:
   {
     if (!m_checkpoints.is_restart())
       return 0;
-    const std::size_t rounds = m_checkpoints.resume(simulation, report);
+    m_checkpoints.resume(simulation, report);
     look_for_ghosts(simulation, bubbles);
-    return rounds;
+    return report.number_of_rounds;
   }
 
   void end_round(const Simulation_2& simulation, const Bubbles_2& bubbles, Report& report) override

@@ -26,27 +26,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Gives each rank its first bubbles, new ones or those of a checkpoint; returns how many were new.
-inline std::size_t find_first_bubbles(Communicator& comm, const Problem_2& problem, const Bubbles_2& points,
-                                      Checkpoints_2& checkpoints, Simulation_team_2& team, Bubbles_2& bubbles)
-{
-  bubbles.rank = comm.rank();
-  if (checkpoints.is_restart()) {
-    const Restart_2& restart = checkpoints.read(hilbert_curve(problem.domain), problem.sizes);
-    for (const Bubble_state_2& s : restart.states)
-      add(bubbles, s.bubble(), comm.rank());
-    team.start(restart.partition, restart.header.number_of_all);
-    return static_cast<std::size_t>(restart.header.initial_bubbles);
-  }
-  Placed_part_2 part = place_distributed(comm, problem, points);
-  const std::int64_t number = comm.sum(static_cast<std::int64_t>(part.bubbles.size()));
-  team.start(part.partition, number);
-  bubbles = std::move(part.bubbles);
-  bubbles.rank = comm.rank();
-  bubbles.owner.assign(bubbles.size(), comm.rank());
-  return static_cast<std::size_t>(number);
-}
-
 /// Places bubbles and simulates them, all ranks together: those that `relax_bubbles()` makes on one. Their
 /// numbers are their indices there. `points`: see `place_distributed()`;
 /// `traffic`: what this rank sent and held, if it is asked for.
@@ -57,12 +36,17 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
 {
   Checkpoints_2 checkpoints(comm, hash_of_places(problem.domain, problem.given), problem.options);
   Simulation_team_2 team(comm, checkpoints, problem.options);
-  Bubbles_2 bubbles;
-  {
-    const Phase_timer timer(report.seconds.placement);
-    report.number_of_initial_bubbles =
-      find_first_bubbles(comm, problem, points, checkpoints, team, bubbles);
-  }
+  Phase_timer placement_time(report.seconds.placement);
+  Placed_part_2 part = checkpoints.is_restart() ? checkpoints.read(hilbert_curve(problem.domain), problem.sizes)
+                                                : place_distributed(comm, problem, points);
+  Bubbles_2& bubbles = part.bubbles;
+  bubbles.rank = comm.rank();
+  bubbles.owner.assign(bubbles.size(), comm.rank());
+  const std::int64_t number = checkpoints.is_restart() ? checkpoints.number_of_all()
+                                                       : comm.sum(static_cast<std::int64_t>(bubbles.size()));
+  report.number_of_initial_bubbles = static_cast<std::size_t>(number); // a restart will know better
+  team.start(part.partition, number);
+  placement_time.stop();
   relax(problem, bubbles, team, progress, report);
   if (traffic)
     *traffic = team.traffic();

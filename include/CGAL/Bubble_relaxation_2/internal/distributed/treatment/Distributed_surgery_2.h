@@ -63,25 +63,19 @@ public:
   bool find_patches(double bad_quality)
   {
     bool is_cut_off = false;
-    std::vector<Bad_triangle_2> own;
-    m_comm.agree_after([&] {
-      own = bad_triangles(m_piece.mesh, bad_quality);
-      own.erase(std::remove_if(own.begin(), own.end(),
-                               [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
-                own.end());
-    });
+    std::vector<Bad_triangle_2> own = bad_triangles(m_piece.mesh, bad_quality);
+    own.erase(std::remove_if(own.begin(), own.end(),
+                             [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
+              own.end());
     std::vector<Bad_triangle_2> worst = gather_records(m_comm, own);
     std::sort(worst.begin(), worst.end());
     m_number_of_places = worst.size();
-    m_comm.agree_after([&] {
-      for (const Bad_triangle_2& bad : own) {
-        const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
-        Mesh_patch_2 patch(m_piece.mesh, triangles_around(m_triangles, bad.triangle));
-        m_operations.push_back(
-          Ranked_operation_2{static_cast<Index>(place), bad.triangle, std::move(patch), {}, false});
-        is_cut_off = is_cut_off || m_operations.back().patch.is_cut_off();
-      }
-    });
+    for (const Bad_triangle_2& bad : own) {
+      const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
+      Mesh_patch_2 patch(m_piece.mesh, triangles_around(m_triangles, bad.triangle));
+      is_cut_off = is_cut_off || patch.is_cut_off();
+      m_operations.push_back(Ranked_operation_2{static_cast<Index>(place), bad.triangle, std::move(patch), {}, false});
+    }
     return !m_comm.any(is_cut_off);
   }
 
@@ -98,11 +92,9 @@ public:
     number_of_insertions = std::accumulate(insertions.begin(), insertions.end(), std::int64_t(0));
     std::exclusive_scan(insertions.begin(), insertions.end(), insertions.begin(), end);
     Patch_change_2 own;
-    m_comm.agree_after([&] {
-      for (const Ranked_operation_2& operation : m_operations)
-        if (operation.is_chosen) // numbers are as if all operations were made by one rank
-          describe(operation, insertions[operation.place], own);
-    });
+    for (const Ranked_operation_2& operation : m_operations)
+      if (operation.is_chosen) // numbers are as if all operations were made by one rank
+        describe(operation, insertions[operation.place], own);
     number_of_deletions = m_comm.sum(number_of_deletions);
     return changes_known_here(m_comm, m_known, own);
   }
@@ -136,11 +128,7 @@ private:
       for (std::size_t r = first; at[claims[k].place] && r < k; ++r)
         choice.rivals(place_here[claims[k].place]).push_back(static_cast<Index>(claims[r].place));
     }
-    const auto decide = [&] {
-      bool is_open = false;
-      m_comm.agree_after([&] { is_open = choice.decide([&](Index place) { return operate_on(*at[place]); }); });
-      return is_open;
-    };
+    const auto decide = [&] { return choice.decide([&](Index place) { return operate_on(*at[place]); }); };
     decide_together(m_comm, decide, [&] { m_comm.reduce_each(choice.states(), MPI_MAX); });
   }
 

@@ -186,17 +186,11 @@ public:
   {
     Messages<Bubble_record_2> bubbles;
     Messages<Triangle> triangles;
-    m_comm.agree_after([&] {
-      find_takers(reach);
-      tell(bubbles, triangles);
-    });
-    const Messages<Bubble_record_2> others = deliver(m_comm, bubbles);
-    const Messages<Triangle> others_triangles = deliver(m_comm, triangles);
-    m_comm.agree_after([&] {
-      take_in(others);
-      replace_triangles(others_triangles);
-      m_mesh.mark_triangles(m_comm.rank());
-    });
+    find_takers(reach);
+    tell(bubbles, triangles);
+    take_in(deliver(m_comm, bubbles));
+    replace_triangles(deliver(m_comm, triangles));
+    m_mesh.mark_triangles(m_comm.rank());
     link_with_others(m_comm, m_piece);
     return std::move(m_piece);
   }

@@ -86,16 +86,12 @@ public:
   bool operator()(const Patch_changes_2& changes, std::int64_t end)
   {
     m_end = end;
-    std::vector<std::int64_t> gone;
-    bool is_wide_enough = false;
-    m_comm.agree_after([&] {
-      Mesh_stitching_2 stitching(m_piece.mesh);
-      replace(changes, stitching);
-      gone = gone_of_ours();
-      Editable_triangulation_2 mesh = stitching.finish();
-      Border_certificate_2 certificate(m_piece.mesh);
-      is_wide_enough = forget_doubtful(triangles_beside_others(m_piece.mesh), certificate, mesh);
-    });
+    Mesh_stitching_2 stitching(m_piece.mesh);
+    replace(changes, stitching);
+    const std::vector<std::int64_t> gone = gone_of_ours();
+    Editable_triangulation_2 mesh = stitching.finish();
+    Border_certificate_2 certificate(m_piece.mesh);
+    const bool is_wide_enough = forget_doubtful(triangles_beside_others(m_piece.mesh), certificate, mesh);
     close_gaps(gone);
     link_with_others(m_comm, m_piece);
     m_piece.mesh.mark_triangles(m_comm.rank());

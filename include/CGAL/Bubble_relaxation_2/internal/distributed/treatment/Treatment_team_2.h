@@ -26,56 +26,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A rank that treats the defects of its own part of the mesh as if it were alone, see `Team`. It may as long as
-/// two things hold; else it has come too near to others.
-///
-/// No candidate has a neighbour of another rank: then candidates that are connected are all of one rank, their colours are
-/// those that one rank alone would give them, and they are moved in the same order, among vertices that stay. And all
-/// triangles that flips make are between its own bubbles: then no other rank has one of them, and every edge is locally
-/// Delaunay again on the rank that changed something beside it, so the whole is Delaunay.
-class Treatment_inside_2 : public Team
-{
-public:
-  Treatment_inside_2(Communicator& comm, const Distributed_mesh_2& mesh)
-    : m_comm(comm), m_mesh(mesh)
-  {
-    for (Index t : triangles_beside_others(mesh))
-      for (Index v : mesh.triangles.vertices[t])
-        m_beside_others.push_back(v);
-  }
-
-  bool goes_on_treating(bool here) override { return here && !m_is_too_near; }
-
-  /// Collective. Whether any rank came too near to others: then what was done is worth nothing.
-  bool has_failed() const { return m_comm.any(m_is_too_near); }
-
-  /// `values`: not 0 for candidates only
-  void share(std::vector<char>& values) override
-  {
-    m_is_too_near = m_is_too_near || std::any_of(m_beside_others.begin(), m_beside_others.end(),
-                                                 [&values](Index v) { return values[v] != 0; });
-  }
-
-  void restore_border(Editable_triangulation_2& mesh) override
-  {
-    const std::vector<Index> flipped = mesh.take_flipped();
-    m_is_too_near = m_is_too_near || std::any_of(flipped.begin(), flipped.end(), [&](Index t) {
-                      return is_beside_others(m_mesh.bubbles, mesh.vertices(t));
-                    });
-    m_changed.insert(m_changed.end(), flipped.begin(), flipped.end());
-  }
-
-  /// the triangles that may not be marked as what they are now: all that were flipped
-  const std::vector<Index>& changed_triangles() const { return m_changed; }
-
-private:
-  Communicator& m_comm;
-  const Distributed_mesh_2& m_mesh;
-  std::vector<Index> m_beside_others; // bubbles with neighbours of other ranks, and these
-  std::vector<Index> m_changed;
-  bool m_is_too_near = false;
-};
-
 /// The ranks that treat the defects of a mesh together, see `Team`. Each treats its own vertices, and
 /// moves those of others as it is told. Its piece of the mesh gets narrower with each sweep, by what bubbles that it
 /// does not know may have changed; when triangles around its own vertices are concerned, it knows too little.

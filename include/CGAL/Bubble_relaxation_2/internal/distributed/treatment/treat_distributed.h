@@ -31,9 +31,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. While all defects are far from
-/// other ranks, each works on its own part of the mesh. Else it works on a piece that is wider than its own triangles;
-/// if that was not wide enough, all begin again with a wider one.
+/// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the mesh
+/// that is wider than its own triangles; if that was not wide enough, all begin again with a wider one.
 class Distributed_treatment_2
 {
 public:
@@ -46,11 +45,8 @@ public:
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.
   Distributed_mesh_2 triangulate(const Bubbles_2& own) const
   {
-    Distributed_mesh_2 mesh =
-      distributed_triangulate(m_domain, own, m_partition, m_comm);
-    m_comm.agree_after([&] {
-      label_edges(mesh.triangles);
-    });
+    Distributed_mesh_2 mesh = distributed_triangulate(m_domain, own, m_partition, m_comm);
+    label_edges(mesh.triangles);
     return mesh;
   }
 
@@ -58,7 +54,9 @@ public:
   double smallest_quality(const Distributed_mesh_2& mesh) const
   {
     double smallest = 1;
-    m_comm.agree_after([&] { for_each_quality(mesh, [&](Index, double q) { smallest = (std::min)(smallest, q); }); });
+    for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
+      if (mesh.is_owned[t])
+        smallest = (std::min)(smallest, quality(mesh, static_cast<Index>(t)));
     return m_comm.smallest(smallest);
   }
 
@@ -66,11 +64,11 @@ public:
   Treatment_counts operator()(Distributed_mesh_2& mesh, bool may_operate) const
   {
     Treatment_counts counts;
-    const Defects defects = find_defects(mesh);
-    double smallest = defects.smallest_quality;
-    Treated_piece piece{Mesh_piece_2{std::move(mesh), {}, {}}, 0, true};
-    if (defects.are_near_others)
-      widen(piece);
+    double smallest = smallest_quality(mesh);
+    if (smallest >= treated_quality)
+      return counts;
+    Treated_piece piece{Mesh_piece_2{std::move(mesh), {}, {}}, m_first_reach, false};
+    widen(piece);
     counts.treated = smooth(piece, smallest, sweeps_before_surgery);
     if (may_operate)
       operate(piece, smallest, counts);
@@ -88,57 +86,23 @@ public:
 private:
   static constexpr double treated_quality = Smoothing_sweeps_2::treated_quality;
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
-  static constexpr double reach_of_sweeps = 0.5; // of that, once; where it is not enough, it is seen
-
-  /// how bad the mesh of all ranks is
-  struct Defects
-  {
-    double smallest_quality;
-    bool are_near_others; ///< whether a bad triangle is so near to another rank's part that moves will probably get there
-  };
 
   enum class Smoothing { KEPT, TAKEN_BACK, TOO_NARROW };
-
-  /// `visit(t, q)` for all triangles of this rank
-  template <class Visit>
-  static void for_each_quality(const Distributed_mesh_2& mesh, const Visit& visit)
-  {
-    for (std::size_t k = 0; k < mesh.is_owned.size(); ++k)
-      if (mesh.is_owned[k])
-        visit(static_cast<Index>(k), quality(mesh, static_cast<Index>(k)));
-  }
-
-  Defects find_defects(const Distributed_mesh_2& mesh) const
-  {
-    Defects found{1, false};
-    m_comm.agree_after([&] {
-      const Bubbles_2& b = mesh.bubbles;
-      Clearance_2 clearance(m_partition, m_comm.rank());
-      for_each_quality(mesh, [&](Index t, double q) {
-        found.smallest_quality = (std::min)(found.smallest_quality, q);
-        if (q >= treated_quality || found.are_near_others)
-          return;
-        const Index v = mesh.first_vertex(t);
-        found.are_near_others = clearance(b.x[v], b.y[v], reach_of_sweeps * m_first_reach * b.d[v]) == 0;
-      });
-    });
-    return Defects{m_comm.smallest(found.smallest_quality), m_comm.any(found.are_near_others)};
-  }
 
   /// a piece, which gets narrower with what is done to it
   struct Treated_piece
   {
     Mesh_piece_2 piece;
-    double reach;    ///< 0: the part of each rank alone
+    double reach;
     bool is_as_wide; ///< as `reach` says
     bool has_changed_outline = false; ///< by surgery
   };
 
-  /// when it is too narrow: makes it as wide as it was, or twice as wide
+  /// makes it as wide as it was meant to be; if it is so and that is too narrow, twice as wide
   void widen(Treated_piece& p) const
   {
     if (p.is_as_wide)
-      p.reach = p.reach == 0 ? m_first_reach : 2 * p.reach;
+      p.reach *= 2;
     p.piece = Mesh_widening_2(std::move(p.piece.mesh), m_partition, m_comm)(p.reach);
     p.is_as_wide = true;
     ++p.piece.mesh.number_of_widenings;
@@ -154,32 +118,19 @@ private:
       const Smoothing result = try_to_smooth(p, smallest, most_sweeps, number);
       if (result == Smoothing::TOO_NARROW)
         continue;
-      p.is_as_wide = p.is_as_wide && (p.reach == 0 || result == Smoothing::TAKEN_BACK);
+      p.is_as_wide = p.is_as_wide && result == Smoothing::TAKEN_BACK;
       return number;
     }
   }
 
+  /// Moves vertices, unless the mesh gets worse by that or a rank knows too little.
   Smoothing try_to_smooth(Treated_piece& p, double& smallest, int most_sweeps, std::size_t& number) const
   {
-    if (p.reach > 0) {
-      Treatment_team_2 team(m_comm, p.piece);
-      return smooth_with(team, [](const auto& sweep) { sweep(); }, p.piece.mesh, smallest, most_sweeps, number);
-    }
-    std::optional<Treatment_inside_2> team;
-    m_comm.agree_after([&] { team.emplace(m_comm, p.piece.mesh); });
-    return smooth_with(*team, [this](const auto& sweep) { m_comm.agree_after(sweep); }, p.piece.mesh, smallest,
-                       most_sweeps, number);
-  }
-
-  /// Moves vertices, unless the mesh gets worse by that or a rank knows too little. `call`: calls what is done
-  template <class Treating_team, class Call>
-  Smoothing smooth_with(Treating_team& team, const Call& call, Distributed_mesh_2& mesh, double& smallest,
-                        int most_sweeps, std::size_t& number) const
-  {
+    Distributed_mesh_2& mesh = p.piece.mesh;
     Bubbles_2& bubbles = mesh.bubbles;
+    Treatment_team_2 team(m_comm, p.piece);
     Smoothing_sweeps_2 treat(m_domain, mesh, team);
-    std::vector<Index> moved;
-    call([&] { moved = treat(most_sweeps); });
+    const std::vector<Index> moved = treat(most_sweeps);
     if (team.has_failed()) {
       treat.undo();
       ++mesh.number_of_failed_treatments;
@@ -202,17 +153,12 @@ private:
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
   {
-    const std::vector<Bubble_record_2> all = gather_outline(m_comm, mesh.bubbles);
-    bool is_valid = false;
-    m_comm.agree_after([&] {
-      Bubbles_2 bubbles;
-      for (const Bubble_record_2& r : all)
-        add_own(bubbles, r);
-      bubbles.sort_by_id();
-      Marked_triangles_2 outline;
-      is_valid = triangulate_outline(m_domain, bubbles, outline);
-    });
-    return is_valid;
+    Bubbles_2 bubbles;
+    for (const Bubble_record_2& r : gather_outline(m_comm, mesh.bubbles))
+      add_own(bubbles, r);
+    bubbles.sort_by_id();
+    Marked_triangles_2 outline;
+    return triangulate_outline(m_domain, bubbles, outline);
   }
 
   void operate(Treated_piece& piece, double& smallest, Treatment_counts& counts) const
@@ -242,8 +188,6 @@ private:
   std::optional<Treated_piece> operate_once(Treated_piece& p, double bad_quality, Treatment_counts& counts) const
   {
     const std::int64_t end = number_of_bubbles(p.piece.mesh);
-    if (p.reach == 0)
-      widen(p);
     for (;; widen(p)) {
       Distributed_surgery_2 surgery(m_domain, p.piece, m_comm);
       if (!surgery.find_patches(bad_quality))
@@ -281,11 +225,8 @@ inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, cons
 inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
                                            const Hilbert_partition_2& partition, Communicator& comm)
 {
-  Bubbles_2 own;
-  comm.agree_after([&] {
-    own = own_bubbles(mesh, comm.rank());
-    cut.join(own);
-  });
+  Bubbles_2 own = own_bubbles(mesh, comm.rank());
+  cut.join(own);
   const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
   return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
 }
@@ -310,8 +251,7 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
 inline Distributed_mesh_2 insert_points(const Problem_2& problem, const Hilbert_partition_2& partition, Communicator& comm,
                                         const std::vector<Steiner_point_2>& points, const Distributed_mesh_2& mesh)
 {
-  Bubbles_2 own;
-  comm.agree_after([&] { own = own_bubbles(mesh, comm.rank()); });
+  Bubbles_2 own = own_bubbles(mesh, comm.rank());
   std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
   comm.agree_after([&] {
     for (const Steiner_point_2& p : points) {

@@ -58,19 +58,13 @@ public:
   /// Collective.
   Bubbles_with_ghosts_2 operator()()
   {
+    insert_in_buckets(0);
     Messages<Owned_record> out;
-    m_comm.agree_after([&] {
-      insert_in_buckets(0);
-      tell_of_own(out);
-    });
-    Messages<Owned_record> in = deliver(m_comm, out);
+    tell_of_own(out);
+    learn(deliver(m_comm, out));
     out.clear();
-    m_comm.agree_after([&] {
-      learn(in);
-      tell_of_pairs(out);
-    });
-    in = deliver(m_comm, out);
-    m_comm.agree_after([&] { learn(in); });
+    tell_of_pairs(out);
+    learn(deliver(m_comm, out));
     return std::move(m_result);
   }
 
