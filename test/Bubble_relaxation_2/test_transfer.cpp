@@ -1,0 +1,350 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Values at vertices and of faces that are carried over from one mesh to another.
+
+#include "domains.h"
+#include "expect_throw.h"
+#include "random_seeds.h"
+
+#include <CGAL/npbs_relax.h>
+#include <CGAL/transfer_2.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <vector>
+
+namespace P = CGAL::parameters;
+using CGAL::Face_transfer;
+using CGAL::Vertex_transfer;
+using domains::CDT;
+using domains::K;
+using domains::Point;
+using Delaunay = CGAL::Delaunay_triangulation_2<K>;
+
+namespace {
+
+const std::vector<Vertex_transfer> projections{Vertex_transfer::PROJECTION, Vertex_transfer::MONOTONE_PROJECTION};
+const std::vector<Vertex_transfer> vertex_methods{Vertex_transfer::INTERPOLATION, Vertex_transfer::PROJECTION,
+                                                  Vertex_transfer::MONOTONE_PROJECTION};
+const std::vector<Face_transfer> face_methods{Face_transfer::MEAN, Face_transfer::RECONSTRUCTION,
+                                              Face_transfer::MONOTONE_RECONSTRUCTION};
+
+template <class Handle>
+using Values = std::map<Handle, double>;
+template <class T>
+using Vertex_values = Values<typename T::Vertex_handle>;
+template <class T>
+using Face_values = Values<typename T::Face_handle>;
+
+CDT mesh(const std::vector<domains::Outline>& outlines, double d)
+{
+  CDT cdt = domains::make(outlines);
+  CGAL::npbs_relax(cdt, P::sizing_function(d));
+  return cdt;
+}
+
+template <class T, class Function>
+Vertex_values<T> at_vertices(const T& t, const Function& f)
+{
+  Vertex_values<T> values;
+  for (auto v : t.finite_vertex_handles())
+    values[v] = f(v->point());
+  return values;
+}
+
+/// the mean of a function over a triangle, exact for quadratic ones
+template <class Function>
+double mean(const K::Triangle_2& t, const Function& f)
+{
+  return (f(CGAL::midpoint(t[0], t[1])) + f(CGAL::midpoint(t[1], t[2])) + f(CGAL::midpoint(t[2], t[0]))) / 3;
+}
+
+template <class T, class Function>
+Face_values<T> in_faces(const T& t, const Function& f)
+{
+  Face_values<T> values;
+  for (auto face : t.finite_face_handles())
+    values[face] = mean(t.triangle(face), f);
+  return values;
+}
+
+template <class S, class T, class Parameters>
+CGAL::Transfer_report_2 transfer(const S& s, const Vertex_values<S>& values, const T& t, Vertex_values<T>& result,
+                                 const Parameters& np)
+{
+  return CGAL::transfer_vertex_values_2(s, boost::make_assoc_property_map(values), t,
+                                        boost::make_assoc_property_map(result), np);
+}
+
+template <class S, class T, class Parameters>
+CGAL::Transfer_report_2 transfer(const S& s, const Face_values<S>& values, const T& t, Face_values<T>& result,
+                                 const Parameters& np)
+{
+  return CGAL::transfer_face_values_2(s, boost::make_assoc_property_map(values), t,
+                                      boost::make_assoc_property_map(result), np);
+}
+
+template <class T>
+void expect_values(const Vertex_values<T>& values, const Vertex_values<T>& expected, double tolerance)
+{
+  ASSERT_EQ(values.size(), expected.size());
+  for (const auto& v : values)
+    ASSERT_NEAR(v.second, expected.at(v.first), tolerance) << v.first->point();
+}
+
+template <class Handle>
+double least(const Values<Handle>& values)
+{
+  double result = values.begin()->second;
+  for (const auto& v : values)
+    result = (std::min)(result, v.second);
+  return result;
+}
+
+template <class Handle>
+double largest(Values<Handle> values)
+{
+  for (auto& v : values)
+    v.second = -v.second;
+  return -least(values);
+}
+
+template <class T>
+Vertex_values<T> random_at_vertices(const T& t)
+{
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> uniform(-1, 3);
+  return at_vertices(t, [&](const Point&) { return uniform(random); });
+}
+
+template <class T>
+Face_values<T> random_in_faces(const T& t)
+{
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> uniform(-1, 3);
+  Face_values<T> values;
+  for (auto f : t.finite_face_handles())
+    values[f] = uniform(random);
+  return values;
+}
+
+double wave(const Point& p) { return std::sin(3 * p.x() + 1) * std::cos(2 * p.y() - 0.3); }
+
+double linear(const Point& p) { return 2 - 3 * p.x() + 0.5 * p.y(); }
+
+const std::vector<domains::Outline> star = domains::random_star(3);
+
+/// the difference from a function in the mean square
+double error_at_vertices(const CDT& cdt, const Vertex_values<CDT>& values)
+{
+  double sum = 0;
+  for (auto f : cdt.finite_face_handles())
+    if (f->is_in_domain())
+      for (int i = 0; i < 3; ++i) {
+        const auto a = f->vertex(i), b = f->vertex(cdt.ccw(i));
+        const double e = (values.at(a) + values.at(b)) / 2 - wave(CGAL::midpoint(a->point(), b->point()));
+        sum += cdt.triangle(f).area() / 3 * e * e;
+      }
+  return std::sqrt(sum);
+}
+
+/// the difference from the means of a function, in the mean square
+double error_in_faces(const CDT& cdt, const Face_values<CDT>& values)
+{
+  double sum = 0;
+  for (const auto& v : values) {
+    const double e = v.second - mean(cdt.triangle(v.first), wave);
+    sum += cdt.triangle(v.first).area() * e * e;
+  }
+  return std::sqrt(sum);
+}
+
+} // namespace
+
+TEST(Transfer, linear_fields_are_exact)
+{
+  const CDT s = mesh(star, 0.08), t = mesh(star, 0.05);
+  for (Vertex_transfer method : vertex_methods) {
+    Vertex_values<CDT> values;
+    transfer(s, at_vertices(s, linear), t, values, P::transfer_method(method));
+    expect_values<CDT>(values, at_vertices(t, linear), 3e-14);
+  }
+  Face_values<CDT> values;
+  transfer(s, in_faces(s, linear), t, values, P::transfer_method(Face_transfer::RECONSTRUCTION));
+  for (const auto& v : values)
+    EXPECT_NEAR(v.second, mean(t.triangle(v.first), linear), 1e-13);
+}
+
+TEST(Transfer, constants_are_exact_to_the_last_bit)
+{
+  const CDT s = mesh(star, 0.08), t = mesh(star, 0.05);
+  const auto constant = [](const Point&) { return 0.1; };
+  for (Vertex_transfer method : vertex_methods) {
+    Vertex_values<CDT> values;
+    transfer(s, at_vertices(s, constant), t, values, P::transfer_method(method));
+    EXPECT_NEAR(least(values), 0.1, 1e-16);
+    EXPECT_NEAR(largest(values), 0.1, 1e-16);
+  }
+  for (Face_transfer method : face_methods) {
+    Face_values<CDT> in_s, values;
+    for (auto f : s.finite_face_handles())
+      in_s[f] = 0.1;
+    transfer(s, in_s, t, values, P::transfer_method(method));
+    EXPECT_EQ(least(values), 0.1);
+    EXPECT_EQ(largest(values), 0.1);
+  }
+}
+
+TEST(Transfer, the_integral_is_kept)
+{
+  const CDT s = mesh(star, 0.08), t = mesh(star, 0.05);
+  const auto expect_kept = [](const CGAL::Transfer_report_2& r) {
+    EXPECT_NEAR(r.target_integral, r.source_integral, 1e-13 * std::abs(r.source_integral));
+    EXPECT_NEAR(r.overlap_integral, r.source_integral, 1e-13 * std::abs(r.source_integral));
+    EXPECT_NEAR(r.overlap_area, r.source_area, 1e-13 * r.source_area);
+    EXPECT_LE(r.uncovered_area, 1e-13 * r.source_area);
+  };
+  Vertex_values<CDT> at_t;
+  Face_values<CDT> in_t;
+  for (Vertex_transfer method : projections)
+    expect_kept(transfer(s, random_at_vertices(s), t, at_t, P::transfer_method(method)));
+  for (Face_transfer method : face_methods)
+    expect_kept(transfer(s, random_in_faces(s), t, in_t, P::transfer_method(method)));
+}
+
+TEST(Transfer, errors_are_of_second_order)
+{
+  std::map<int, std::vector<double>> errors;
+  for (double d : {0.08, 0.04, 0.02}) {
+    const CDT s = mesh({domains::square(0, 0, 1)}, d), t = mesh({domains::square(0, 0, 1)}, 0.83 * d);
+    int k = 0;
+    for (Vertex_transfer method : vertex_methods) {
+      Vertex_values<CDT> values;
+      transfer(s, at_vertices(s, wave), t, values, P::transfer_method(method));
+      errors[k++].push_back(error_at_vertices(t, values));
+    }
+    for (Face_transfer method : face_methods) {
+      Face_values<CDT> values;
+      transfer(s, in_faces(s, wave), t, values, P::transfer_method(method));
+      errors[k++].push_back(error_in_faces(t, values));
+    }
+  }
+  for (int k = 0; k < 6; ++k)
+    printf("%d: %g %g %g, orders %g %g\n", k, errors[k][0], errors[k][1], errors[k][2],
+           std::log2(errors[k][0] / errors[k][1]), std::log2(errors[k][1] / errors[k][2]));
+}
+
+namespace {
+
+/// A mesh of a disc whose outline is a regular polygon, and the same turned about its centre by an angle of the polygon,
+/// so that both cover the same, up to roundings. Values go round with the turned mesh and back to the other one.
+struct Turning_disc
+{
+  static constexpr int sides = 100;
+
+  Turning_disc() : mesh(::mesh({domains::polygon(0, 0, 1, sides)}, 2 * CGAL_PI / sides)), turned(mesh)
+  {
+    std::map<Point, CDT::Vertex_handle> vertex_at;
+    std::map<Point, CDT::Face_handle> face_at;
+    for (auto v : mesh.finite_vertex_handles())
+      vertex_at[v->point()] = v;
+    for (auto f : mesh.finite_face_handles())
+      face_at[CGAL::circumcenter(mesh.triangle(f))] = f;
+    for (auto f : turned.finite_face_handles())
+      face_before[f] = face_at.at(CGAL::circumcenter(turned.triangle(f)));
+    const double angle = 2 * 3.14159265358979323846 / sides, c = std::cos(angle), s = std::sin(angle);
+    for (auto v : turned.finite_vertex_handles()) {
+      const Point p = v->point();
+      vertex_before[v] = vertex_at.at(p);
+      v->set_point(Point(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
+    }
+  }
+
+  template <class Handle, class Before, class Method>
+  CGAL::Transfer_report_2 turn(Values<Handle>& values, const Before& before, Method method) const
+  {
+    Values<Handle> carried;
+    for (const auto& b : before)
+      carried[b.first] = values.at(b.second);
+    return transfer(turned, carried, mesh, values, P::transfer_method(method));
+  }
+
+  CDT mesh, turned;
+  std::map<CDT::Vertex_handle, CDT::Vertex_handle> vertex_before;
+  std::map<CDT::Face_handle, CDT::Face_handle> face_before;
+};
+
+/// a disc with a slot (Zalesak, 1979)
+double slotted_disc(const Point& p)
+{
+  return std::hypot(p.x(), p.y() - 0.45) < 0.4 && !(std::abs(p.x()) < 0.08 && p.y() < 0.6) ? 1 : 0;
+}
+
+/// how much of a field is elsewhere after a full turn
+template <class Handle>
+double moved_share(const Values<Handle>& before, const Values<Handle>& after)
+{
+  double moved = 0, all = 0;
+  for (const auto& v : before) {
+    moved += std::abs(after.at(v.first) - v.second);
+    all += v.second;
+  }
+  return moved / all;
+}
+
+} // namespace
+
+TEST(Transfer, a_slotted_disc_goes_round)
+{
+  const Turning_disc disc;
+  for (Vertex_transfer method : vertex_methods) {
+    const Vertex_values<CDT> before = at_vertices(disc.mesh, slotted_disc);
+    Vertex_values<CDT> values = before;
+    double first = 0, last = 0;
+    for (int k = 0; k < 100; ++k) {
+      const auto report = disc.turn(values, disc.vertex_before, method);
+      first = k == 0 ? report.source_integral : first;
+      last = report.target_integral;
+    }
+    printf("%d: drift %g, values %g to %g, moved %g\n", int(method), last / first - 1, least(values), largest(values),
+           moved_share(before, values));
+  }
+  for (Face_transfer method : face_methods) {
+    const Face_values<CDT> before = in_faces(disc.mesh, slotted_disc);
+    Face_values<CDT> values = before;
+    double first = 0, last = 0;
+    for (int k = 0; k < 100; ++k) {
+      const auto report = disc.turn(values, disc.face_before, method);
+      first = k == 0 ? report.source_integral : first;
+      last = report.target_integral;
+    }
+    printf("%d: drift %g, values %g to %g, moved %g\n", int(method), last / first - 1, least(values), largest(values),
+           moved_share(before, values));
+  }
+}
+
+TEST(Transfer, a_pair_of_triangles_costs_less_than_five_microseconds)
+{
+  const CDT s = mesh({domains::square(0, 0, 1)}, 0.02), t = mesh({domains::square(0, 0, 1)}, 0.017);
+  Vertex_values<CDT> at_t;
+  Face_values<CDT> in_t;
+  auto r = transfer(s, at_vertices(s, wave), t, at_t, P::transfer_method(Vertex_transfer::MONOTONE_PROJECTION));
+  printf("%zu pairs %g us\n", r.number_of_pairs, 1e6 * r.seconds / r.number_of_pairs);
+  EXPECT_LT(r.seconds, 5e-6 * static_cast<double>(r.number_of_pairs));
+  r = transfer(s, in_faces(s, wave), t, in_t, P::transfer_method(Face_transfer::MONOTONE_RECONSTRUCTION));
+  printf("%zu pairs %g us\n", r.number_of_pairs, 1e6 * r.seconds / r.number_of_pairs);
+  EXPECT_LT(r.seconds, 5e-6 * static_cast<double>(r.number_of_pairs));
+}
