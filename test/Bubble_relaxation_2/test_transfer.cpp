@@ -22,8 +22,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace P = CGAL::parameters;
@@ -242,9 +244,13 @@ TEST(Transfer, errors_are_of_second_order)
       errors[k++].push_back(error_in_faces(t, values));
     }
   }
-  for (int k = 0; k < 6; ++k)
-    printf("%d: %g %g %g, orders %g %g\n", k, errors[k][0], errors[k][1], errors[k][2],
-           std::log2(errors[k][0] / errors[k][1]), std::log2(errors[k][1] / errors[k][2]));
+  // bounds cut slopes in the triangles along the boundary: an error of first order on a share d of the area
+  const std::vector<double> least_order{1.95, 1.95, 1.95, 0.9, 1.95, 1.5},
+    largest_error{3.1e-4, 1.9e-4, 1.9e-4, 2.9e-3, 3.6e-5, 1.4e-4};
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_GT(std::log2(errors[k][1] / errors[k][2]), least_order[k]) << k;
+    EXPECT_LT(errors[k][2], largest_error[k]) << k;
+  }
 }
 
 namespace {
@@ -262,9 +268,9 @@ struct Turning_disc
     for (auto v : mesh.finite_vertex_handles())
       vertex_at[v->point()] = v;
     for (auto f : mesh.finite_face_handles())
-      face_at[CGAL::circumcenter(mesh.triangle(f))] = f;
+      face_at[CGAL::centroid(mesh.triangle(f))] = f;
     for (auto f : turned.finite_face_handles())
-      face_before[f] = face_at.at(CGAL::circumcenter(turned.triangle(f)));
+      face_before[f] = face_at.at(CGAL::centroid(turned.triangle(f)));
     const double angle = 2 * 3.14159265358979323846 / sides, c = std::cos(angle), s = std::sin(angle);
     for (auto v : turned.finite_vertex_handles()) {
       const Point p = v->point();
@@ -307,33 +313,67 @@ double moved_share(const Values<Handle>& before, const Values<Handle>& after)
 
 } // namespace
 
+namespace {
+
+struct Turn_result
+{
+  double drift, least, largest, moved;
+};
+
+/// turns a slotted disc round by 100 transfers
+template <class Handle, class Before, class Method>
+Turn_result full_turn(const Turning_disc& disc, const Values<Handle>& before, const Before& handle_before, Method method)
+{
+  Values<Handle> values = before;
+  double first = 0, last = 0;
+  for (int k = 0; k < Turning_disc::sides; ++k) {
+    const CGAL::Transfer_report_2 report = disc.turn(values, handle_before, method);
+    if (k == 0)
+      first = report.source_integral;
+    last = report.target_integral;
+    EXPECT_LE(report.uncovered_area, 1e-13 * report.target_area);
+  }
+  return {std::abs(last / first - 1), least(values), largest(values), moved_share(before, values)};
+}
+
+} // namespace
+
 TEST(Transfer, a_slotted_disc_goes_round)
 {
   const Turning_disc disc;
-  for (Vertex_transfer method : vertex_methods) {
-    const Vertex_values<CDT> before = at_vertices(disc.mesh, slotted_disc);
-    Vertex_values<CDT> values = before;
-    double first = 0, last = 0;
-    for (int k = 0; k < 100; ++k) {
-      const auto report = disc.turn(values, disc.vertex_before, method);
-      first = k == 0 ? report.source_integral : first;
-      last = report.target_integral;
-    }
-    printf("%d: drift %g, values %g to %g, moved %g\n", int(method), last / first - 1, least(values), largest(values),
-           moved_share(before, values));
-  }
-  for (Face_transfer method : face_methods) {
-    const Face_values<CDT> before = in_faces(disc.mesh, slotted_disc);
-    Face_values<CDT> values = before;
-    double first = 0, last = 0;
-    for (int k = 0; k < 100; ++k) {
-      const auto report = disc.turn(values, disc.face_before, method);
-      first = k == 0 ? report.source_integral : first;
-      last = report.target_integral;
-    }
-    printf("%d: drift %g, values %g to %g, moved %g\n", int(method), last / first - 1, least(values), largest(values),
-           moved_share(before, values));
-  }
+  const auto turn = [&](Vertex_transfer method) {
+    return full_turn(disc, at_vertices(disc.mesh, slotted_disc), disc.vertex_before, method);
+  };
+  EXPECT_GT(turn(Vertex_transfer::INTERPOLATION).drift, 0.01); // what the others are for
+  Turn_result r = turn(Vertex_transfer::PROJECTION);
+  EXPECT_LT(r.drift, 2e-15);
+  EXPECT_LT(r.moved, 0.40);
+  r = turn(Vertex_transfer::MONOTONE_PROJECTION);
+  EXPECT_LT(r.drift, 2e-15);
+  EXPECT_GE(r.least, 0);
+  EXPECT_LE(r.largest, 1);
+  EXPECT_GT(r.largest, 0.99);
+  EXPECT_LT(r.moved, 0.37);
+}
+
+TEST(Transfer, a_slotted_disc_of_faces_goes_round)
+{
+  const Turning_disc disc;
+  const auto turn = [&](Face_transfer method) {
+    return full_turn(disc, in_faces(disc.mesh, slotted_disc), disc.face_before, method);
+  };
+  const Turn_result blurred = turn(Face_transfer::MEAN);
+  EXPECT_LT(blurred.drift, 2e-15);
+  Turn_result r = turn(Face_transfer::RECONSTRUCTION);
+  EXPECT_LT(r.drift, 2e-15);
+  EXPECT_LT(r.moved, 0.43);
+  r = turn(Face_transfer::MONOTONE_RECONSTRUCTION);
+  EXPECT_LT(r.drift, 2e-15);
+  EXPECT_GE(r.least, 0);
+  EXPECT_LE(r.largest, 1);
+  EXPECT_GT(r.largest, 0.98);
+  EXPECT_LT(r.moved, 0.41);
+  EXPECT_LT(r.moved, 0.5 * blurred.moved);
 }
 
 TEST(Transfer, a_pair_of_triangles_costs_less_than_five_microseconds)
@@ -341,10 +381,193 @@ TEST(Transfer, a_pair_of_triangles_costs_less_than_five_microseconds)
   const CDT s = mesh({domains::square(0, 0, 1)}, 0.02), t = mesh({domains::square(0, 0, 1)}, 0.017);
   Vertex_values<CDT> at_t;
   Face_values<CDT> in_t;
-  auto r = transfer(s, at_vertices(s, wave), t, at_t, P::transfer_method(Vertex_transfer::MONOTONE_PROJECTION));
-  printf("%zu pairs %g us\n", r.number_of_pairs, 1e6 * r.seconds / r.number_of_pairs);
-  EXPECT_LT(r.seconds, 5e-6 * static_cast<double>(r.number_of_pairs));
-  r = transfer(s, in_faces(s, wave), t, in_t, P::transfer_method(Face_transfer::MONOTONE_RECONSTRUCTION));
-  printf("%zu pairs %g us\n", r.number_of_pairs, 1e6 * r.seconds / r.number_of_pairs);
-  EXPECT_LT(r.seconds, 5e-6 * static_cast<double>(r.number_of_pairs));
+  const auto expect_cost = [](const CGAL::Transfer_report_2& r) {
+    EXPECT_GT(r.number_of_pairs, 10000u);
+    EXPECT_LT(r.seconds, 5e-6 * static_cast<double>(r.number_of_pairs));
+  };
+  expect_cost(transfer(s, at_vertices(s, wave), t, at_t, P::transfer_method(Vertex_transfer::MONOTONE_PROJECTION)));
+  expect_cost(transfer(s, in_faces(s, wave), t, in_t, P::transfer_method(Face_transfer::MONOTONE_RECONSTRUCTION)));
+}
+
+TEST(Transfer, no_new_extremes)
+{
+  const CDT s = mesh(star, 0.08), t = mesh(star, 0.05);
+  const Vertex_values<CDT> at_s = random_at_vertices(s);
+  const Face_values<CDT> in_s = random_in_faces(s);
+  for (const auto& way : {std::make_pair(&s, &t), std::make_pair(&t, &s)}) {
+    const Vertex_values<CDT> at_source = random_at_vertices(*way.first);
+    const Face_values<CDT> in_source = random_in_faces(*way.first);
+    for (Vertex_transfer method : {Vertex_transfer::INTERPOLATION, Vertex_transfer::MONOTONE_PROJECTION}) {
+      Vertex_values<CDT> values;
+      transfer(*way.first, at_source, *way.second, values, P::transfer_method(method));
+      EXPECT_GE(least(values), least(at_source));
+      EXPECT_LE(largest(values), largest(at_source));
+    }
+    for (Face_transfer method : {Face_transfer::MEAN, Face_transfer::MONOTONE_RECONSTRUCTION}) {
+      Face_values<CDT> values;
+      transfer(*way.first, in_source, *way.second, values, P::transfer_method(method));
+      EXPECT_GE(least(values), least(in_source));
+      EXPECT_LE(largest(values), largest(in_source));
+    }
+  }
+}
+
+TEST(Transfer, what_does_not_change_keeps_its_bits)
+{
+  const CDT s = mesh(star, 0.08), t = s;
+  const Vertex_values<CDT> at_s = random_at_vertices(s);
+  std::map<Point, double> expected;
+  for (const auto& v : at_s)
+    expected[v.first->point()] = v.second;
+  for (Vertex_transfer method : {Vertex_transfer::INTERPOLATION, Vertex_transfer::PROJECTION}) {
+    Vertex_values<CDT> values;
+    transfer(s, at_s, t, values, P::transfer_method(method));
+    for (const auto& v : values)
+      EXPECT_NEAR(v.second, expected.at(v.first->point()), method == Vertex_transfer::PROJECTION ? 2e-15 : 0);
+  }
+  std::map<Point, double> value_at;
+  const Face_values<CDT> in_s = random_in_faces(s);
+  for (const auto& f : in_s)
+    value_at[CGAL::centroid(s.triangle(f.first))] = f.second;
+  for (Face_transfer method : face_methods) {
+    Face_values<CDT> values;
+    transfer(s, in_s, t, values, P::transfer_method(method));
+    for (const auto& f : values)
+      EXPECT_NEAR(f.second, value_at.at(CGAL::centroid(t.triangle(f.first))), 2e-15);
+  }
+}
+
+namespace {
+
+template <class Value>
+using By_point = std::map<Point, Value>;
+
+/// the values by the points, or circumcentres, that they belong to
+template <class T>
+By_point<double> by_place(const T&, const Vertex_values<T>& values)
+{
+  By_point<double> result;
+  for (const auto& v : values)
+    result[v.first->point()] = v.second;
+  return result;
+}
+
+template <class T>
+By_point<double> by_place(const T& t, const Face_values<T>& values)
+{
+  By_point<double> result;
+  for (const auto& f : values)
+    result[CGAL::centroid(t.triangle(f.first))] = f.second;
+  return result;
+}
+
+std::vector<Point> random_points(std::size_t n, unsigned k)
+{
+  std::mt19937 random(random_seeds::seed(k));
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Point> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  while (points.size() < n)
+    points.emplace_back(uniform(random), uniform(random));
+  return points;
+}
+
+template <class Function>
+std::vector<Point> mapped(std::vector<Point> points, const Function& f)
+{
+  std::transform(points.begin(), points.end(), points.begin(), f);
+  return points;
+}
+
+} // namespace
+
+TEST(Transfer, has_the_same_bits_in_any_order)
+{
+  std::vector<Point> p = random_points(300, 0), q = random_points(400, 1);
+  const Delaunay s(p.begin(), p.end()), t(q.begin(), q.end());
+  Delaunay other_s, other_t; // no sorting in space before insertion
+  for (auto k = p.rbegin(); k != p.rend(); ++k)
+    other_s.insert(*k);
+  for (auto k = q.rbegin(); k != q.rend(); ++k)
+    other_t.insert(*k);
+  const auto rough = [](const Point& x) { return std::sin(40 * x.x()) * std::cos(30 * x.y()) + 0.1; };
+  for (Vertex_transfer method : vertex_methods) {
+    Vertex_values<Delaunay> a, b;
+    transfer(s, at_vertices(s, rough), t, a, P::transfer_method(method));
+    transfer(other_s, at_vertices(other_s, rough), other_t, b, P::transfer_method(method));
+    EXPECT_TRUE(by_place(t, a) == by_place(other_t, b));
+  }
+  for (Face_transfer method : face_methods) {
+    const auto by_area = [](const Delaunay& d) { // of the corners in an order that is the same for all
+      Face_values<Delaunay> values;
+      for (auto f : d.finite_face_handles()) {
+        const auto c = {f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()};
+        values[f] = (std::min)(c).y() + (std::max)(c).y();
+      }
+      return values;
+    };
+    const auto by_corners = [](const Delaunay& d, const Face_values<Delaunay>& values) {
+      std::map<std::vector<Point>, double> result;
+      for (const auto& f : values) {
+        std::vector<Point> c{f.first->vertex(0)->point(), f.first->vertex(1)->point(), f.first->vertex(2)->point()};
+        std::sort(c.begin(), c.end());
+        result[c] = f.second;
+      }
+      EXPECT_EQ(result.size(), d.number_of_faces());
+      return result;
+    };
+    Face_values<Delaunay> a, b;
+    transfer(s, by_area(s), t, a, P::transfer_method(method));
+    transfer(other_s, by_area(other_s), other_t, b, P::transfer_method(method));
+    EXPECT_TRUE(by_corners(t, a) == by_corners(other_t, b));
+  }
+}
+
+TEST(Transfer, does_not_depend_on_units)
+{
+  const std::vector<Point> p = random_points(300, 0), q = random_points(400, 1);
+  const auto values_in = [&](double length, double value) {
+    const auto scale = [&](const Point& x) { return Point(length * x.x(), length * x.y()); };
+    const std::vector<Point> p_scaled = mapped(p, scale), q_scaled = mapped(q, scale);
+    const Delaunay s(p_scaled.begin(), p_scaled.end()), t(q_scaled.begin(), q_scaled.end());
+    std::vector<double> all;
+    for (Vertex_transfer method : vertex_methods) {
+      Vertex_values<Delaunay> values;
+      transfer(s, at_vertices(s, [&](const Point& x) { return value * wave(Point(x.x() / length, x.y() / length)); }),
+               t, values, P::transfer_method(method));
+      for (const auto& v : by_place(t, values))
+        all.push_back(v.second / value);
+    }
+    return all;
+  };
+  const std::vector<double> expected = values_in(1, 1);
+  for (double length : {std::ldexp(1., 200), std::ldexp(1., -200)})
+    for (double value : {std::ldexp(1., 900), std::ldexp(1., -900)})
+      EXPECT_TRUE(values_in(length, value) == expected) << length << ' ' << value;
+}
+
+TEST(Transfer, far_from_the_origin_and_in_needles)
+{
+  const auto far = [](const Point& x) { return Point(1e6 + x.x(), -3e6 + x.y()); };
+  const auto flat = [](const Point& x) { return Point(x.x(), 1e-6 * x.y()); };
+  const auto slanted = [](const Point& x) { return Point(x.x() + x.y(), x.x() + (1 + 1e-9) * x.y()); };
+  const auto hostile = [](const Point& x) { // layers, within each points on a line up to roundings
+    const double y = std::round(30 * x.y()) / 30;
+    return Point(x.x(), 0.1 * x.x() + y);
+  };
+  for (const std::function<Point(const Point&)>& f :
+       std::vector<std::function<Point(const Point&)>>{far, flat, slanted, hostile}) {
+    const std::vector<Point> p = mapped(random_points(1000, 0), f), q = mapped(random_points(1500, 1), f);
+    const Delaunay s(p.begin(), p.end()), t(q.begin(), q.end());
+    Vertex_values<Delaunay> at_t;
+    Face_values<Delaunay> in_t;
+    for (Vertex_transfer method : projections) {
+      const auto r = transfer(s, random_at_vertices(s), t, at_t, P::transfer_method(method));
+      EXPECT_NEAR(r.target_integral, r.source_integral, 1e-13 * std::abs(r.source_integral)) << p[4];
+      EXPECT_LE(r.uncovered_area, 1e-12 * r.target_area) << p[4];
+    }
+    for (Face_transfer method : face_methods) {
+      const auto r = transfer(s, random_in_faces(s), t, in_t, P::transfer_method(method));
+      EXPECT_NEAR(r.target_integral, r.source_integral, 1e-13 * std::abs(r.source_integral)) << p[4];
+    }
+  }
 }

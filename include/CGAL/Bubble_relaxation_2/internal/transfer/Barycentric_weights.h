@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -50,18 +49,25 @@ struct Nearest_on_sides
   }
 };
 
-/// The barycentric coordinates of a point that lies in the triangle, or beside it by a rounding. In a needle that may be
-/// by much in units of its width: negative ones become 0, so that the value is one that the field has near by.
-inline Weights_3 barycentric_weights(const std::array<Offset_2, 3>& c, const Offset_2& q)
+/// Weights from areas that are proportional to them. Those of a point that lies beside its triangle by a rounding are those
+/// of one on its side. All are 0 if all areas are.
+inline Weights_3 normalized(const std::array<double, 3>& areas)
 {
-  const Offset_2 a = c[0] - q, b = c[1] - q, d = c[2] - q;
-  Weights_3 w{(std::max)(0., cross(b, d)), (std::max)(0., cross(d, a)), (std::max)(0., cross(a, b))};
+  Weights_3 w{(std::max)(0., areas[0]), (std::max)(0., areas[1]), (std::max)(0., areas[2])};
   const double sum = w[0] + w[1] + w[2];
-  if (!(sum > 0))
-    return Nearest_on_sides(c, q).weights; // a triangle without area
   for (double& weight : w)
-    weight /= sum;
+    weight = sum > 0 ? weight / sum : 0;
   return w;
+}
+
+/// the weights in a point of a triangle
+inline Weights_3 barycentric_weights(const Face_set_2& faces, Index t, const Point& q)
+{
+  const Weights_3 w = normalized({twice_signed_area(q, faces.point(t, 1), faces.point(t, 2)),
+                                  twice_signed_area(q, faces.point(t, 2), faces.point(t, 0)),
+                                  twice_signed_area(q, faces.point(t, 0), faces.point(t, 1))});
+  // in a triangle without area only sides tell where a point is
+  return w[0] + w[1] + w[2] > 0 ? w : Nearest_on_sides(faces.corners(q, t), Offset_2{0, 0}).weights;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -24,7 +24,7 @@ struct Face_overlap_2
 {
   Index source;
   double area;
-  Offset_2 moment; ///< the integral of the place, as an offset from the source triangle's first corner
+  Offset_2 moment; ///< the integrals of the barycentric coordinates 1 and 2 of the source's triangle
 };
 
 /// All pairs of triangles that overlap, by the triangles of the target, and by those of the source for each.
@@ -78,16 +78,27 @@ private:
     Source_search_2::Triangles found;
     for (std::size_t k = b * block_size; k < last; ++k) {
       const Index t = static_cast<Index>(k);
-      const Point& origin = target.point(t, 0);
       search.find_overlapping(target, t, found);
       for (Index s : found) {
-        const std::array<Offset_2, 3> corners = search.source().corners(origin, s);
-        const Overlap_polygon_2 polygon(target.corners(origin, t), corners);
+        const Overlap_polygon_2 polygon(search.source(), s, target, t);
         if (polygon.area() > 0)
-          block.overlaps.push_back(Face_overlap_2{s, polygon.area(), polygon.first_moment(corners[0])});
+          block.overlaps.push_back(Face_overlap_2{s, polygon.area(), moment(polygon, target.area(t))});
       }
       block.ends.push_back(block.overlaps.size());
     }
+  }
+
+  static Offset_2 moment(const Overlap_polygon_2& polygon, double target_area)
+  {
+    std::array<Weights_3, Overlap_polygon_2::most> w;
+    for (int k = 0; k < polygon.size(); ++k)
+      w[k] = polygon.source_weights(k);
+    Offset_2 sum{0, 0};
+    polygon.for_each_triangle([&](int i, int j, int k, double share) {
+      sum.x += share * target_area * (w[i][1] + w[j][1] + w[k][1]) / 3;
+      sum.y += share * target_area * (w[i][2] + w[j][2] + w[k][2]) / 3;
+    });
+    return sum;
   }
 
   std::vector<Block> m_blocks;

@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Compensated_sum.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Face_overlaps_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/transfer/face_gradients.h>
+#include <CGAL/Bubble_relaxation_2/internal/transfer/face_slopes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,9 +44,9 @@ public:
   void add_slopes(bool is_monotone)
   {
     const Triangles_around_2 around(m_problem.source);
-    m_gradients = face_gradients(m_problem.source, around, m_problem.values);
+    m_slopes = face_slopes(m_problem.source, around, m_problem.values);
     compute_centers();
-    std::vector<double> shares(m_gradients.size(), 1);
+    std::vector<double> shares(m_slopes.size(), 1);
     if (is_monotone) {
       widen_bounds(bounds_around(m_problem.source, around, m_problem.values));
       limit(shares);
@@ -84,17 +84,18 @@ private:
     }
     const Face_set_2& target = m_problem.target;
     const Point& p = target.point(static_cast<Index>(t), 0);
-    const Offset_2 center = centroid(target, p, static_cast<Index>(t));
-    const double value = u[search.locate(Point(p.x() + center.x, p.y() + center.y)).triangle];
+    const Offset_2 a = offset(p, target.point(static_cast<Index>(t), 1)),
+                   b = offset(p, target.point(static_cast<Index>(t), 2));
+    const double value = u[search.locate(Point(p.x() + (a.x + b.x) / 3, p.y() + (a.y + b.y) / 3)).triangle];
     m_values.push_back(value);
     m_bounds.push_back(Bounds{value, value});
   }
 
-  /// the centroids of what is covered of the source triangles
+  /// the centroids of what is covered of the source triangles, by their barycentric coordinates
   void compute_centers()
   {
-    m_centers.assign(m_gradients.size(), Offset_2{0, 0});
-    std::vector<double> areas(m_gradients.size(), 0);
+    m_centers.assign(m_slopes.size(), Offset_2{0, 0});
+    std::vector<double> areas(m_slopes.size(), 0);
     for (std::size_t t = 0; t < m_values.size(); ++t)
       for (const Face_overlap_2& o : m_overlaps[t]) {
         areas[o.source] += o.area;
@@ -110,7 +111,7 @@ private:
   double excess(const Face_overlap_2& o) const
   {
     const Offset_2& c = m_centers[o.source];
-    return dot(m_gradients[o.source], Offset_2{o.moment.x - o.area * c.x, o.moment.y - o.area * c.y});
+    return dot(m_slopes[o.source], Offset_2{o.moment.x - o.area * c.x, o.moment.y - o.area * c.y});
   }
 
   void widen_bounds(const std::vector<Bounds>& around)
@@ -143,7 +144,7 @@ private:
   Face_overlaps_2 m_overlaps;
   std::vector<double> m_values, m_areas; // of the target: values, covered areas
   std::vector<Bounds> m_bounds;
-  std::vector<Offset_2> m_gradients, m_centers; // of the source
+  std::vector<Offset_2> m_slopes, m_centers; // of the source
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

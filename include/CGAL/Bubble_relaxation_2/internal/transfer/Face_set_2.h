@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SET_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/transfer/signed_area.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -22,8 +23,7 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The difference of two points. Its relative error is that of one rounding however far from the origin the points are,
-/// so lengths, areas and shares of areas that are computed from differences do not depend on where the mesh lies.
+/// The difference of two points.
 struct Offset_2
 {
   double x, y;
@@ -55,11 +55,7 @@ struct Face_set_2
     return {offset(origin, point(t, 0)), offset(origin, point(t, 1)), offset(origin, point(t, 2))};
   }
 
-  double area(Index t) const
-  {
-    const Point& p = point(t, 0);
-    return (std::max)(0., cross(offset(p, point(t, 1)), offset(p, point(t, 2))) / 2);
-  }
+  double area(Index t) const { return (std::max)(0., twice_signed_area(point(t, 0), point(t, 1), point(t, 2)) / 2); }
 
   Bbox_2 box(Index t) const { return point(t, 0).bbox() + point(t, 1).bbox() + point(t, 2).bbox(); }
 

@@ -9,7 +9,9 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_OVERLAP_POLYGON_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_OVERLAP_POLYGON_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/transfer/Barycentric_weights.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/transfer/signed_area.h>
 
 #include <algorithm>
 #include <array>
@@ -34,78 +36,90 @@ inline bool have_common_interior(const Face_set_2& a, Index s, const Face_set_2&
   return !separates(a, s, b, t) && !separates(b, t, a, s);
 }
 
-/// The polygon that two triangles have in common: one is cut along the sides of the other (Sutherland and Hodgman,
-/// Comm. ACM 17 (1974)). No tolerance decides anything. Where sides are nearly parallel a corner of the polygon may be
-/// off along both, but not by more than roundings across them, so the error of the area is that of roundings too.
+/// The polygon that a triangle of the source and one of the target have in common: the latter is cut along the sides of the
+/// former (Sutherland and Hodgman, Comm. ACM 17 (1974)).
+///
+/// All is done in barycentric coordinates of both triangles, which are ratios of areas. So no tolerance decides anything,
+/// errors are roundings of shares of the triangle's area, and nothing changes when both meshes are stretched, sheared or
+/// moved: needles that overlap needles are as good as any other triangles.
 class Overlap_polygon_2
 {
 public:
-  using Corners = std::array<Offset_2, 3>;
-
   /// the most corners: three become four, then, if roundings made them not convex, six and nine
   static constexpr int most = 9;
 
-  Overlap_polygon_2(const Corners& a, const Corners& b) : m_size(3)
+  struct Corner
   {
-    std::copy(a.begin(), a.end(), m_points.begin());
+    std::array<double, 3> target, source; ///< barycentric, of the source not divided by its area
+  };
+
+  Overlap_polygon_2(const Face_set_2& source, Index s, const Face_set_2& target, Index t) : m_size(3)
+  {
+    for (int k = 0; k < 3; ++k) {
+      m_corners[k].target = {};
+      m_corners[k].target[k] = 1;
+      for (int i = 0; i < 3; ++i)
+        m_corners[k].source[i] =
+          twice_signed_area(target.point(t, k), source.point(s, ccw(i)), source.point(s, cw(i)));
+    }
     for (int i = 0; i < 3; ++i)
-      keep_left_of(b[i], b[ccw(i)]);
-    for (int i = 2; i < m_size; ++i)
-      m_area += cross(m_points[i - 1] - m_points[0], m_points[i] - m_points[0]) / 2;
+      keep_inside(i);
+    const double target_area = target.area(t);
+    for_each_triangle([&](int, int, int, double share) { m_area += share * target_area; });
   }
 
   int size() const { return m_size; }
-  const Offset_2& operator[](int i) const { return m_points[i]; }
   double area() const { return m_area; } ///< 0 or less for what is nothing but roundings
 
-  /// calls `visit(i, j, k, area)` for the triangles of the polygon, by the numbers of their corners
+  /// of a corner in the target's triangle, and in the source's
+  Weights_3 target_weights(int k) const { return m_corners[k].target; }
+  Weights_3 source_weights(int k) const { return normalized(m_corners[k].source); }
+
+  /// calls `visit(i, j, k, share)` for the triangles of the polygon, by the numbers of their corners, with their share of
+  /// the area of the target's triangle
   template <class Visitor>
   void for_each_triangle(const Visitor& visit) const
   {
-    for (int i = 2; i < m_size; ++i)
-      visit(0, i - 1, i, cross(m_points[i - 1] - m_points[0], m_points[i] - m_points[0]) / 2);
-  }
-
-  /// the integral of the place, as an offset from `origin`
-  Offset_2 first_moment(const Offset_2& origin) const
-  {
-    Offset_2 sum{0, 0};
-    for_each_triangle([&](int i, int j, int k, double area) {
-      const Offset_2 a = m_points[i] - origin, b = m_points[j] - origin, c = m_points[k] - origin;
-      sum.x += area * (a.x + b.x + c.x) / 3;
-      sum.y += area * (a.y + b.y + c.y) / 3;
-    });
-    return sum;
+    for (int i = 2; i < m_size; ++i) {
+      const Offset_2 a = in_target(i - 1) - in_target(0), b = in_target(i) - in_target(0);
+      visit(0, i - 1, i, cross(a, b));
+    }
   }
 
 private:
-  void keep_left_of(const Offset_2& a, const Offset_2& b)
+  Offset_2 in_target(int k) const { return {m_corners[k].target[1], m_corners[k].target[2]}; }
+
+  /// cuts off what lies beyond the side of the source's triangle opposite to its corner `i`
+  void keep_inside(int i)
   {
-    std::array<double, most> side;
-    for (int i = 0; i < m_size; ++i)
-      side[i] = cross(b - a, m_points[i] - a);
-    std::array<Offset_2, most> kept;
+    std::array<Corner, most> kept;
     int n = 0;
-    for (int i = 0; i < m_size; ++i) {
-      const int j = i + 1 == m_size ? 0 : i + 1;
-      if (side[i] >= 0)
-        kept[n++] = m_points[i];
-      if (side[i] > 0 && side[j] < 0)
-        kept[n++] = crossing(i, j, side[i] / (side[i] - side[j]));
-      else if (side[i] < 0 && side[j] > 0)
-        kept[n++] = crossing(j, i, side[j] / (side[j] - side[i]));
+    for (int k = 0; k < m_size; ++k) {
+      const Corner &c = m_corners[k], &next = m_corners[k + 1 == m_size ? 0 : k + 1];
+      if (c.source[i] >= 0)
+        kept[n++] = c;
+      if (c.source[i] > 0 && next.source[i] < 0)
+        kept[n++] = crossing(c, next, i);
+      else if (c.source[i] < 0 && next.source[i] > 0)
+        kept[n++] = crossing(next, c, i);
     }
-    m_points = kept;
+    m_corners = kept;
     m_size = n;
   }
 
-  Offset_2 crossing(int i, int j, double s) const
+  static Corner crossing(const Corner& inner, const Corner& outer, int i)
   {
-    const Offset_2 d = m_points[j] - m_points[i];
-    return {m_points[i].x + s * d.x, m_points[i].y + s * d.y};
+    const double s = inner.source[i] / (inner.source[i] - outer.source[i]);
+    Corner c;
+    for (int k = 0; k < 3; ++k) {
+      c.target[k] = inner.target[k] + s * (outer.target[k] - inner.target[k]);
+      c.source[k] = inner.source[k] + s * (outer.source[k] - inner.source[k]);
+    }
+    c.source[i] = 0;
+    return c;
   }
 
-  std::array<Offset_2, most> m_points;
+  std::array<Corner, most> m_corners;
   int m_size;
   double m_area = 0;
 };

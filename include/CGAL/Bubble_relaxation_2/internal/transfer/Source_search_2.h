@@ -61,7 +61,7 @@ public:
     });
     if (found == no_index)
       return nearest(q);
-    return Location_2{found, barycentric_weights(m_source.corners(q, found), Offset_2{0, 0})};
+    return Location_2{found, barycentric_weights(m_source, found, q)};
   }
 
 private:

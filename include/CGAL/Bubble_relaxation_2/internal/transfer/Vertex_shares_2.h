@@ -87,26 +87,25 @@ private:
     Source_search_2::Triangles found;
     m_search.find_overlapping(target, t, found);
     for (Index s : found) {
-      const Point& origin = target.point(t, 0);
-      const std::array<Offset_2, 3> a = target.corners(origin, t), b = source.corners(origin, s);
-      const Overlap_polygon_2 polygon(a, b);
+      const Overlap_polygon_2 polygon(source, s, target, t);
       if (polygon.area() > 0)
-        add(polygon, a, u, b, values_of(m_problem.values, source.triangles[s]), result);
+        add(polygon, target.area(t), u, values_of(m_problem.values, source.triangles[s]), result);
     }
     return result;
   }
 
-  static void add(const Overlap_polygon_2& polygon, const std::array<Offset_2, 3>& a, const Values& u,
-                  const std::array<Offset_2, 3>& b, const Values& source_values, Vertex_share_2& result)
+  static void add(const Overlap_polygon_2& polygon, double target_area, const Values& u, const Values& source_values,
+                  Vertex_share_2& result)
   {
     std::array<Weights_3, Overlap_polygon_2::most> hat;
     std::array<double, Overlap_polygon_2::most> value, difference;
     for (int k = 0; k < polygon.size(); ++k) {
-      hat[k] = barycentric_weights(a, polygon[k]);
-      value[k] = linear_value(barycentric_weights(b, polygon[k]), source_values);
+      hat[k] = polygon.target_weights(k);
+      value[k] = linear_value(polygon.source_weights(k), source_values);
       difference[k] = value[k] - linear_value(hat[k], u);
     }
-    polygon.for_each_triangle([&](int i, int j, int k, double area) {
+    polygon.for_each_triangle([&](int i, int j, int k, double share) {
+      const double area = share * target_area;
       const double sum = difference[i] + difference[j] + difference[k];
       for (int c = 0; c < 3; ++c)
         result.moments[c] += area / 12 * (hat[i][c] * (difference[i] + sum) + hat[j][c] * (difference[j] + sum) +

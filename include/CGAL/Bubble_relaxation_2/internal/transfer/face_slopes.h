@@ -6,13 +6,12 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_GRADIENTS_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_GRADIENTS_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SLOPES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SLOPES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Transfer_problem_2.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -48,27 +47,35 @@ private:
   std::vector<Index> m_triangles;
 };
 
-/// the centroid of a triangle as an offset from a point near to it
-inline Offset_2 centroid(const Face_set_2& faces, const Point& origin, Index t)
+/// the centroid of triangle `n`, from that of `t` on, in units of the two sides of `t` at its first corner
+inline Offset_2 centroid_seen_from(const Face_set_2& faces, Index t, Index n)
 {
-  const std::array<Offset_2, 3> c = faces.corners(origin, t);
-  return {(c[0].x + c[1].x + c[2].x) / 3, (c[0].y + c[1].y + c[2].y) / 3};
+  const Point &p = faces.point(t, 0), &q = faces.point(t, 1), &r = faces.point(t, 2);
+  const double area = twice_signed_area(p, q, r);
+  Offset_2 sum{0, 0};
+  if (n == t || !(area > 0))
+    return sum;
+  for (int i = 0; i < 3; ++i) {
+    sum.x += twice_signed_area(p, faces.point(n, i), r);
+    sum.y += twice_signed_area(p, q, faces.point(n, i));
+  }
+  return {(sum.x / area - 1) / 3, (sum.y / area - 1) / 3};
 }
 
-/// A gradient in each triangle, such that the values in the triangles around, which share a corner with it, are met in
-/// their centroids as well as can be, by least squares: exact if the values are those of a linear function.
-inline std::vector<Offset_2> face_gradients(const Face_set_2& faces, const Triangles_around_2& around,
-                                            const std::vector<double>& values)
+/// The slopes of a linear function in each triangle: by how much it changes from its first corner to the second one and to
+/// the third one. The values in the triangles around, which share a corner with it, are met in their centroids as well as can
+/// be, by least squares: exactly if the values are those of a linear function. The squares are weighed by the triangle's own
+/// shape, so that slopes are as good in meshes of needles.
+inline std::vector<Offset_2> face_slopes(const Face_set_2& faces, const Triangles_around_2& around,
+                                         const std::vector<double>& values)
 {
-  std::vector<Offset_2> gradients;
+  std::vector<Offset_2> slopes;
   for (std::size_t k = 0; k < faces.number_of_triangles(); ++k) {
     const Index t = static_cast<Index>(k);
-    const Point& origin = faces.point(t, 0);
-    const Offset_2 center = centroid(faces, origin, t);
     double xx = 0, xy = 0, yy = 0, xu = 0, yu = 0;
     for (Index v : faces.triangles[t])
       around.for_each(v, [&](Index n) { // one that shares a side comes twice: the nearer ones count more
-        const Offset_2 d = centroid(faces, origin, n) - center;
+        const Offset_2 d = centroid_seen_from(faces, t, n);
         const double du = values[n] - values[t];
         xx += d.x * d.x;
         xy += d.x * d.y;
@@ -76,14 +83,14 @@ inline std::vector<Offset_2> face_gradients(const Face_set_2& faces, const Trian
         xu += d.x * du;
         yu += d.y * du;
       });
-    // where all centroids are on a line, as good as, there is no gradient across: the triangle keeps its constant
+    // where all centroids are on a line, as good as, there is no slope across: the triangle keeps its constant
     const double determinant = xx * yy - xy * xy;
-    if (determinant > 1e-20 * (xx + yy) * (xx + yy))
-      gradients.push_back({(yy * xu - xy * yu) / determinant, (xx * yu - xy * xu) / determinant});
+    if (determinant > 1e-12 * xx * yy)
+      slopes.push_back({(yy * xu - xy * yu) / determinant, (xx * yu - xy * xu) / determinant});
     else
-      gradients.push_back({0, 0});
+      slopes.push_back({0, 0});
   }
-  return gradients;
+  return slopes;
 }
 
 /// the least and the largest value in a triangle and those that share a corner with it
@@ -101,4 +108,4 @@ inline std::vector<Bounds> bounds_around(const Face_set_2& faces, const Triangle
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_GRADIENTS_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SLOPES_H
