@@ -34,24 +34,24 @@ triangulation of the same domain.
 
 Both triangulations are intersected, triangle by triangle, and integrals over the parts are computed with the values of
 both sides, as Farrell and Maddison do (<em>Conservative interpolation between volume meshes by local Galerkin
-projection</em>, Computer Methods in Applied Mechanics and Engineering 200 (2011)). The projection is the linear function
-on the target whose difference from the source's is the smallest in the mean square. Its integral is that of the source:
-where both cover the same domain, up to roundings such as those of nodes on slanted edges, to 13 digits. Functions that are
-linear in the whole domain, and where the triangles of both are the same, all functions, come out as they were.
+projection</em>, Computer Methods in Applied Mechanics and Engineering 200 (2011)). The projection is the linear
+function on the target whose difference from the source's is the smallest in the mean square. Its integral is that of
+the source, to 13 digits, where both cover the same domain, be it up to roundings such as those of nodes on slanted
+edges. A function that is linear in the whole domain comes out as it was.
 
 \cgalHeading{Domains That Differ}
 
-Where the source does not reach, such as behind an outline that has been moved or was made finer, the field goes on with
-its value in the nearest point of the source, and what the target does not cover is left out. So constants stay
-constant and no value is invented, and the integral over the target is that of the source over what both have in common,
-and of the continued values over the rest: `Transfer_report_2` tells the areas and all integrals. With `keep_integral` the
-integral over the target becomes that over the whole source.
+Where the source does not reach, such as behind an outline that has been moved or was made finer, the field goes on
+with its value in the nearest point of the source, and what the target does not cover is left out. So constants stay
+constant and no value is invented, and the integral over the target is that of the source over what both have in
+common, and of the continued values over the rest: `Transfer_report_2` tells the areas and all integrals. With
+`keep_integral` the integral over the target becomes that over the whole source.
 
 \cgalHeading{Parts}
 
 With `source_faces` and `target_faces` values are transferred between the old and the new faces of a part that has been
-meshed anew, and nothing depends on the size of the rest. Vertices on the rim of the part belong to the rest too, so they
-should keep their values: they are named by `vertex_is_constrained_map`. The others then make up the integral.
+meshed anew, and nothing depends on the size of the rest. Vertices on the rim of the part belong to the rest too, so
+they should keep their values: they are named by `vertex_is_constrained_map`. The others then make up the integral.
 
 The result is determined by the points, triangles and values: it has the same bits for any order in which triangulations
 store them and for any number of threads, and the same up to the scale for points or values in other units, by powers of
@@ -61,8 +61,8 @@ two. It is computed in `double`, whatever the kernel.
 \tparam SourceValueMap a model of `ReadablePropertyMap` with `SourceTriangulation::Vertex_handle` as key and a number as
 value
 \tparam TargetTriangulation as `SourceTriangulation`; both may be of different types
-\tparam TargetValueMap a model of `WritablePropertyMap` with `TargetTriangulation::Vertex_handle` as key and a value that
-`double` converts to
+\tparam TargetValueMap a model of `WritablePropertyMap` with `TargetTriangulation::Vertex_handle` as key and a
+value that `double` converts to
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param source the triangulation that has values. It must still exist: a copy that was made before `npbs_relax()`, or the
@@ -101,14 +101,16 @@ been computed
     \cgalParamDefault{as for the source}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{the vertices of the target that get the value of the source in their place, whatever the method}
-    \cgalParamType{a model of `ReadablePropertyMap` with `TargetTriangulation::Vertex_handle` as key and `bool` as value}
+    \cgalParamDescription{the vertices of the target that get the value of the source in their place, whatever the
+                          method}
+    \cgalParamType{a model of `ReadablePropertyMap` with `TargetTriangulation::Vertex_handle` as key and `bool` as
+                   value}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{keep_integral}
-    \cgalParamDescription{whether the integral over the target is made that over the source also where the domains differ:
-                          by a constant with `PROJECTION`, and with `MONOTONE_PROJECTION` by the same share, at each
-                          vertex, of the way to its bound, as far as these ways suffice}
+    \cgalParamDescription{whether the integral over the target is made that over the source also where the domains
+                          differ: by a constant with `PROJECTION`, and with `MONOTONE_PROJECTION` by the same share, at
+                          each vertex, of the way to its bound, as far as these ways suffice}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
     \cgalParamExtra{`INTERPOLATION` does not know integrals and takes no notice of it}
@@ -122,8 +124,8 @@ been computed
 
 \returns areas and integrals
 
-\throws std::invalid_argument if no face takes part, if one of the faces given is infinite, if a coordinate or value is not
-finite, or if a triangle is turned over when its corners are rounded to `double`. No value has been written then.
+\throws std::invalid_argument if no face takes part, if one of the faces given is infinite, if a coordinate or value is
+not finite, or if a triangle is turned over when its corners are rounded to `double`. No value has been written then.
 
 \sa `transfer_face_values_2()`
 \sa `Interpolated_sizing_field_2`
@@ -162,17 +164,18 @@ Transfer_report_2 transfer_vertex_values_2(const SourceTriangulation& source, co
 /*!
 \ingroup PkgBubbleRelaxation2Functions
 
-\brief carries values of the faces of a triangulation, constant in each, over to the faces of another triangulation of the
-same domain.
+\brief carries values of the faces of a triangulation, constant in each, over to the faces of another triangulation of
+the same domain.
 
-Both triangulations are intersected, triangle by triangle. A face of the target gets the mean over what the source's faces
-cover of it, of their constants, or of functions that are linear in each of them. The integral is kept, to 13 digits, where
-both cover the same domain up to roundings. By default no value is beyond those that the source has near by, and
-constants come out to the last bit.
+Both triangulations are intersected, triangle by triangle. A face of the target gets the mean over what the source's
+faces cover of it, of their constants, or of functions that are linear in each of them. The integral is kept, to 13
+digits, where both cover the same domain up to roundings. By default no value is beyond those that the source has near
+by, and constants come out to the last bit.
 
-Where domains differ a face that is covered in part has the mean over this part, one that is not covered at all the value
-of the nearest face, and what the target does not cover is left out. So constants stay constants and bounds are kept,
-rather than the integral; `Transfer_report_2` tells the areas and all integrals, and `keep_integral` changes that.
+Where domains differ a face that is covered in part has the mean over this part, one that is not covered at all the
+value of the nearest face, and what the target does not cover is left out. So constants stay constants and bounds are
+kept, rather than the integral; `Transfer_report_2` tells the areas and all integrals, and `keep_integral` changes
+that.
 
 Parts, and what determines the result, are as in `transfer_vertex_values_2()`.
 
@@ -180,8 +183,8 @@ Parts, and what determines the result, are as in `transfer_vertex_values_2()`.
 \tparam SourceValueMap a model of `ReadablePropertyMap` with `SourceTriangulation::Face_handle` as key and a number as
 value
 \tparam TargetTriangulation as `SourceTriangulation`; both may be of different types
-\tparam TargetValueMap a model of `WritablePropertyMap` with `TargetTriangulation::Face_handle` as key and a value that
-`double` converts to
+\tparam TargetValueMap a model of `WritablePropertyMap` with `TargetTriangulation::Face_handle` as key and a
+value that `double` converts to
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param source the triangulation that has values
@@ -199,9 +202,9 @@ value
     \cgalParamDefault{`MONOTONE_RECONSTRUCTION`}
   \cgalParamNEnd
   \cgalParamNBegin{keep_integral}
-    \cgalParamDescription{whether the integral over the target is made that over the source also where the domains differ:
-                          by a constant with `RECONSTRUCTION`, and else by the same share, in each face, of the way to
-                          its bound, as far as these ways suffice}
+    \cgalParamDescription{whether the integral over the target is made that over the source also where the domains
+                          differ: by a constant with `RECONSTRUCTION`, and else by the same share, in each face, of the
+                          way to its bound, as far as these ways suffice}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -25,6 +25,7 @@
 #include <functional>
 #include <map>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -255,8 +256,9 @@ TEST(Transfer, errors_are_of_second_order)
 
 namespace {
 
-/// A mesh of a disc whose outline is a regular polygon, and the same turned about its centre by an angle of the polygon,
-/// so that both cover the same, up to roundings. Values go round with the turned mesh and back to the other one.
+/// A mesh of a disc whose outline is a regular polygon, and the same turned about its centre by an angle of the
+/// polygon, so that both cover the same, up to roundings. Values go round with the turned mesh and back to the other
+/// one.
 struct Turning_disc
 {
   static constexpr int sides = 100;
@@ -322,7 +324,8 @@ struct Turn_result
 
 /// turns a slotted disc round by 100 transfers
 template <class Handle, class Before, class Method>
-Turn_result full_turn(const Turning_disc& disc, const Values<Handle>& before, const Before& handle_before, Method method)
+Turn_result full_turn(const Turning_disc& disc, const Values<Handle>& before, const Before& handle_before,
+                      Method method)
 {
   Values<Handle> values = before;
   double first = 0, last = 0;
@@ -392,8 +395,6 @@ TEST(Transfer, a_pair_of_triangles_costs_less_than_five_microseconds)
 TEST(Transfer, no_new_extremes)
 {
   const CDT s = mesh(star, 0.08), t = mesh(star, 0.05);
-  const Vertex_values<CDT> at_s = random_at_vertices(s);
-  const Face_values<CDT> in_s = random_in_faces(s);
   for (const auto& way : {std::make_pair(&s, &t), std::make_pair(&t, &s)}) {
     const Vertex_values<CDT> at_source = random_at_vertices(*way.first);
     const Face_values<CDT> in_source = random_in_faces(*way.first);
@@ -570,4 +571,177 @@ TEST(Transfer, far_from_the_origin_and_in_needles)
       EXPECT_NEAR(r.target_integral, r.source_integral, 1e-13 * std::abs(r.source_integral)) << p[4];
     }
   }
+}
+
+TEST(Transfer, what_is_not_covered_goes_on_with_the_nearest_value)
+{
+  const CDT s = mesh({domains::square(0, 0, 1)}, 0.1), t = mesh({domains::square(0, 0, 1.5)}, 0.1);
+  const auto x = [](const Point& p) { return 1 + p.x(); };
+  const auto nearest = [](const Point& p) { return 1 + (std::min)(1., p.x()); };
+  Vertex_values<CDT> values;
+  auto r = transfer(s, at_vertices(s, x), t, values, P::transfer_method(Vertex_transfer::INTERPOLATION));
+  expect_values<CDT>(values, at_vertices(t, nearest), 1e-14);
+  r = transfer(s, at_vertices(s, x), t, values, P::default_values());
+  EXPECT_NEAR(r.overlap_area, 1, 1e-14);
+  EXPECT_NEAR(r.uncovered_area, 1.25, 1e-14);
+  EXPECT_NEAR(r.source_integral, 1.5, 1e-14);
+  EXPECT_NEAR(r.overlap_integral, 1.5, 1e-14);
+  EXPECT_NEAR(r.target_integral, 1.5 * (1.5 + 0.5 * 2), 0.02); // the kink at x = 1 lies inside of triangles
+  for (const auto& v : values)
+    EXPECT_NEAR(v.second, nearest(v.first->point()), 0.03) << v.first->point();
+
+  Face_values<CDT> in_t;
+  r = transfer(s, in_faces(s, x), t, in_t, P::default_values());
+  EXPECT_NEAR(r.overlap_integral, 1.5, 1e-14);
+  EXPECT_LE(largest(in_t), 2);
+  for (const auto& f : in_t)
+    EXPECT_NEAR(f.second, nearest(CGAL::centroid(t.triangle(f.first))), 0.07);
+
+  // and back: what the target does not cover is left out
+  const Face_values<CDT> in_t_before = in_faces(t, x);
+  Face_values<CDT> in_s;
+  r = transfer(t, in_t_before, s, in_s, P::default_values());
+  EXPECT_NEAR(r.source_integral, 1.75 * 2.25, 1e-13);
+  EXPECT_NEAR(r.target_integral, r.overlap_integral, 1e-13);
+  EXPECT_NEAR(r.uncovered_area, 0, 1e-14);
+  EXPECT_NEAR(r.target_integral, 1.5, 0.02);
+}
+
+TEST(Transfer, keeps_the_whole_integral_on_demand)
+{
+  // a hole as two polygons: triangles of the finer one reach into the coarser one, which reaches beyond it elsewhere
+  const CDT s = mesh({domains::square(-1, -1, 2), domains::polygon(0, 0, 0.5, 20)}, 0.15),
+            t = mesh({domains::square(-1, -1, 2), domains::polygon(0, 0, 0.5, 31)}, 0.1);
+  Vertex_values<CDT> values;
+  const Vertex_values<CDT> at_s = at_vertices(s, wave);
+  for (Vertex_transfer method : projections) {
+    auto r = transfer(s, at_s, t, values, P::transfer_method(method));
+    EXPECT_GT(std::abs(r.target_integral - r.source_integral), 1e-4);
+    EXPECT_LT(std::abs(r.target_integral - r.source_integral), r.uncovered_area + r.source_area - r.overlap_area);
+    r = transfer(s, at_s, t, values, P::transfer_method(method).keep_integral(true));
+    EXPECT_NEAR(r.target_integral, r.source_integral, 1e-14 * r.source_area);
+  }
+  EXPECT_GE(least(values), least(at_s));
+  EXPECT_LE(largest(values), largest(at_s));
+  Face_values<CDT> in_t;
+  const Face_values<CDT> in_s = in_faces(s, wave);
+  for (Face_transfer method : face_methods) {
+    const auto r = transfer(s, in_s, t, in_t, P::transfer_method(method).keep_integral(true));
+    EXPECT_NEAR(r.target_integral, r.source_integral, 1e-14 * r.source_area);
+  }
+  EXPECT_GE(least(in_t), least(in_s));
+  EXPECT_LE(largest(in_t), largest(in_s));
+}
+
+TEST(Transfer, marks_and_maps_tell_what_takes_part)
+{
+  const CDT s = mesh({domains::square(0, 0, 1), domains::square(0.3, 0.3, 0.4)}, 0.1); // with a hole
+  const CDT t = mesh({domains::square(0, 0, 1), domains::square(0.3, 0.3, 0.4)}, 0.08);
+  Face_values<CDT> values;
+  const Face_values<CDT> in_s = in_faces(s, linear);
+  auto r = transfer(s, in_s, t, values, P::default_values());
+  EXPECT_NEAR(r.source_area, 1 - 0.16, 1e-14);
+  EXPECT_NEAR(r.overlap_area, 1 - 0.16, 1e-14);
+
+  std::map<CDT::Face_handle, bool> is_left;
+  std::vector<CDT::Face_handle> all;
+  for (auto f : s.finite_face_handles()) {
+    is_left[f] = CGAL::centroid(s.triangle(f)).x() < 0.5;
+    all.insert(all.end(), 2, f); // what comes twice counts once
+  }
+  r = transfer(s, in_s, t, values, P::source_in_domain_map(boost::make_assoc_property_map(is_left)));
+  EXPECT_NEAR(r.source_area, 0.5, 0.05);
+  EXPECT_NEAR(r.target_area, 1 - 0.16, 1e-14);
+  r = transfer(s, in_s, t, values, P::source_faces(all));
+  EXPECT_NEAR(r.source_area, 1, 1e-14);
+}
+
+TEST(Transfer, a_part_keeps_its_rim_and_its_integral)
+{
+  const CDT s = mesh({domains::square(0, 0, 1)}, 0.05);
+  CDT t = s;
+  t.insert(Point(0.51, 0.47)); // what a remesher of parts would do with more vertices
+  t.insert(Point(0.53, 0.52));
+  std::map<std::vector<Point>, CDT::Face_handle> kept;
+  const auto corners = [](CDT::Face_handle f) {
+    std::vector<Point> c{f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()};
+    std::sort(c.begin(), c.end());
+    return c;
+  };
+  for (auto f : t.finite_face_handles())
+    kept[corners(f)] = f;
+  std::vector<CDT::Face_handle> removed, added;
+  for (auto f : s.finite_face_handles())
+    if (kept.erase(corners(f)) == 0)
+      removed.push_back(f);
+  for (const auto& k : kept)
+    added.push_back(k.second);
+  std::set<CDT::Vertex_handle> rim;
+  By_point<double> before;
+  const Vertex_values<CDT> at_s = random_at_vertices(s);
+  for (const auto& v : at_s)
+    before[v.first->point()] = v.second;
+  for (CDT::Face_handle f : added)
+    for (int i = 0; i < 3; ++i)
+      if (before.count(f->vertex(i)->point()) > 0)
+        rim.insert(f->vertex(i));
+  ASSERT_GT(removed.size(), 3u);
+  ASSERT_GT(rim.size(), 4u);
+  for (Vertex_transfer method : projections) {
+    Vertex_values<CDT> values;
+    const auto r = transfer(s, at_s, t, values, P::source_faces(removed).target_faces(added).transfer_method(method)
+                                                  .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&rim}));
+    EXPECT_EQ(values.size(), rim.size() + 2);
+    for (CDT::Vertex_handle v : rim)
+      EXPECT_EQ(values[v], before[v->point()]);
+    EXPECT_NEAR(r.overlap_area, r.source_area, 1e-13 * r.source_area);
+    if (method == Vertex_transfer::PROJECTION) { // two vertices within bounds may not make up what the rest lost
+      EXPECT_NEAR(r.target_integral, r.source_integral, 1e-14 * r.source_area);
+    }
+  }
+}
+
+TEST(Transfer, any_triangulations)
+{
+  using Exact = CGAL::Delaunay_triangulation_2<CGAL::Exact_predicates_exact_constructions_kernel>;
+  const std::vector<Point> p = random_points(200, 0);
+  Exact s;
+  for (const Point& x : p)
+    s.insert(Exact::Point(x.x(), x.y()));
+  const CDT t = mesh({domains::square(0, 0, 1)}, 0.1);
+  Vertex_values<Exact> at_s;
+  for (auto v : s.finite_vertex_handles())
+    at_s[v] = linear(Point(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())));
+  Vertex_values<CDT> values;
+  for (Vertex_transfer method : vertex_methods) {
+    CGAL::transfer_vertex_values_2(s, boost::make_assoc_property_map(at_s), t, boost::make_assoc_property_map(values),
+                                   P::transfer_method(method));
+    expect_values<CDT>(values, at_vertices(t, linear), 1e-13);
+  }
+}
+
+TEST(Transfer, refuses_bad_input)
+{
+  const CDT s = mesh({domains::square(0, 0, 1)}, 0.2);
+  CDT line;
+  line.insert(Point(0, 0));
+  line.insert(Point(1, 0));
+  Vertex_values<CDT> at_s = at_vertices(s, linear), result;
+  Face_values<CDT> in_s = in_faces(s, linear), in_result;
+  const std::vector<CDT::Face_handle> none, infinite{s.infinite_face()}, empty{CDT::Face_handle()};
+  expect_invalid([&] { transfer(line, {}, s, result, P::default_values()); }, {"source", "dimension 1"});
+  expect_invalid([&] { transfer(s, at_s, line, result, P::default_values()); }, {"target", "dimension 1"});
+  expect_invalid([&] { transfer(s, at_s, s, result, P::source_faces(none)); }, {"source", "no face"});
+  expect_invalid([&] { transfer(s, in_s, s, in_result, P::target_faces(infinite)); }, {"target", "infinite face"});
+  expect_invalid([&] { transfer(s, in_s, s, in_result, P::target_faces(empty)); }, {"target", "empty handle"});
+  for (double bad : {std::nan(""), double(INFINITY)}) {
+    for (auto& v : at_s)
+      if (v.first->point() == Point(1, 0))
+        v.second = bad;
+    expect_invalid([&] { transfer(s, at_s, s, result, P::default_values()); }, {"source_values", "(1, 0)", "finite"});
+    in_s.begin()->second = bad;
+    expect_invalid([&] { transfer(s, in_s, s, in_result, P::default_values()); }, {"source_values", "finite"});
+  }
+  EXPECT_TRUE(result.empty());
+  EXPECT_TRUE(in_result.empty());
 }

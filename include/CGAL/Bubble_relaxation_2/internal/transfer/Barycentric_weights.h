@@ -49,8 +49,8 @@ struct Nearest_on_sides
   }
 };
 
-/// Weights from areas that are proportional to them. Those of a point that lies beside its triangle by a rounding are those
-/// of one on its side. All are 0 if all areas are.
+/// Weights from areas that are proportional to them. Those of a point that lies beside its triangle by a rounding are
+/// those of one on its side. All are 0 if all areas are.
 inline Weights_3 normalized(const std::array<double, 3>& areas)
 {
   Weights_3 w{(std::max)(0., areas[0]), (std::max)(0., areas[1]), (std::max)(0., areas[2])};

@@ -14,8 +14,8 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A sum whose rounding error does not grow with the number of terms: what each addition loses is collected beside it
-/// (Neumaier's variant of Kahan's summation, ZAMM 54 (1974)). Integrals over meshes of millions of triangles are compared
-/// with each other to the last digits.
+/// (Neumaier's variant of Kahan's summation, ZAMM 54 (1974)). Integrals over meshes of millions of triangles are
+/// compared with each other to the last digits.
 class Compensated_sum
 {
 public:

@@ -38,8 +38,8 @@ inline double cross(const Offset_2& a, const Offset_2& b) { return a.x * b.y - a
 inline double dot(const Offset_2& a, const Offset_2& b) { return a.x * b.x + a.y * b.y; }
 
 /// The triangles of one of the two meshes of a transfer. Points are in lexicographic order, the corners of a triangle
-/// counterclockwise from the smallest number on, and triangles in the order of their corners: all sums are taken in this
-/// order, so that it does not matter how the user's triangulation came about.
+/// counterclockwise from the smallest number on, and triangles in the order of their corners: all sums are taken in
+/// this order, so that it does not matter how the user's triangulation came about.
 struct Face_set_2
 {
   std::vector<Point> points;

@@ -59,11 +59,11 @@ public:
     return sum.value();
   }
 
-  /// Solves for the free vertices; at others the result is 0. By Chebyshev's iteration, preconditioned with the diagonal:
-  /// the eigenvalues lie between 1/2 and 2 then, however bad the triangles are (Wathen, IMA J. Numer. Anal. 7 (1987)), so
-  /// each step makes the error three times smaller (Wathen and Rees, ETNA 34 (2009)). Unlike conjugate gradients it has
-  /// no products of whole vectors, in which small triangles would vanish beside large ones: the result depends on the
-  /// residual linearly, and far away from it not at all.
+  /// Solves for the free vertices; at others the result is 0. By Chebyshev's iteration, preconditioned with the
+  /// diagonal: the eigenvalues lie between 1/2 and 2 then, however bad the triangles are (Wathen, IMA J. Numer. Anal. 7
+  /// (1987)), so each step makes the error three times smaller (Wathen and Rees, ETNA 34 (2009)). Unlike conjugate
+  /// gradients it has no products of whole vectors, in which small triangles would vanish beside large ones: the result
+  /// depends on the residual linearly, and far away from it not at all.
   Vector solve(Vector residual, const std::vector<char>& is_free) const
   {
     constexpr double middle = 1.25, half_width = 0.75; // of the interval of eigenvalues

@@ -18,8 +18,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Whether the interiors of two triangles meet: unless a side of one of them has the other on its outer side. Decided by
-/// exact orientations, so triangles that only share a side or a vertex never count as a pair.
+/// Whether the interiors of two triangles meet: unless a side of one of them has the other on its outer side. Decided
+/// by exact orientations, so triangles that only share a side or a vertex never count as a pair.
 inline bool have_common_interior(const Face_set_2& a, Index s, const Face_set_2& b, Index t)
 {
   const auto separates = [](const Face_set_2& faces, Index f, const Face_set_2& others, Index other) {
@@ -36,12 +36,12 @@ inline bool have_common_interior(const Face_set_2& a, Index s, const Face_set_2&
   return !separates(a, s, b, t) && !separates(b, t, a, s);
 }
 
-/// The polygon that a triangle of the source and one of the target have in common: the latter is cut along the sides of the
-/// former (Sutherland and Hodgman, Comm. ACM 17 (1974)).
+/// The polygon that a triangle of the source and one of the target have in common: the latter is cut along the sides of
+/// the former (Sutherland and Hodgman, Comm. ACM 17 (1974)).
 ///
-/// All is done in barycentric coordinates of both triangles, which are ratios of areas. So no tolerance decides anything,
-/// errors are roundings of shares of the triangle's area, and nothing changes when both meshes are stretched, sheared or
-/// moved: needles that overlap needles are as good as any other triangles.
+/// All is done in barycentric coordinates of both triangles, which are ratios of areas. So no tolerance decides
+/// anything, errors are roundings of shares of the triangle's area, and nothing changes when both meshes are stretched,
+/// sheared or moved: needles that overlap needles are as good as any other triangles.
 class Overlap_polygon_2
 {
 public:
@@ -75,8 +75,8 @@ public:
   Weights_3 target_weights(int k) const { return m_corners[k].target; }
   Weights_3 source_weights(int k) const { return normalized(m_corners[k].source); }
 
-  /// calls `visit(i, j, k, share)` for the triangles of the polygon, by the numbers of their corners, with their share of
-  /// the area of the target's triangle
+  /// calls `visit(i, j, k, share)` for the triangles of the polygon, by the numbers of their corners, with their share
+  /// of the area of the target's triangle
   template <class Visitor>
   void for_each_triangle(const Visitor& visit) const
   {

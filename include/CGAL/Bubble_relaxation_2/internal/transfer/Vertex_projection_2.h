@@ -20,11 +20,11 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The function of the target that is the nearest to the source's in the mean square, u, from M (u - u<sub>I</sub>) = r,
-/// where u<sub>I</sub> interpolates and r are the shares of the triangles. Solving for the difference has three effects:
-/// where the source does not reach, the field is u<sub>I</sub>, the nearest value, and M is that of whole triangles, so
-/// it is never near to singular; what the target can represent comes out exactly; and roundings are those of a
-/// correction. The integral of u is that of the source over the overlap and of u<sub>I</sub> over the rest.
+/// The function of the target that is the nearest to the source's in the mean square, u, from M (u - u<sub>I</sub>) =
+/// r, where u<sub>I</sub> interpolates and r are the shares of the triangles. Solving for the difference has three
+/// effects: where the source does not reach, the field is u<sub>I</sub>, the nearest value, and M is that of whole
+/// triangles, so it is never near to singular; what the target can represent comes out exactly; and roundings are those
+/// of a correction. The integral of u is that of the source over the overlap and of u<sub>I</sub> over the rest.
 class Vertex_projection_2
 {
 public:

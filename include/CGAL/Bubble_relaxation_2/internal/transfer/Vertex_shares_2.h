@@ -19,11 +19,12 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// What the source adds in a triangle of the target to what interpolation gives there, u<sub>S</sub> less u<sub>I</sub>:
-/// both are linear in the triangles' common part, where all integrals are exact up to roundings.
+/// What the source adds in a triangle of the target to what interpolation gives there, u<sub>S</sub> less
+/// u<sub>I</sub>: both are linear in the triangles' common part, where all integrals are exact up to roundings.
 struct Vertex_share_2
 {
-  std::array<double, 3> moments{}; ///< integrals of u<sub>S</sub> - u<sub>I</sub> times each hat function, over the overlap
+  /// integrals over the overlap of u<sub>S</sub> - u<sub>I</sub> times each hat function
+  std::array<double, 3> moments{};
   double overlap_area = 0, overlap_integral = 0; ///< of u<sub>S</sub>
   std::size_t pairs = 0;
   Bounds bounds{0, 0}; ///< of the source triangles that overlap, and of u<sub>I</sub> at the corners

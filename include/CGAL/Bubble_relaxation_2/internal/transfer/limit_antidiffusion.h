@@ -20,9 +20,10 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Takes a projection with a lumped mass matrix, whose values are means and keep all bounds, as near to the consistent
-/// one as bounds allow. Both differ by fluxes along the edges, m<sub>ij</sub> (u<sub>i</sub> - u<sub>j</sub>), which move
-/// the integral from vertex to vertex and keep its sum. Each flux is scaled by what both its ends can take (Zalesak,
-/// J. Comput. Phys. 31 (1979); for projections Kuzmin, Moeller, Shadid and Shashkov, J. Comput. Phys. 229 (2010)).
+/// one as bounds allow. Both differ by fluxes along the edges, m<sub>ij</sub> (u<sub>i</sub> - u<sub>j</sub>), which
+/// move the integral from vertex to vertex and keep its sum. Each flux is scaled by what both its ends can take
+/// (Zalesak, J. Comput. Phys. 31 (1979); for projections Kuzmin, Moeller, Shadid and Shashkov, J. Comput. Phys. 229
+/// (2010)).
 class Antidiffusion_limiter_2
 {
 public:

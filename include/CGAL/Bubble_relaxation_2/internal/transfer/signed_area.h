@@ -27,9 +27,10 @@ struct Exact_difference
   }
 };
 
-/// Twice the area of a triangle, negative if it is clockwise, with almost all digits also where it is thin: the products of
-/// differences, which cancel there, are computed with twice the digits (after Dekker, Numer. Math. 18 (1971), with a fused
-/// multiplication). In meshes of needles areas with an error of roundings of the needle's length squared would not do.
+/// Twice the area of a triangle, negative if it is clockwise, with almost all digits also where it is thin: the
+/// products of differences, which cancel there, are computed with twice the digits (after Dekker, Numer. Math. 18
+/// (1971), with a fused multiplication). In meshes of needles areas with an error of roundings of the needle's length
+/// squared would not do.
 inline double twice_signed_area(const Point& p, const Point& q, const Point& r)
 {
   const Exact_difference ax(q.x(), p.x()), ay(q.y(), p.y()), bx(r.x(), p.x()), by(r.y(), p.y());
