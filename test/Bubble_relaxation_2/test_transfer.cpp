@@ -379,19 +379,6 @@ TEST(Transfer, a_slotted_disc_of_faces_goes_round)
   EXPECT_LT(r.moved, 0.5 * blurred.moved);
 }
 
-TEST(Transfer, a_pair_of_triangles_costs_less_than_five_microseconds)
-{
-  const CDT s = mesh({domains::square(0, 0, 1)}, 0.02), t = mesh({domains::square(0, 0, 1)}, 0.017);
-  Vertex_values<CDT> at_t;
-  Face_values<CDT> in_t;
-  const auto expect_cost = [](const CGAL::Transfer_report_2& r) {
-    EXPECT_GT(r.number_of_pairs, 10000u);
-    EXPECT_LT(r.seconds, 5e-6 * static_cast<double>(r.number_of_pairs));
-  };
-  expect_cost(transfer(s, at_vertices(s, wave), t, at_t, P::transfer_method(Vertex_transfer::MONOTONE_PROJECTION)));
-  expect_cost(transfer(s, in_faces(s, wave), t, in_t, P::transfer_method(Face_transfer::MONOTONE_RECONSTRUCTION)));
-}
-
 TEST(Transfer, no_new_extremes)
 {
   const CDT s = mesh(star, 0.08), t = mesh(star, 0.05);
