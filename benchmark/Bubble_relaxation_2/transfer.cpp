@@ -7,7 +7,8 @@
 // Author(s)     : The Bubble_relaxation_2 authors
 
 // What it costs to carry values over from a mesh to another one that is a little finer: microseconds for a pair of
-// triangles that overlap, and by how much the integral changes; last for a part of both meshes.
+// triangles that overlap, and by how much the integral changes; last for a part of both meshes, where the
+// integral is another since the rims are.
 //
 //   transfer [number of vertices ...]
 
