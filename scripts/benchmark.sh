@@ -3,6 +3,7 @@
 #   benchmark.sh [scaling] [1e7] [--threads 2]    cost, memory and threads over the number of vertices
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
 #   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, a grid, CGAL's searches, nanoflann
+#   benchmark.sh transfer [1e4 1e6]               values carried over to another mesh: microseconds a pair of triangles
 #   benchmark.sh phases                           nanoseconds a node of each phase
 #   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, as they are and simplified: this package, CGAL's
 #                                                 2D Meshes and Gmsh: table, SVG
@@ -15,7 +16,7 @@ cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | coasts | influence | phases | compile | distributed) benchmark=$1; shift ;;
+  scaling | compare | coasts | influence | transfer | phases | compile | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then

@@ -99,6 +99,30 @@ enum class Integration_cells
   GRID       ///< the paper's: the rectangles of a regular grid over the domain
 };
 
+/// How values at vertices, linear in triangles, are transferred to another triangulation.
+enum class Vertex_transfer
+{
+  INTERPOLATION, ///< the value that the source has at each vertex; no new extremes, but the integral drifts
+  /// the default: the nearest function in the mean square. It keeps the integral, and linear functions are exact; at
+  /// jumps it overshoots
+  PROJECTION,
+  /// the projection as far as no vertex gets a value that the source does not have in the triangles around it; it keeps
+  /// the integral as well
+  MONOTONE_PROJECTION
+};
+
+/// How values of faces, constant in each, are transferred to another triangulation. All ways keep the integral.
+enum class Face_transfer
+{
+  MEAN, ///< the mean over each triangle, no new extremes; of first order, and many transfers blur the field
+  /// the mean of functions that are linear in the source's triangles: of second order, and linear functions are
+  /// exact; at jumps it overshoots
+  RECONSTRUCTION,
+  /// the default: the same as far as no triangle gets a value beyond those that the source has in the triangles that
+  /// overlap it and the ones around these
+  MONOTONE_RECONSTRUCTION
+};
+
 /// @}
 
 } // namespace CGAL

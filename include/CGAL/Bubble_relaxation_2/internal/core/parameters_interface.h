@@ -52,6 +52,14 @@ CGAL_add_named_parameter(number_of_gauss_points_t, number_of_gauss_points, numbe
 CGAL_add_named_parameter(consistent_integration_t, consistent_integration, consistent_integration)
 CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
 
+// of transfers between two triangulations
+CGAL_add_named_parameter(transfer_method_t, transfer_method, transfer_method)
+CGAL_add_named_parameter(source_faces_t, source_faces, source_faces)
+CGAL_add_named_parameter(target_faces_t, target_faces, target_faces)
+CGAL_add_named_parameter(source_in_domain_map_t, source_in_domain_map, source_in_domain_map)
+CGAL_add_named_parameter(target_in_domain_map_t, target_in_domain_map, target_in_domain_map)
+CGAL_add_named_parameter(keep_integral_t, keep_integral, keep_integral)
+
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000
 CGAL_add_named_parameter(seeds_t, seeds, seeds)

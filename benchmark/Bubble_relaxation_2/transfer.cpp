@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// What it costs to carry values over from a mesh to another one that is a little finer: microseconds for a pair of
+// triangles that overlap, and by how much the integral changes; last for a part of both meshes, where the
+// integral is another since the rims are.
+//
+//   transfer [number of vertices ...]
+
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
+
+#include <CGAL/npbs_relax.h>
+#include <CGAL/transfer_2.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using paper::CDT;
+using paper::Point;
+namespace P = CGAL::parameters;
+
+/// a square with about so many vertices, three times as far from each other in one corner as in the opposite one
+CDT mesh(double number_of_vertices)
+{
+  CDT cdt;
+  const paper::Outline square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  cdt.insert_constraint(square.begin(), square.end(), true);
+  const double d = std::sqrt(1.15 / number_of_vertices);
+  CGAL::npbs_relax(cdt, P::sizing_function([=](const Point& p) { return d * (0.55 + 0.5 * (p.x() + p.y())); }));
+  return cdt;
+}
+
+double field(const Point& p) { return 1 + std::sin(9 * p.x()) * std::cos(7 * p.y()); }
+
+void print_row(const std::string& name, std::size_t vertices, const CGAL::Transfer_report_2& r)
+{
+  const double pairs = static_cast<double>(r.number_of_pairs);
+  std::cout << std::left << std::setw(36) << name << std::right << std::setw(9) << vertices << std::setw(10)
+            << r.number_of_pairs << std::fixed << std::setprecision(3) << std::setw(9) << r.seconds
+            << std::setprecision(2) << std::setw(9) << 1e6 * r.seconds / pairs << std::scientific
+            << std::setprecision(1) << std::setw(10) << r.target_integral / r.overlap_integral - 1 << std::endl;
+}
+
+/// the faces within a circle
+std::vector<CDT::Face_handle> part(const CDT& cdt, double radius)
+{
+  std::vector<CDT::Face_handle> faces;
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    if (paper::distance(f->vertex(0)->point(), 0.5, 0.5) < radius)
+      faces.push_back(f);
+  return faces;
+}
+
+void measure(double number_of_vertices)
+{
+  const CDT source = mesh(number_of_vertices), target = mesh(1.3 * number_of_vertices);
+  std::map<CDT::Vertex_handle, double> at_source, at_target;
+  std::map<CDT::Face_handle, double> in_source, in_target;
+  for (CDT::Vertex_handle v : source.finite_vertex_handles())
+    at_source[v] = field(v->point());
+  for (CDT::Face_handle f : source.finite_face_handles())
+    in_source[f] = field(CGAL::centroid(source.triangle(f)));
+  const auto vertices = [&](const std::string& name, const auto& np) {
+    print_row(name, source.number_of_vertices(),
+              CGAL::transfer_vertex_values_2(source, boost::make_assoc_property_map(at_source), target,
+                                             boost::make_assoc_property_map(at_target), np));
+  };
+  const auto faces = [&](const std::string& name, CGAL::Face_transfer method) {
+    print_row(name, source.number_of_vertices(),
+              CGAL::transfer_face_values_2(source, boost::make_assoc_property_map(in_source), target,
+                                           boost::make_assoc_property_map(in_target), P::transfer_method(method)));
+  };
+  vertices("vertices, interpolation", P::transfer_method(CGAL::Vertex_transfer::INTERPOLATION));
+  vertices("vertices, projection", P::transfer_method(CGAL::Vertex_transfer::PROJECTION));
+  vertices("vertices, monotone projection", P::transfer_method(CGAL::Vertex_transfer::MONOTONE_PROJECTION));
+  faces("faces, mean", CGAL::Face_transfer::MEAN);
+  faces("faces, reconstruction", CGAL::Face_transfer::RECONSTRUCTION);
+  faces("faces, monotone reconstruction", CGAL::Face_transfer::MONOTONE_RECONSTRUCTION);
+  // about a thousand vertices, whatever the whole has
+  const double radius = std::sqrt(1000 / (3.14 * number_of_vertices));
+  const auto from = part(source, radius), to = part(target, radius);
+  if (radius < 0.5)
+    vertices("vertices of a part, projection", P::source_faces(from).target_faces(to));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  std::vector<double> numbers{1e4, 1e5};
+  if (argc > 1)
+    numbers.clear();
+  for (int k = 1; k < argc; ++k)
+    numbers.push_back(std::atof(argv[k]));
+  std::cout << "values at or in                      vertices     pairs  seconds  us/pair    change\n";
+  for (double n : numbers)
+    measure(n);
+}

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SET_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SET_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/transfer/signed_area.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// The difference of two points.
+struct Offset_2
+{
+  double x, y;
+};
+
+inline Offset_2 operator-(const Offset_2& a, const Offset_2& b) { return {a.x - b.x, a.y - b.y}; }
+
+inline Offset_2 offset(const Point& from, const Point& to) { return {to.x() - from.x(), to.y() - from.y()}; }
+
+inline double cross(const Offset_2& a, const Offset_2& b) { return a.x * b.y - a.y * b.x; }
+
+inline double dot(const Offset_2& a, const Offset_2& b) { return a.x * b.x + a.y * b.y; }
+
+/// The triangles of one of the two meshes of a transfer. Points are in lexicographic order, the corners of a triangle
+/// counterclockwise from the smallest number on, and triangles in the order of their corners: all sums are taken in
+/// this order, so that it does not matter how the user's triangulation came about.
+struct Face_set_2
+{
+  std::vector<Point> points;
+  std::vector<std::array<Index, 3>> triangles;
+
+  std::size_t number_of_triangles() const { return triangles.size(); }
+
+  const Point& point(Index t, int i) const { return points[triangles[t][i]]; }
+
+  /// the corners of a triangle as seen from a point near to it
+  std::array<Offset_2, 3> corners(const Point& origin, Index t) const
+  {
+    return {offset(origin, point(t, 0)), offset(origin, point(t, 1)), offset(origin, point(t, 2))};
+  }
+
+  double area(Index t) const { return (std::max)(0., twice_signed_area(point(t, 0), point(t, 1), point(t, 2)) / 2); }
+
+  Bbox_2 box(Index t) const { return point(t, 0).bbox() + point(t, 1).bbox() + point(t, 2).bbox(); }
+
+  Bbox_2 box() const
+  {
+    Bbox_2 box;
+    for (const Point& p : points)
+      box += p.bbox();
+    return box;
+  }
+};
+
+/// A face set, and which of the unsorted points and triangles its own ones were.
+struct Sorted_faces_2
+{
+  Face_set_2 faces;
+  std::vector<Index> points, triangles;
+
+  explicit Sorted_faces_2(const Face_set_2& unsorted) : points(unsorted.points.size())
+  {
+    std::iota(points.begin(), points.end(), 0);
+    std::sort(points.begin(), points.end(), [&](Index a, Index b) {
+      return unsorted.points[a] != unsorted.points[b] ? unsorted.points[a] < unsorted.points[b] : a < b;
+    });
+    std::vector<Index> position(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      position[points[k]] = static_cast<Index>(k);
+      faces.points.push_back(unsorted.points[points[k]]);
+    }
+    std::vector<std::array<Index, 4>> sorted; // corners, then the number that the triangle had
+    for (const std::array<Index, 3>& corners : unsorted.triangles) {
+      std::array<Index, 3> v{position[corners[0]], position[corners[1]], position[corners[2]]};
+      std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+      sorted.push_back({v[0], v[1], v[2], static_cast<Index>(sorted.size())});
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (const std::array<Index, 4>& t : sorted) {
+      faces.triangles.push_back({t[0], t[1], t[2]});
+      triangles.push_back(t[3]);
+    }
+  }
+};
+
+/// Scales both sets by a power of two, which alters no bit of a mantissa, so that the source's extent is about 1: areas
+/// and their products neither overflow nor vanish, whatever the units. Returns the factor.
+inline double scale_to_unit(Face_set_2& source, Face_set_2& target)
+{
+  const Bbox_2 box = source.box();
+  const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  const double factor = extent > 0 ? std::ldexp(1., -std::ilogb(extent)) : 1;
+  for (Face_set_2* faces : {&source, &target})
+    for (Point& p : faces->points)
+      p = Point(p.x() * factor, p.y() * factor);
+  return factor;
+}
+
+/// The same for values, whose squares are summed. Returns the factor.
+inline double scale_to_unit(std::vector<double>& values)
+{
+  double largest = 0;
+  for (double v : values)
+    largest = (std::max)(largest, std::abs(v));
+  if (largest == 0)
+    return 1;
+  // the largest double is below 2^1024, and 2^-1024 is not a normal number
+  const double factor = std::ldexp(1., (std::min)(1022, (std::max)(-1022, -std::ilogb(largest))));
+  for (double& v : values)
+    v *= factor;
+  return factor;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SET_2_H

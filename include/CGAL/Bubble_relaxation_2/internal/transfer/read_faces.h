@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_READ_FACES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_READ_FACES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+#include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// The faces of a user's triangulation between which values are transferred, sorted, with their handles.
+template <class Triangulation>
+class Face_reading_2
+{
+public:
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+
+  /// \param what a name for messages: source or target
+  /// \throws std::invalid_argument if there are no faces, one is infinite, a coordinate is not finite, or a triangle is
+  /// turned over when its corners are rounded to double
+  template <class NamedParameters, class Faces_tag, class Map_tag>
+  Face_reading_2(const Triangulation& t, const char* what, const NamedParameters& np, Faces_tag faces_tag,
+                 Map_tag map_tag)
+    : m_triangulation(t), m_what(what), m_vertices(sizeof(typename Triangulation::Vertex)),
+      m_faces(sizeof(typename Triangulation::Face))
+  {
+    if (t.dimension() < 2)
+      throw_error("triangulation has the dimension " + std::to_string(t.dimension()) + ", so it has no faces");
+    if constexpr (Is_given<NamedParameters, Faces_tag>::value) {
+      for (const auto& f : parameters::get_parameter_reference(np, faces_tag))
+        add(f);
+    } else if constexpr (Is_given<NamedParameters, Map_tag>::value) {
+      const auto map = parameters::get_parameter(np, map_tag);
+      add_all([&](Face_handle f) { return static_cast<bool>(get(map, f)); });
+    } else {
+      add_domain();
+    }
+    if (m_unsorted.triangles.empty())
+      throw_error("has no face that takes part");
+    check_coordinates(m_unsorted.points);
+    sort();
+  }
+
+  const Face_set_2& faces() const { return m_sorted; }
+  const std::vector<Vertex_handle>& vertices() const { return m_vertex_handles; } ///< of each point
+  const std::vector<Face_handle>& handles() const { return m_face_handles; }      ///< of each triangle
+
+private:
+  [[noreturn]] void throw_error(const std::string& words) const
+  {
+    throw std::invalid_argument("Bubble_relaxation_2: the " + std::string(m_what) + " of a transfer " + words);
+  }
+
+  template <class Is_wanted>
+  void add_all(const Is_wanted& is_wanted)
+  {
+    for (auto f = m_triangulation.finite_faces_begin(); f != m_triangulation.finite_faces_end(); ++f)
+      if (is_wanted(f))
+        add(f);
+  }
+
+  /// the faces that are marked as those of the domain, all if none is, or if faces have no marks
+  void add_domain()
+  {
+    if constexpr (Has_domain_mark<typename Triangulation::Face>::value)
+      add_all([](Face_handle f) { return f->is_in_domain(); });
+    if (m_unsorted.triangles.empty())
+      add_all([](Face_handle) { return true; });
+  }
+
+  void add(Face_handle f)
+  {
+    if (f == Face_handle())
+      throw_error("has an empty handle among its faces");
+    if (m_triangulation.is_infinite(f))
+      throw_error("has an infinite face among its faces");
+    if (m_faces(&*f) != no_index)
+      return;
+    m_faces.add(&*f);
+    m_unsorted.triangles.push_back({number(f->vertex(0)), number(f->vertex(1)), number(f->vertex(2))});
+  }
+
+  Index number(Vertex_handle v)
+  {
+    if (m_vertices(&*v) == no_index) {
+      m_vertices.add(&*v);
+      m_unsorted.points.push_back(point_in_double(v->point()));
+    }
+    return m_vertices(&*v);
+  }
+
+  void sort()
+  {
+    Sorted_faces_2 sorted(m_unsorted);
+    m_unsorted = Face_set_2();
+    m_sorted = std::move(sorted.faces);
+    for (std::size_t t = 0; t < m_sorted.number_of_triangles(); ++t) {
+      const Point& p = m_sorted.point(static_cast<Index>(t), 0);
+      if (CGAL::orientation(p, m_sorted.point(static_cast<Index>(t), 1), m_sorted.point(static_cast<Index>(t), 2)) ==
+          RIGHT_TURN)
+        throw_error("has a triangle, at " + in_words(p.x(), p.y()) +
+                    ", which is turned over when its corners are rounded to double");
+    }
+    for (Index v : sorted.points)
+      m_vertex_handles.push_back(Handles<Triangulation>::vertex(m_vertices.addresses()[v]));
+    for (Index f : sorted.triangles)
+      m_face_handles.push_back(Handles<Triangulation>::face(m_faces.addresses()[f]));
+  }
+
+  const Triangulation& m_triangulation;
+  const char* m_what;
+  Address_numbers m_vertices, m_faces;
+  Face_set_2 m_unsorted, m_sorted;
+  std::vector<Vertex_handle> m_vertex_handles;
+  std::vector<Face_handle> m_face_handles;
+};
+
+/// The values of vertices or faces. `place(k)` is where the k-th lies, for messages.
+/// \throws std::invalid_argument if one is not finite
+template <class Handle, class Value_map, class Place>
+std::vector<double> read_values(const std::vector<Handle>& handles, const Value_map& map, const Place& place)
+{
+  std::vector<double> values;
+  for (Handle h : handles) {
+    values.push_back(CGAL::to_double(get(map, h)));
+    if (std::isfinite(values.back()))
+      continue;
+    const Point& p = place(values.size() - 1);
+    throw std::invalid_argument("Bubble_relaxation_2: parameter source_values: the value " + in_words(values.back()) +
+                                " at " + in_words(p.x(), p.y()) + " must be finite");
+  }
+  return values;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_READ_FACES_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_TRANSFER_VERTEX_VALUES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_TRANSFER_VERTEX_VALUES_H
+
+#include <CGAL/Bubble_relaxation_2/internal/transfer/Vertex_projection_2.h>
+
+#include <CGAL/Bubble_relaxation_enums.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+inline void report_areas(const Face_set_2& source, const Face_set_2& target, const std::vector<Vertex_share_2>& shares,
+                         Transfer_report_2& report)
+{
+  Compensated_sum source_area, target_area, overlap_area, uncovered_area, overlap_integral;
+  for (std::size_t s = 0; s < source.number_of_triangles(); ++s)
+    source_area += source.area(static_cast<Index>(s));
+  for (std::size_t t = 0; t < target.number_of_triangles(); ++t) {
+    const double area = target.area(static_cast<Index>(t));
+    target_area += area;
+    overlap_area += shares[t].overlap_area;
+    uncovered_area += (std::max)(0., area - shares[t].overlap_area);
+    overlap_integral += shares[t].overlap_integral;
+    report.number_of_pairs += shares[t].pairs;
+  }
+  report.source_area = source_area.value();
+  report.target_area = target_area.value();
+  report.overlap_area = overlap_area.value();
+  report.uncovered_area = uncovered_area.value();
+  report.overlap_integral = overlap_integral.value();
+}
+
+/// Values at the points of the target from those at the points of the source.
+inline Transferred_values_2 transfer_vertex_values(Transfer_problem_2 problem, Vertex_transfer method,
+                                                   const Threads& threads)
+{
+  const Transfer_scale_2 scale(problem);
+  const Source_search_2 search(problem.source);
+  Transferred_values_2 result;
+  Transfer_report_2& report = result.report;
+  result.values = interpolate(search, problem.values, problem.target.points, threads);
+  const std::vector<Vertex_share_2> shares =
+    Vertex_shares_computation_2(search, problem, result.values)(threads);
+  report_areas(problem.source, problem.target, shares, report);
+  report.source_integral = Mass_matrix_2(problem.source).integral(problem.values);
+  const Vertex_projection_2 projection(problem, result.values, shares, report.source_integral);
+  if (method == Vertex_transfer::PROJECTION)
+    result.values = projection.consistent();
+  else if (method == Vertex_transfer::MONOTONE_PROJECTION)
+    result.values = projection.monotone();
+  report.target_integral = projection.mass().integral(result.values);
+  scale.undo(result);
+  return result;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_TRANSFER_VERTEX_VALUES_H
