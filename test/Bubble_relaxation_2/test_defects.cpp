@@ -89,6 +89,8 @@ Domain uniform(const paper::Outline& outline, double d)
 /// a vertex of the triangle that contains a point
 CDT::Vertex_handle inner_vertex(const CDT& cdt, const Point& p) { return cdt.locate(p)->vertex(0); }
 
+const domains::Outline l_shape{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}};
+
 } // namespace
 
 /// the smallest q of each domain at these scales is hardly better
@@ -197,6 +199,37 @@ TEST(Defects, a_given_mesh_is_never_made_worse)
     EXPECT_GE(report.quality.minimum_quality(), before.minimum_quality()) << domain.name;
     validation::expect_valid_mesh(cdt);
   }
+}
+
+// the mesh that was given has the larger smallest q, and as many vertices but for a few: it must not be the result
+TEST(Defects, a_given_mesh_is_never_kept_where_d_asks_for_another)
+{
+  for (const domains::Outline& outline : {domains::square(0, 0, 1), l_shape})
+    for (double d0 : {0.03, 0.015}) {
+      SCOPED_TRACE(d0);
+      const auto distance = [](const Point& p) { return std::hypot(p.x() - 0.31, p.y() - 0.27); };
+      const std::vector<std::function<double(const Point&)>> changed{
+        [=](const Point& p) { return (std::min)(d0, d0 / 8 + 0.3 * distance(p)); },
+        [=](const Point& p) { return distance(p) < 0.05 ? d0 / 2 : d0; },
+        [=](const Point& p) { return distance(p) < 0.08 ? 2 * d0 : d0; }};
+      CDT before = domains::make({outline});
+      CGAL::npbs_relax(before, P::sizing_function(d0));
+      for (const auto& d : changed) {
+        CDT cdt = before;
+        CGAL::npbs_relax(cdt, P::sizing_function(d).initial_placement(CGAL::Bubble_placement::KEEP));
+        double sum = 0;
+        int number = 0;
+        for (const auto e : cdt.finite_edges()) {
+          const auto s = cdt.segment(e);
+          const Point m = CGAL::midpoint(s.source(), s.target());
+          if (distance(m) > 0.04)
+            continue;
+          sum += std::sqrt(s.squared_length()) / d(m);
+          ++number;
+        }
+        EXPECT_NEAR(sum / number, 1, 0.2);
+      }
+    }
 }
 
 TEST(Defects, angles_away_from_sharp_corners_of_random_domains)

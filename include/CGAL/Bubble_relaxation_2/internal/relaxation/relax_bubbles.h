@@ -55,7 +55,8 @@ inline void choose_step(std::size_t round, const Relaxation_options& options, Si
     simulation.shorten_steps(std::ldexp(1., -1 - static_cast<int>((std::min)(round - half, std::size_t(20)))));
 }
 
-/// Changes the population. When few bubbles come in, the time of coarse rest and insertions is over.
+/// Changes the population. When few bubbles come in, the time of coarse rest and insertions is over. In a mesh that was
+/// given d may have changed in one place only: there all holes are filled first.
 inline void change_population(const Population_change& change, const Relaxation_options& options,
                               Simulation_2& simulation, Bubbles_2& bubbles, Team& team)
 {
@@ -66,7 +67,8 @@ inline void change_population(const Population_change& change, const Relaxation_
   }
   const std::size_t before = team.number_of_all(bubbles);
   simulation.apply(change);
-  if (many * (team.number_of_all(bubbles) - before) < before)
+  const std::size_t inserted = team.number_of_all(bubbles) - before;
+  if (keeps_given_bubbles(options) ? inserted == 0 : many * inserted < before)
     simulation.rest_finely();
 }
 

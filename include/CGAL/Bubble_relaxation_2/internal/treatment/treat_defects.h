@@ -181,24 +181,36 @@ inline Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_o
   return counts;
 }
 
-/// whether a mesh with `after` vertices may be compared with one that has `before`
-inline bool is_about_as_many(std::size_t before, std::size_t after)
+/// Whether a triangle is more than twice as large as an equilateral one with d as side, or less than half as large.
+template <class Mesh>
+bool is_misfit(const Mesh& mesh, Index t)
 {
-  constexpr double same_number = 0.05;
-  return std::abs(double(after) - double(before)) <= same_number * double(before);
+  constexpr double equilateral = 0.4330127018922193, most = 2;
+  const auto& v = mesh.triangles.vertices[t];
+  const Bubbles_2& b = mesh.bubbles;
+  const double d = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3, wanted = equilateral * d * d;
+  const double area = CGAL::area(b.point(v[0]), b.point(v[1]), b.point(v[2]));
+  return area > most * wanted || wanted > most * area;
 }
 
-/// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is
-/// larger, treated too, unless d asked for more or fewer bubbles.
+inline std::size_t number_of_misfits(const Bubble_mesh_2& mesh)
+{
+  std::size_t n = 0;
+  for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
+    n += mesh.triangles.inside[t] && is_misfit(mesh, static_cast<Index>(t));
+  return n;
+}
+
+/// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is larger, treated
+/// too, unless it fits d worse, if only in one place, and the number of bubbles was free.
 inline void keep_the_better(const Problem_2& problem, Bubble_mesh_2& mesh, Treatment_counts& counts)
 {
   const Threads& threads = problem.options.threads;
   Bubble_mesh_2 given;
   given.bubbles = given_bubbles(problem);
-  if (!is_about_as_many(given.bubbles.size(), mesh.bubbles.size()))
-    return;
   triangulate(problem.domain, given);
-  if (smallest_quality(given, threads) <= smallest_quality(mesh, threads))
+  if (smallest_quality(given, threads) <= smallest_quality(mesh, threads) ||
+      (problem.options.population != Bubble_population::NONE && number_of_misfits(given) > number_of_misfits(mesh)))
     return;
   counts = treat_defects(problem.domain, problem.options, given);
   mesh = std::move(given);

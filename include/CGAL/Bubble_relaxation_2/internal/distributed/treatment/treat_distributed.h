@@ -60,6 +60,15 @@ public:
     return m_comm.smallest(smallest);
   }
 
+  /// Collective.
+  std::int64_t number_of_misfits(const Distributed_mesh_2& mesh) const
+  {
+    std::int64_t n = 0;
+    for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
+      n += mesh.is_owned[t] && is_misfit(mesh, static_cast<Index>(t));
+    return m_comm.sum(n);
+  }
+
   /// Collective. \pre `mesh` was made by `triangulate()`. Afterwards bubbles may have left their homes.
   Treatment_counts operator()(Distributed_mesh_2& mesh, bool may_operate) const
   {
@@ -237,11 +246,9 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
 {
   const Placed_part_2 given = given_bubbles_distributed(comm, problem, points);
   const Distributed_treatment_2 treat(problem.domain, given.partition, comm);
-  const std::int64_t before = comm.sum(static_cast<std::int64_t>(given.bubbles.size()));
-  if (!is_about_as_many(static_cast<std::size_t>(before), static_cast<std::size_t>(treat.number_of_bubbles(mesh))))
-    return;
   Distributed_mesh_2 given_mesh = treat.triangulate(given.bubbles);
-  if (treat.smallest_quality(given_mesh) <= treat.smallest_quality(mesh))
+  if (treat.smallest_quality(given_mesh) <= treat.smallest_quality(mesh) ||
+      (may_operate && treat.number_of_misfits(given_mesh) > treat.number_of_misfits(mesh)))
     return;
   counts = treat(given_mesh, may_operate);
   mesh = std::move(given_mesh);
