@@ -12,6 +12,7 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_nodes.h>
@@ -43,18 +44,20 @@ template <class CDT, class NamedParameters = parameters::Default_named_parameter
 auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-
-  Node_set_2<typename CDT::Geom_traits::Point_2> nodes;
-  Phase_timer reading_time(nodes.report.seconds.reading);
-  const Input_2<CDT> input(cdt, np);
-  const Problem_2 problem = input.problem();
-  reading_time.stop();
-  Progress progress(input.options.callback, input.options.number_of_rounds);
-  const Bubbles_2 bubbles = make_nodes(problem, progress, nodes.report);
-  write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
-  nodes.report.number_of_vertices = nodes.size();
-  progress.report(1);
-  return nodes;
+  using Nodes = Node_set_2<typename CDT::Geom_traits::Point_2>;
+  return call_checked<CDT, Nodes>(np, [&cdt](const auto& pack) {
+    Nodes nodes;
+    Phase_timer reading_time(nodes.report.seconds.reading);
+    const Input_2<CDT> input(cdt, pack);
+    const Problem_2 problem = input.problem();
+    reading_time.stop();
+    Progress progress(input.options.callback, input.options.number_of_rounds);
+    const Bubbles_2 bubbles = make_nodes(problem, progress, nodes.report);
+    write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
+    nodes.report.number_of_vertices = nodes.size();
+    progress.report(1);
+    return nodes;
+  });
 }
 
 } // namespace CGAL

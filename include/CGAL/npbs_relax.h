@@ -12,6 +12,7 @@
 #include <CGAL/license/Bubble_relaxation_2.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
@@ -53,15 +54,25 @@ The result is the same to the last bit for the same domain: in every run, with a
 whatever order its vertices and constraints were inserted. Only the order of the vertices and faces in
 `cdt` may be another then.
 
-\tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose
-face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel bubbles move in `double`, and
-those on edges lie exactly on them.
+\cgalHeading{Requirements on CDT}
+
+| | works | does not work, and what the compiler says in one sentence |
+| :-- | :-- | :-- |
+| class | `Constrained_Delaunay_triangulation_2`, `Constrained_triangulation_plus_2` of one | `Delaunay_triangulation_2`: it has no constraints; a `const` one |
+| kernel | any with points in the plane, exact or not, such as `Epick`, `Epeck`, `Cartesian<double>` | `Projection_traits_xy_3` and the like: mesh the projection, then give vertices heights |
+| intersection tag | all: whether constraints that cross are cut or refused when the user inserts them | |
+| vertex base, face base | any; what they carry stays with vertices that stay | |
+
+With an exact kernel bubbles move in `double`, and those on edges lie exactly on them.
+
+\tparam CDT a triangulation as above, whose face base may be a model of `DelaunayMeshFaceBase_2`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param cdt the triangulation that bounds the domain and takes the mesh. Constraints cross, or are refused by
 `CDT::Intersection_of_constraints_exception`, when they are inserted, as its intersection tag says; that may be any but
 `No_constraint_intersection_tag`, which does not allow vertices on constraints
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, or the
+`sizing_function` alone: a number or a function of points
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
@@ -233,21 +244,22 @@ template <class CDT, class NamedParameters = parameters::Default_named_parameter
 auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  using FT = typename Quality_number<typename CDT::Geom_traits>::type;
-
-  Report report;
-  Phase_timer reading_time(report.seconds.reading);
-  const Input_2<CDT> input(cdt, np);
-  const Problem_2 problem = input.problem();
-  reading_time.stop();
-  Progress progress(input.options.callback, input.options.number_of_rounds);
-  const Bubble_mesh_2 mesh = make_mesh(problem, progress, report);
-  progress.report(1);
-  // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
-  Restore_on_throw<CDT> guard(cdt);
-  write_mesh(cdt, input.reading, mesh, report);
-  guard.all_went_well();
-  return Bubble_relaxation_report_2<FT>(report);
+  return call_checked<CDT, Bubble_relaxation_report_2<double>>(np, [&cdt](const auto& pack) {
+    using FT = typename Quality_number<typename CDT::Geom_traits>::type;
+    Report report;
+    Phase_timer reading_time(report.seconds.reading);
+    const Input_2<CDT> input(cdt, pack);
+    const Problem_2 problem = input.problem();
+    reading_time.stop();
+    Progress progress(input.options.callback, input.options.number_of_rounds);
+    const Bubble_mesh_2 mesh = make_mesh(problem, progress, report);
+    progress.report(1);
+    // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
+    Restore_on_throw<CDT> guard(cdt);
+    write_mesh(cdt, input.reading, mesh, report);
+    guard.all_went_well();
+    return Bubble_relaxation_report_2<FT>(report);
+  });
 }
 
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include "domains.h"
 #include "validation.h"
 
+#include <CGAL/Cartesian.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -134,6 +135,46 @@ TYPED_TEST(Write_back, unpinned_split_vertices_may_go)
   EXPECT_EQ(after.vertices.count({0.37, 0}), 0u);
   validation::expect_valid_mesh(cdt);
 }
+
+// CGAL splits no constraint then, not even at a point on it
+template <class Kernel>
+void relax_without_intersections()
+{
+  using Strict_cdt = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel,
+    CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>, CGAL::Delaunay_mesh_face_base_2<Kernel>>,
+    CGAL::No_constraint_intersection_tag>;
+  using Point = typename Strict_cdt::Point;
+  Strict_cdt cdt;
+  const Point inner[]{Point(0.25, 0.25), Point(0.75, 0.625)};
+  for (const Outline& o : {Outline{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, Outline{{2, 0}, {3, 0}, {3, 1}}})
+    for (std::size_t k = 0; k < o.size(); ++k) {
+      const auto &p = o[k], &q = o[(k + 1) % o.size()];
+      cdt.insert_constraint(Point(p.x(), p.y()), Point(q.x(), q.y()));
+    }
+  cdt.insert_constraint(inner[0], inner[1]);
+  cdt.insert(Point(1.5, 3)); // outside
+  std::size_t last = 0;
+  for (double d : {0.1, 0.04, 0.15}) {
+    const auto report = CGAL::npbs_relax(cdt, size(d));
+    EXPECT_TRUE(report.converged);
+    EXPECT_GE(report.quality.minimum_quality(), 0.6);
+    EXPECT_TRUE(cdt.is_valid());
+    EXPECT_NE(report.number_of_vertices, last);
+    last = report.number_of_vertices;
+    double length = 0; // of all constraints
+    for (auto e = cdt.finite_edges_begin(); e != cdt.finite_edges_end(); ++e)
+      if (cdt.is_constrained(*e)) {
+        EXPECT_LT(std::sqrt(cdt.segment(*e).squared_length()), 1.8 * d);
+        length += std::sqrt(cdt.segment(*e).squared_length());
+      }
+    EXPECT_NEAR(length, 4 + 2 + std::sqrt(2.) + 0.625, 1e-6);
+  }
+}
+
+TEST(Write_back_without_intersections, epick) { relax_without_intersections<K>(); }
+
+TEST(Write_back_without_intersections, plain_coordinates) { relax_without_intersections<CGAL::Cartesian<double>>(); }
 
 TYPED_TEST(Write_back, a_hole_with_vertices_is_left_alone)
 {

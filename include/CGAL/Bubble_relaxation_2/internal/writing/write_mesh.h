@@ -163,11 +163,35 @@ private:
     const Face_handle f = next.first.first;
     const int i = next.first.second;
     const bool on_hull = m_cdt.is_infinite(f) || m_cdt.is_infinite(f->neighbor(i));
-    add_to_path(m_cdt.insert(nearest_valid(p, f, i), Cdt::EDGE, f, i));
+    add_to_path(insert_on_constraint(nearest_valid(p, f, i), next.first, next.second));
     if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value)
       restore_delaunay_around(end_of_path());
     if (on_hull)
       m_on_hull.insert(m_on_hull.end(), {m_path->end()[-2], m_path->back(), &*next.second});
+  }
+
+  /// splits the edge from the end of the path to `next` at `p`
+  Vertex_handle insert_on_constraint(const Cdt_point& p, const Edge& e, Vertex_handle next)
+  {
+    if constexpr (!std::is_same<typename Cdt::Intersection_tag, No_constraint_intersection_tag>::value) {
+      return m_cdt.insert(p, Cdt::EDGE, e.first, e.second);
+    } else { // CGAL does not split constraints with this tag: that would be an intersection
+      const Vertex_handle last = end_of_path();
+      set_constraint(e, false);
+      const Vertex_handle v = m_cdt.insert(p, Cdt::EDGE, e.first, e.second);
+      if constexpr (Has_constraint_hierarchy<Cdt>::value)
+        m_cdt.hierarchy_ref().split_constraint(last, next, v);
+      for (Vertex_handle end : {last, next})
+        set_constraint(next_towards(v, end).first, true);
+      return v;
+    }
+  }
+
+  void set_constraint(const Edge& e, bool is_constrained)
+  {
+    const Face_handle beyond = e.first->neighbor(e.second);
+    beyond->set_constraint(m_cdt.mirror_index(e.first, e.second), is_constrained);
+    e.first->set_constraint(e.second, is_constrained);
   }
 
   /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it

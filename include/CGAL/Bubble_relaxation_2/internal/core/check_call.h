@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_CHECK_CALL_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_CHECK_CALL_H
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+
+#include <functional>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+// What a user writes first and what cannot work: both are met at the door, so that a mistake gives one message in plain
+// words instead of many from within.
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// whether a type is a pack of named parameters
+struct Pack_test
+{
+  template <class T, class Tag, class Base>
+  static std::true_type test(const Named_function_parameters<T, Tag, Base>*);
+  static std::false_type test(const void*);
+};
+
+template <class T>
+struct Is_pack : decltype(Pack_test::test(static_cast<const T*>(nullptr)))
+{};
+
+/// whether a triangulation knows which of its edges are constrained
+template <class Triangulation, class = void>
+struct Has_constraints : std::false_type {};
+
+template <class Triangulation>
+struct Has_constraints<Triangulation, std::void_t<decltype(std::declval<const Triangulation&>().is_constrained(
+                                        std::declval<const typename Triangulation::Edge&>()))>> : std::true_type
+{};
+
+template <class Point, class = void>
+struct Has_height : std::false_type {};
+
+template <class Point>
+struct Has_height<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type {};
+
+template <class Range, class = void>
+struct Is_range : std::false_type {};
+
+template <class Range>
+struct Is_range<Range, std::void_t<decltype(std::begin(std::declval<const Range&>()))>> : std::true_type {};
+
+template <class T>
+struct Unwrapped
+{
+  using type = T;
+};
+
+template <class T>
+struct Unwrapped<std::reference_wrapper<T>>
+{
+  using type = T;
+};
+
+/// the type of a parameter's value, `Param_not_found` if it was not given
+template <class NamedParameters, class Tag>
+using Value_of = typename Unwrapped<std::decay_t<typename internal_np::Lookup_named_param_def<
+  Tag, NamedParameters, internal_np::Param_not_found>::type>>::type;
+
+template <class Value>
+constexpr bool is_missing = std::is_same<Value, internal_np::Param_not_found>::value;
+
+/// whether a function of points returns what can be a size; what is no function is judged elsewhere
+template <class Size, class Point>
+constexpr bool returns_size()
+{
+  if constexpr (std::is_invocable<const Size&, const Point&>::value) {
+    using Result = std::decay_t<std::invoke_result_t<const Size&, const Point&>>;
+    return !std::is_void<Result>::value && !std::is_same<Result, std::string>::value &&
+           !std::is_pointer<Result>::value;
+  }
+  return true;
+}
+
+/// Whether a triangulation is one of those that can be meshed: with constraints, and of points in the plane.
+template <class Cdt>
+constexpr bool check_triangulation()
+{
+  static_assert(!std::is_const<Cdt>::value,
+                "npbs_relax() changes the triangulation, so it cannot be const; npbs_place_nodes() leaves it alone");
+  static_assert(Has_constraints<Cdt>::value,
+                "Bubble_relaxation_2 needs a Constrained_Delaunay_triangulation_2 or a "
+                "Constrained_triangulation_plus_2: what has no constraints has no domain");
+  if constexpr (Has_constraints<Cdt>::value) {
+    static_assert(!Has_height<typename Cdt::Point>::value,
+                  "Bubble_relaxation_2 needs points in the plane: of a triangulation of points in space, such as one "
+                  "with Projection_traits_xy_3, mesh the projection and give its vertices heights afterwards");
+    return !Has_height<typename Cdt::Point>::value && !std::is_const<Cdt>::value;
+  }
+  return false;
+}
+
+/// Whether the values of parameters are of types that can be meant.
+template <class Point, class NamedParameters>
+constexpr bool check_values()
+{
+  using Callback = Value_of<NamedParameters, internal_np::callback_t>;
+  constexpr bool has_callback = is_missing<Callback> || std::is_invocable_r<bool, Callback&, double>::value;
+  static_assert(has_callback, "callback must be callable with a double, the progress, and return a bool, to go on or not");
+  using Seeds = Value_of<NamedParameters, internal_np::seeds_t>;
+  constexpr bool has_seeds = is_missing<Seeds> || Is_range<Seeds>::value;
+  static_assert(has_seeds, "seeds must be a range of points, such as std::vector<Point>; one point alone is none");
+  constexpr bool has_size = returns_size<Value_of<NamedParameters, internal_np::sizing_function_t>, Point>();
+  static_assert(has_size, "sizing_function must return a number, the wanted length of edges at the point");
+  return has_callback && has_seeds && has_size;
+}
+
+/// Calls `body` with a pack of named parameters, for a triangulation and parameters that can be meant; a size alone, a
+/// number or a function of points, is `sizing_function`. Else one message says what is wrong, and what is returned,
+/// a `Result`, keeps the compiler from saying more.
+template <class Cdt, class Result, class NamedParameters, class Body>
+auto call_checked(const NamedParameters& np, const Body& body)
+{
+  if constexpr (!Is_pack<NamedParameters>::value)
+    return call_checked<Cdt, Result>(Bubble_relaxation_parameters::sizing_function(np), body);
+  else if constexpr (!check_triangulation<Cdt>())
+    return Result();
+  else if constexpr (!check_values<typename Cdt::Point, NamedParameters>())
+    return Result();
+  else
+    return body(np);
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_CHECK_CALL_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Calls that cannot work. `check_mistakes.cmake` compiles each alone, as the mistake with this number, and counts what
+// the compiler says.
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Projection_traits_xy_3.h>
+#include <CGAL/npbs_relax.h>
+
+#include <string>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CDT = CGAL::Constrained_Delaunay_triangulation_2<K>;
+namespace P = CGAL::parameters;
+
+int main()
+{
+  CDT cdt;
+#if MISTAKE == 0 // none
+  CGAL::npbs_relax(cdt);
+  CGAL::npbs_relax(cdt, 0.1);
+  CGAL::npbs_relax(cdt, [](const K::Point_2& p) { return 0.1 + p.x(); });
+  CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback([](double) { return true; }));
+#elif MISTAKE == 1 // what has no constraints has no domain
+  CGAL::Delaunay_triangulation_2<K> unconstrained;
+  CGAL::npbs_relax(unconstrained);
+#elif MISTAKE == 2 // cannot be const
+  const CDT fixed = cdt;
+  CGAL::npbs_relax(fixed, 0.1);
+#elif MISTAKE == 3 // points in the plane
+  CGAL::Constrained_Delaunay_triangulation_2<CGAL::Projection_traits_xy_3<K>> terrain;
+  CGAL::npbs_relax(terrain);
+#elif MISTAKE == 4 // return a bool
+  CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback([](double) {}));
+#elif MISTAKE == 5 // Parallel_tag needs a program linked with TBB
+  CGAL::npbs_relax(cdt, P::number_of_rounds(2).concurrency_tag(CGAL::Parallel_tag()));
+#elif MISTAKE == 6 // seeds must be a range
+  CGAL::npbs_relax(cdt, P::seeds(K::Point_2(0, 0)));
+#elif MISTAKE == 7 // must return a number
+  CGAL::npbs_relax(cdt, [](const K::Point_2&) { return std::string("fine"); });
+#elif MISTAKE == 8 // sizing_function must be callable
+  CGAL::npbs_relax(cdt, "fine");
+#endif
+}
