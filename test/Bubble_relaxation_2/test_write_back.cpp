@@ -150,7 +150,7 @@ void relax_without_intersections()
   for (const Outline& o : {Outline{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, Outline{{2, 0}, {3, 0}, {3, 1}}})
     for (std::size_t k = 0; k < o.size(); ++k) {
       const auto &p = o[k], &q = o[(k + 1) % o.size()];
-      cdt.insert_constraint(Point(p.x(), p.y()), Point(q.x(), q.y()));
+      cdt.insert_constraint(Point(p.first, p.second), Point(q.first, q.second));
     }
   cdt.insert_constraint(inner[0], inner[1]);
   cdt.insert(Point(1.5, 3)); // outside
