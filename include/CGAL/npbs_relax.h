@@ -199,7 +199,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           take more than n/50 + 100 vertices for the n that there are, nothing is inserted. Where
                           smaller angles stay is told in \ref BR2_outlines}
     \cgalParamType{a number, 0 to 33; 0: none are inserted}
-    \cgalParamDefault{28}
+    \cgalParamDefault{30}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_bubbles}
     \cgalParamDescription{the most bubbles that `sizing_function` may ask for}
