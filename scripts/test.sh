@@ -6,6 +6,7 @@ here=$(cd "$(dirname "$0")/.." && pwd)
 cd "$here"
 
 scripts/install_dependencies.sh
+scripts/install_dependencies.sh clang # its warnings are others
 export CTEST_PARALLEL_LEVEL=2
 
 build_and_test() { # NAME OPTION...

@@ -29,18 +29,19 @@ using Fb = CGAL::Delaunay_mesh_face_base_2<Kernel>;
 using CDT = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb, Fb>>;
 
 /// a ring around a point that is rough at all scales
-std::vector<Point> coast(const Point& center, double radius, int n, std::mt19937& random)
+std::vector<Point> coast(const Point& center, double radius, std::size_t n, std::mt19937& random)
 {
   std::uniform_real_distribution<double> phase(0, 2 * CGAL_PI);
+  const auto angle = [n](std::size_t i) { return 2 * CGAL_PI * double(i) / double(n); };
   std::vector<double> r(n, radius);
-  for (int wave = 2; wave < n / 3; wave *= 2) {
+  for (std::size_t wave = 2; wave < n / 3; wave *= 2) {
     const double shift = phase(random);
-    for (int i = 0; i < n; ++i)
-      r[i] += 0.25 * radius / wave * std::sin(2 * CGAL_PI * wave * i / n + shift);
+    for (std::size_t i = 0; i < n; ++i)
+      r[i] += 0.25 * radius / double(wave) * std::sin(angle(wave * i) + shift);
   }
   std::vector<Point> ring;
-  for (int i = 0; i < n; ++i)
-    ring.push_back(center + r[i] * Kernel::Vector_2(std::cos(2 * CGAL_PI * i / n), std::sin(2 * CGAL_PI * i / n)));
+  for (std::size_t i = 0; i < n; ++i)
+    ring.push_back(center + r[i] * Kernel::Vector_2(std::cos(angle(i)), std::sin(angle(i))));
   return ring;
 }
 

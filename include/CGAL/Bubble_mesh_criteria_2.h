@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 
 #include <CGAL/Mesh_2/Face_badness.h>
@@ -138,5 +140,7 @@ Bubble_mesh_criteria_2<CDT, SizingField> make_bubble_mesh_criteria_2(const CDT&,
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_BUBBLE_MESH_CRITERIA_2_H

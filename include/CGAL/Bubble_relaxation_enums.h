@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_ENUMS_H
 #define CGAL_BUBBLE_RELAXATION_ENUMS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 namespace CGAL {
 
 /// \addtogroup PkgBubbleRelaxation2Enums
@@ -26,7 +28,7 @@ enum class Bubble_placement
 {
   /// the free vertices that exist, but for those in circles around sharp corners, are the bubbles: in the faces
   /// whatever d asks, on an edge if it has as many as the integral of ds/d asks, rounded; else the edge is cut anew,
-  /// also with `Bubble_population::NONE`
+  /// also with `Bubble_population::NONE`. Then population control inserts and deletes where d has changed
   KEEP,
   RHOMBIC,  ///< the paper's: recursive subdivision in rhombic cells with angles of 60 and 120 degrees
   FRONTAL   ///< the default: a front of hexagonally aligned candidates
@@ -126,5 +128,7 @@ enum class Face_transfer
 /// @}
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_BUBBLE_RELAXATION_ENUMS_H

@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_PARAMETERS_H
 #define CGAL_BUBBLE_RELAXATION_PARAMETERS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_enums.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -78,8 +80,8 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 {
   using Cgal_pack = Named_function_parameters<T, Tag, Base>;
 
-  explicit Bubble_relaxation_named_parameters(const T& v) : Cgal_pack(v) {}
-  Bubble_relaxation_named_parameters(const T& v, const Base& b) : Cgal_pack(v, b) {}
+  explicit Bubble_relaxation_named_parameters(const T& value) : Cgal_pack(value) {}
+  Bubble_relaxation_named_parameters(const T& value, const Base& others) : Cgal_pack(value, others) {}
 
 // what the three kinds of CGAL's parameters have in common
 #define CGAL_bubble_relaxation_setter(Held, Argument, held, X, Z)                                    \
@@ -219,5 +221,7 @@ auto sizing_function(K&& k)
 using Bubble_relaxation_parameters::npbs_paper_parameters;
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_BUBBLE_RELAXATION_PARAMETERS_H

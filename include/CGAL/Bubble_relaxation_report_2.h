@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_REPORT_2_H
 #define CGAL_BUBBLE_RELAXATION_REPORT_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Mesh_quality_2.h>
 
@@ -130,5 +132,7 @@ std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_BUBBLE_RELAXATION_REPORT_2_H

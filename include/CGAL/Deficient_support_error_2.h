@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 
 #include <cstddef>
@@ -37,34 +39,34 @@ public:
   /// a power of 1.1, and 0 if at some of them none would do.
   double sufficient_enlargement;
 
-  Deficient_support_error_2(double x, double y, std::size_t number_of_nodes, double condition_number,
-                            double maximum_condition_number, double sufficient_enlargement,
-                            std::size_t number_of_points = 1)
-    : std::runtime_error(message(x, y, number_of_nodes, condition_number, maximum_condition_number,
-                                 sufficient_enlargement, number_of_points)),
-      x(x), y(y), number_of_nodes(number_of_nodes), condition_number(condition_number),
-      number_of_points(number_of_points), sufficient_enlargement(sufficient_enlargement)
+  Deficient_support_error_2(double at_x, double at_y, std::size_t nodes, double condition, double maximum_condition,
+                            double enlargement, std::size_t points = 1)
+    : std::runtime_error(message(at_x, at_y, nodes, condition, maximum_condition, enlargement, points)), x(at_x),
+      y(at_y), number_of_nodes(nodes), condition_number(condition), number_of_points(points),
+      sufficient_enlargement(enlargement)
   {}
 
 private:
-  static std::string message(double x, double y, std::size_t number_of_nodes, double condition_number,
-                             double maximum_condition_number, double enlargement, std::size_t number_of_points)
+  static std::string message(double at_x, double at_y, std::size_t nodes, double condition, double maximum_condition,
+                             double enlargement, std::size_t points)
   {
     using Bubble_relaxation_2::internal::in_words;
-    std::string text = "Bubble_relaxation_2: moving least squares at " + in_words(x, y) + ": the point lies in "
-                       "the supports of " + std::to_string(number_of_nodes) + " nodes, whose moment matrix has "
-                       "the condition number " + in_words(condition_number) + ", more than "
-                       "maximum_condition_number = " + in_words(maximum_condition_number) + "; ";
+    std::string text = "Bubble_relaxation_2: moving least squares at " + in_words(at_x, at_y) + ": the point lies in "
+                       "the supports of " + std::to_string(nodes) + " nodes, whose moment matrix has "
+                       "the condition number " + in_words(condition) + ", more than "
+                       "maximum_condition_number = " + in_words(maximum_condition) + "; ";
     if (enlargement > 0)
       text += "support radii " + in_words(enlargement) + " times as large would do";
     else
       text += "larger support radii would not help";
-    if (number_of_points > 1)
-      text += (enlargement > 0 ? " for all" : " all") + (" of " + std::to_string(number_of_points) + " such points");
+    if (points > 1)
+      text += (enlargement > 0 ? " for all" : " all") + (" of " + std::to_string(points) + " such points");
     return text;
   }
 };
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_DEFICIENT_SUPPORT_ERROR_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_method_2.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -210,5 +212,7 @@ private:
 };
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_ELEMENT_FREE_GALERKIN_2_H

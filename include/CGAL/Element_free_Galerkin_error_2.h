@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 namespace CGAL {
 
 /*!
@@ -25,5 +27,7 @@ struct Element_free_Galerkin_error_2
 };
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_ELEMENT_FREE_GALERKIN_ERROR_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <cstddef>
 #include <ostream>
 
@@ -59,5 +61,7 @@ inline std::ostream& operator<<(std::ostream& out, const Element_free_Galerkin_r
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_ELEMENT_FREE_GALERKIN_REPORT_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_method_2.h>
 #include <CGAL/Element_free_Galerkin_error_2.h>
 #include <CGAL/Element_free_Galerkin_report_2.h>
@@ -138,5 +140,7 @@ private:
 };
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_ELEMENT_FREE_GALERKIN_SOLUTION_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Background_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
@@ -151,5 +153,7 @@ private:
 };
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_GRADATION_LIMITED_SIZING_FIELD_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
@@ -222,5 +224,7 @@ std::ostream& operator<<(std::ostream& out, const Mesh_quality_2<FT>& quality)
 #ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
 #include <CGAL/Bubble_relaxation_2/internal/quality/print_mesh_quality_impl.h>
 #endif
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_MESH_QUALITY_2_H

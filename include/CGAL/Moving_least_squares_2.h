@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_evaluation_2.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Deficient_support_error_2.h>
@@ -215,5 +217,7 @@ private:
 };
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_MOVING_LEAST_SQUARES_2_H

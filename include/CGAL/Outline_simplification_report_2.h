@@ -9,6 +9,8 @@
 #ifndef CGAL_OUTLINE_SIMPLIFICATION_REPORT_2_H
 #define CGAL_OUTLINE_SIMPLIFICATION_REPORT_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -104,5 +106,7 @@ inline std::ostream& operator<<(std::ostream& out, const Outline_simplification_
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_OUTLINE_SIMPLIFICATION_REPORT_2_H

@@ -9,6 +9,8 @@
 #ifndef CGAL_TRANSFER_REPORT_2_H
 #define CGAL_TRANSFER_REPORT_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -53,5 +55,7 @@ inline std::ostream& operator<<(std::ostream& out, const Transfer_report_2& repo
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_TRANSFER_REPORT_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
@@ -78,5 +80,7 @@ typename Kernel_traits<Point_2>::Kernel::FT radius_ratio_2(const Point_2& p, con
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_RADIUS_RATIO_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/simplify_outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
@@ -152,5 +154,7 @@ auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::defaul
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_SIMPLIFY_OUTLINE_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/read_faces.h>
@@ -243,5 +245,7 @@ Transfer_report_2 transfer_face_values_2(const SourceTriangulation& source, cons
 }
 
 } // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_TRANSFER_2_H

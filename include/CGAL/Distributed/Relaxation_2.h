@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/Mesh_quality_2.h>
 
@@ -64,5 +66,7 @@ struct Relaxation_2
 };
 
 } // namespace CGAL::Distributed
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_DISTRIBUTED_RELAXATION_2_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/relax_by_all.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_neighbors.h>
 #include <CGAL/Bubble_relaxation_enums.h>
@@ -158,5 +160,7 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
 }
 
 } // namespace CGAL::Distributed
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_DISTRIBUTED_NPBS_RELAX_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
@@ -133,5 +135,7 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
 }
 
 } // namespace CGAL::Distributed
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 
 #endif // CGAL_DISTRIBUTED_TRIANGULATE_H

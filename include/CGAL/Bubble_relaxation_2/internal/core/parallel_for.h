@@ -42,7 +42,7 @@ public:
   using Run = void (*)(std::size_t n, std::size_t grain, const Part& part);
 
   Threads() : m_run([](std::size_t n, std::size_t, const Part& part) { part(0, n); }), m_are_several(false) {}
-  explicit Threads(Run run) : m_run(run), m_are_several(true) {}
+  explicit Threads(Run runs) : m_run(runs), m_are_several(true) {}
 
   bool are_several() const { return m_are_several; }
   void run(std::size_t n, std::size_t grain, const Part& part) const { m_run(n, grain, part); }

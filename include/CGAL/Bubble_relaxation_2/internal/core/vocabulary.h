@@ -83,7 +83,7 @@ inline std::vector<Index> marked(const std::vector<char>& flags)
 /// `std::sort()` is compiled once, and not for each comparison.
 inline void sort_indices(std::vector<Index>& indices, const std::function<bool(Index, Index)>& less)
 {
-  std::sort(indices.begin(), indices.end(), std::cref(less));
+  std::sort(indices.begin(), indices.end(), [&less](Index i, Index j) { return less(i, j); });
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -100,7 +100,7 @@ public:
   template <class Visitor>
   void for_each_near_some(double x, double y, double distance, double d, Visitor visit) const
   {
-    const auto radius = [=](double size) { return slack * (distance + 0.5 * m_reach * (d + size)); };
+    const auto radius = [this, distance, d](double size) { return slack * (distance + 0.5 * m_reach * (d + size)); };
     const auto visit_entry = [&visit](const Entry& e, double) {
       visit(e);
       return true;

@@ -70,7 +70,7 @@ public:
     else
       insert_segments();
     check();
-    mark_domain(m_cdt, [this](const auto& visit) { for_each_side(visit); });
+    mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
   }
 
 private:

@@ -159,13 +159,13 @@ private:
 
   Bubbles_2 fill_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
-    constexpr double least_distance = 0.9; // of new bubbles, in units of their mean size
+    constexpr double apart = 0.9; // new bubbles, in units of their mean size
     std::vector<Hole_2> holes;
     for (const Triangle& t : mesh.triangles())
       add_hole(b, t, holes);
     Bubbles_2 result;
     internal::fill_holes(
-      holes, least_distance, m_team, m_threads, [](const Hole_2&) { return true; }, result);
+      holes, apart, m_team, m_threads, [](const Hole_2&) { return true; }, result);
     sort_in_space(m_domain, result, m_threads);
     m_team.number(result);
     return result;

@@ -57,8 +57,8 @@ public:
   {
     m_sum = 0;
     const Flat_triangulation_2& tr = m_domain.triangulation();
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-      if (m_domain.is_inside(static_cast<Index>(t)))
+    for (Index t = 0; static_cast<std::size_t>(t) < tr.number_of_triangles(); ++t)
+      if (m_domain.is_inside(t))
         add(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), 0);
     return m_sum;
   }

@@ -55,7 +55,7 @@ public:
     split_constraints();
     make_hull_convex();
     insert_in_faces();
-    mark_domain(m_cdt, [this](const auto& visit) { for_each_side(visit); });
+    mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
   }
 
 private:

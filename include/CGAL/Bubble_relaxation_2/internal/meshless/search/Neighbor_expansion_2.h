@@ -244,7 +244,6 @@ private:
 
   void find_clearances()
   {
-    using Kernel = Exact_predicates_inexact_constructions_kernel;
     using Vertex_base = Triangulation_vertex_base_with_info_2<std::int32_t, Kernel>;
     using Delaunay = Delaunay_triangulation_2<Kernel, Triangulation_data_structure_2<Vertex_base>>;
 
