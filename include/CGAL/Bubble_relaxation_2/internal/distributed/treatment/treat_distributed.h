@@ -45,7 +45,7 @@ public:
   {}
 
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.
-  Distributed_mesh_2 triangulate(const Bubbles_2& own) const { return triangulate(own, 0); }
+  Distributed_mesh_2 triangulate(const Bubbles_2& own) const { return triangulate(own, m_reach, 0); }
 
   /// Collective.
   double smallest_quality(const Distributed_mesh_2& mesh) const
@@ -64,8 +64,7 @@ public:
     double smallest = smallest_quality(mesh);
     if (smallest >= treated_quality)
       return counts;
-    Mesh_piece_2 piece{std::move(mesh), {}, {}};
-    widen(piece, m_reach);
+    Mesh_piece_2 piece = piece_of_whole(m_comm, std::move(mesh), m_partition, m_reach);
     counts.treated = smooth(piece, smallest, sweeps_before_surgery);
     if (may_operate)
       operate(piece, smallest, counts);
@@ -84,27 +83,20 @@ private:
   static constexpr double treated_quality = Smoothing_sweeps_2::treated_quality;
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
 
-  Distributed_mesh_2 triangulate(const Bubbles_2& own, double stray) const
+  Distributed_mesh_2 triangulate(const Bubbles_2& own, double reach, double stray) const
   {
-    constexpr double reach = 3;
     Distributed_mesh_2 mesh = distributed_triangulate(m_domain, own, m_partition, m_comm, reach, stray);
     label_edges(mesh.triangles);
     return mesh;
   }
 
-  void widen(Mesh_piece_2& piece, double reach) const
-  {
-    piece = Mesh_widening_2(std::move(piece.mesh), m_partition, m_comm)(reach);
-  }
-
-  /// Makes pieces that have become too narrow from where all bubbles are.
-  void renew(Mesh_piece_2& piece) const
+  /// Makes pieces that are too narrow from where all bubbles are.
+  void renew(Mesh_piece_2& piece, double reach) const
   {
     const std::size_t renewals = piece.mesh.number_of_renewals;
     const Bubbles_2 own = own_bubbles(piece.mesh, m_comm.rank());
-    piece.mesh = triangulate(own, farthest_stray(own));
+    piece = piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(own)), m_partition, reach);
     piece.mesh.number_of_renewals = renewals + 1;
-    widen(piece, m_reach);
   }
 
   /// how far from the part of its owner a bubble is at most, on any rank, or a bit more
@@ -130,7 +122,7 @@ private:
     if (smallest >= treated_quality)
       return 0;
     Distributed_mesh_2& mesh = piece.mesh;
-    Treatment_team_2 team(m_comm, piece, [&] { renew(piece); });
+    Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
     Smoothing_sweeps_2 treat(m_domain, mesh, team);
     std::vector<Index> moved;
     double smallest_now = -1;
@@ -191,8 +183,8 @@ private:
   bool operate_once(Mesh_piece_2& piece, double bad_quality, Treatment_counts& counts, bool& has_changed_outline) const
   {
     std::optional<Distributed_surgery_2> surgery(std::in_place, m_domain, piece, m_comm);
-    for (double reach = m_reach; !surgery->find_patches(bad_quality); reach *= 2) { // those of others are cut off
-      widen(piece, reach);
+    for (double reach = m_reach; !surgery->find_patches(bad_quality); reach *= 2) { // they are cut off
+      renew(piece, reach);
       surgery.emplace(m_domain, piece, m_comm);
     }
     const std::int64_t end = number_of_bubbles(piece.mesh);
@@ -203,7 +195,7 @@ private:
     counts.deleted += static_cast<std::size_t>(surgery->number_of_deletions);
     Piece_stitching_2 stitch(piece, m_comm);
     if (!stitch(changes, end))
-      renew(piece);
+      renew(piece, m_reach);
     has_changed_outline = has_changed_outline || stitch.has_changed_outline;
     return true;
   }
