@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -337,12 +338,15 @@ private:
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
         messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
-                     static_cast<Index>(i));
+                     static_cast<Index>(i), [](Index) { return true; });
     messages.send(m_comm);
     m_migration.send_home(simulation, bubbles);
     look_for_ghosts(simulation, bubbles);
     std::vector<std::vector<Index>> sets(bubbles.size());
-    messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
+    std::unordered_map<std::int64_t, Index> indices;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      indices[bubbles.id[i]] = static_cast<Index>(i);
+    messages.for_each(bubbles, indices, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
     simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
   }
 

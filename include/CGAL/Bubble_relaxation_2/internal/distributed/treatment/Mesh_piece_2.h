@@ -33,8 +33,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 struct Mesh_piece_2
 {
   Distributed_mesh_2 mesh;
-  Messages<Index> sent;     ///< own bubbles that other ranks have, in the order of their numbers
-  Messages<Index> received; ///< others' bubbles that this rank has, in the same order as there
+  Shared_lists shared; ///< bubbles, in the order of their numbers
 };
 
 /// Collective. Each rank tells the others which of their bubbles it knows.
@@ -42,16 +41,15 @@ inline void link_with_others(Communicator& comm, Mesh_piece_2& piece)
 {
   const Bubbles_2& known = piece.mesh.bubbles;
   Messages<std::int64_t> wanted;
-  piece.sent.clear();
-  piece.received.clear();
+  piece.shared = {};
   for (std::size_t i = 0; i < known.size(); ++i)
     if (!known.is_ours(i)) {
       wanted[known.owner[i]].push_back(known.id[i]);
-      piece.received[known.owner[i]].push_back(static_cast<Index>(i));
+      piece.shared.received[known.owner[i]].push_back(static_cast<Index>(i));
     }
   for (const auto& message : deliver(comm, wanted))
     for (std::int64_t number : message.second)
-      piece.sent[message.first].push_back(known.index_of(number));
+      piece.shared.sent[message.first].push_back(known.index_of(number));
 }
 
 /// how many bubbles of a triangle are of this rank
@@ -213,13 +211,13 @@ inline void forget_lonely_ghosts(Bubble_mesh_2& mesh)
   mesh.bubbles.select(left);
 }
 
-/// Collective. The triangles of a mesh that the whole has, too: own ones, and those that others own and told of. \pre the
-/// edges are labelled; each rank got bubbles with this `reach` for the mesh
+/// Collective. The triangles of a mesh that the whole has, too: own ones, and those that others own and told of. \pre
+/// the edges are labelled; each rank got bubbles with this `reach` for the mesh
 inline Mesh_piece_2 piece_of_whole(Communicator& comm, Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition,
                                    double reach)
 {
   const auto around = triangles_around_part(comm, mesh, partition, reach);
-  Mesh_piece_2 piece{std::move(mesh), {}, {}};
+  Mesh_piece_2 piece{std::move(mesh), {}};
   Distributed_mesh_2& m = piece.mesh;
   keep_triangles(m.triangles, [&](std::size_t t) {
     return m.is_final[t] != 0 ||

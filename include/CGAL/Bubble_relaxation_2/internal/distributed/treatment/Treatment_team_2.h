@@ -50,7 +50,7 @@ public:
 
   bool any(bool here) const override { return m_comm.any(here); }
 
-  void share(std::vector<char>& values) override { share_values(m_comm, m_piece.sent, m_piece.received, values); }
+  void share(std::vector<char>& values) override { m_piece.shared.share(m_comm, values); }
 
   void share_moved(Bubble_mesh_2& mesh, const std::vector<Index>& moved, Undo_log_2& log) override
   {
@@ -58,9 +58,9 @@ public:
       return;
     Bubbles_2& b = mesh.bubbles;
     Messages<Move> out, in;
-    for (const auto& list : m_piece.sent)
+    for (const auto& list : m_piece.shared.sent)
       out[list.first];
-    for (const auto& list : m_piece.received)
+    for (const auto& list : m_piece.shared.received)
       in[list.first].resize(list.second.size());
     for (Index v : moved)
       for (const auto& target : m_targets[v])
@@ -68,7 +68,7 @@ public:
     deliver_expected(m_comm, out, in);
     for (const auto& message : in)
       for (const Move& m : message.second) {
-        const Index v = m_piece.received.at(message.first)[m.position];
+        const Index v = m_piece.shared.received.at(message.first)[m.position];
         log.note(Undo_log_2::vertex(b, v));
         b.host[v] = m.host;
         b.x[v] = m.x;
@@ -126,7 +126,7 @@ private:
   {
     const std::size_t n = m_piece.mesh.bubbles.size();
     m_targets = Lists_of_few<std::pair<int, std::int32_t>>(n);
-    for (const auto& list : m_piece.sent)
+    for (const auto& list : m_piece.shared.sent)
       for (std::size_t k = 0; k < list.second.size(); ++k)
         m_targets.add(list.second[k], {list.first, static_cast<std::int32_t>(k)});
     m_beside_others = triangles_beside_others(m_piece.mesh);
