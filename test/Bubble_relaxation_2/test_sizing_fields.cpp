@@ -234,7 +234,7 @@ TEST(Gradation_limited_sizing_field, of_a_needle)
 TEST(Gradation_limited_sizing_field, makes_a_good_mesh_of_a_jump)
 {
   CDT abrupt = square(), limited = square();
-  const Size& d = cases[0].d;
+  const Size d = [](const Point& p) { return distance(p, 0.4, 0.55) < 0.25 ? 0.01 : 0.1; };
   const auto bad = CGAL::npbs_relax(abrupt, P::sizing_function(d));
   const CGAL::Gradation_limited_sizing_field_2 h(limited, 0.2, P::sizing_function(d));
   const auto good = CGAL::npbs_relax(limited, P::sizing_function(h));

@@ -219,6 +219,10 @@ private:
   /// a hole of up to `widest_hole`.
   static constexpr double certain_diameter = 1.5;
 
+  /// Sets larger than that, of a large radius or of bubbles piled up, have so many neighbours of neighbours that it
+  /// is faster to look around.
+  static constexpr std::size_t most_with_neighbors = 48;
+
   static constexpr std::size_t block_size = 512;
 
   void wrap(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const Threads& threads)
@@ -270,6 +274,8 @@ private:
     candidates.assign(neighbors.begin(i), neighbors.end(i));
     star.wrap(candidates);
     if (!is_within(certain_diameter)) {
+      if (candidates.size() > most_with_neighbors)
+        return false;
       add_neighbors_of_neighbors(bubbles, neighbors, i, candidates);
       star.wrap(candidates);
     }
