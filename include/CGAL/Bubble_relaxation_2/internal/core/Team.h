@@ -241,17 +241,20 @@ public:
   /// \name Treatment
   /// @{
 
-  /// whether any rank has vertices to treat, and all know enough to go on
-  virtual bool goes_on_treating(bool here) { return here; }
-
   /// the largest number of colours of all ranks
   virtual std::size_t largest_number(std::size_t here) const { return here; }
 
   /// tells other ranks of vertices that were moved, and moves theirs, which the log is told of
   virtual void share_moved(Bubble_mesh_2&, const std::vector<Index>& /* moved */, Undo_log_2&) {}
 
-  /// makes the mesh around the vertices of other ranks what it is after their moves
-  virtual void restore_border(Editable_triangulation_2&) {}
+  /// Makes the mesh around the vertices of other ranks what it is after their moves. Returns whether it had to be made
+  /// anew for that, with other indices also of the vertices that were moved in this sweep, and in any; then the log
+  /// begins there.
+  virtual bool restore_border(Editable_triangulation_2&, Undo_log_2&, std::vector<Index>& /* moved */,
+                              std::vector<char>& /* was_moved */)
+  {
+    return false;
+  }
 
   /// adds the neighbours of vertices that other ranks moved in this sweep
   virtual void add_neighbors_of_others(const Editable_triangulation_2&, std::vector<Index>&) {}

@@ -35,16 +35,6 @@ public:
     : m_mesh(mesh), m_triangles(mesh.triangles), m_is_gone(mesh.triangles.inside.size(), 0)
   {}
 
-  /// Made triangles of the next `replace()` may become neighbours of `t` where it has none.
-  void open(Index t)
-  {
-    for (int i = 0; i < 3; ++i)
-      if (m_triangles.neighbors[t][i] == no_index) {
-        const Side s = side(t, i);
-        m_rim.push_back(Side{s.target, s.source, t, i});
-      }
-  }
-
   /// replaces the triangles `old` by `made`, as long as `finish()` was not called
   void replace(const std::vector<Index>& old, const std::vector<New_triangle_2>& made)
   {
@@ -66,28 +56,18 @@ public:
     m_rim.clear();
   }
 
-  /// the triangles of `made` in all calls of `replace()`; numbers change in `finish()`
-  const std::vector<Index>& made() const { return m_made; }
-
   /// Forgets the bubbles that are gone, which no triangle has any more. Returns the mesh, for more changes.
   Editable_triangulation_2 finish()
   {
     forget_vertices(m_mesh.bubbles.indices_left());
     m_mesh.bubbles.forget_gone();
-    forget_triangles();
+    const std::vector<Index> new_index = keep_triangles(m_triangles, [this](std::size_t t) { return !m_is_gone[t]; });
+    for (Index& t : m_made)
+      t = new_index[t];
     Editable_triangulation_2 mesh(m_mesh);
     for (Index t : m_made)
       mesh.restore_delaunay_around(t);
     return mesh;
-  }
-
-  /// Forgets the triangles that were replaced: part of `finish()`, or instead of it.
-  void forget_triangles()
-  {
-    const std::vector<Index> number = keep_triangles(m_triangles, [this](std::size_t t) { return !m_is_gone[t]; });
-    m_is_gone.assign(m_triangles.number_of_triangles(), 0);
-    for (Index& t : m_made)
-      t = number[t];
   }
 
 private:

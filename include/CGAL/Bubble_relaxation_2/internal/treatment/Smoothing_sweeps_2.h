@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -66,16 +68,17 @@ public:
   /// returns the vertices that were moved, in so many sweeps or fewer
   std::vector<Index> operator()(int most_sweeps = number_of_sweeps)
   {
-    Editable_triangulation_2 mesh(m_mesh, &m_log);
+    std::optional<Editable_triangulation_2> mesh(std::in_place, m_mesh, &m_log);
     std::vector<char> was_moved(m_bubbles.size(), 0);
     std::vector<Index> candidates = vertices_of_bad_triangles();
-    for (int sweep = 0; sweep < most_sweeps && m_team.goes_on_treating(!candidates.empty()); ++sweep) {
-      const std::vector<Index> moved = move(mesh, candidates);
-      mesh.restore_delaunay(moved);
-      m_team.restore_border(mesh);
+    for (int sweep = 0; sweep < most_sweeps && m_team.any(!candidates.empty()); ++sweep) {
+      std::vector<Index> moved = move(*mesh, candidates);
+      mesh->restore_delaunay(moved);
       for (Index v : moved)
         was_moved[v] = 1;
-      candidates = neighbors_of(mesh, moved);
+      if (m_team.restore_border(*mesh, m_log, moved, was_moved))
+        mesh.emplace(m_mesh, &m_log);
+      candidates = neighbors_of(*mesh, moved);
     }
     return marked(was_moved);
   }

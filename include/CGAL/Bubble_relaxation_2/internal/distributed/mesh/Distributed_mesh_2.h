@@ -34,8 +34,7 @@ struct Distributed_mesh_2 : Bubble_mesh_2
   std::size_t number_of_rounds = 0;    ///< of questions to other ranks
   std::size_t number_of_questions = 0;
   std::size_t number_of_answers = 0;   ///< bubbles that were missing
-  std::size_t number_of_widenings = 0; ///< while its defects were treated
-  std::size_t number_of_failed_treatments = 0; ///< by ranks that knew too little
+  std::size_t number_of_renewals = 0; ///< while its defects were treated
 
   /// the vertex of a triangle that decides who owns it: the one with the smallest number
   Index first_vertex(std::size_t t) const

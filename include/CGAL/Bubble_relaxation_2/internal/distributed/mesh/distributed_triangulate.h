@@ -51,10 +51,10 @@ inline bool follow_space(const Bubbles_2& b)
 class Distributed_triangulation_2
 {
 public:
-  /// \pre bubbles `own` lie in this rank's piece, and their numbers ascend
-  Distributed_triangulation_2(const Domain_2& domain, const Bubbles_2& own,
-                              const Hilbert_partition_2& partition, Communicator& comm, double reach)
-    : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_answers(own)
+  /// \pre bubbles `own` lie in this rank's piece or not farther than `stray` from it, and their numbers ascend
+  Distributed_triangulation_2(const Domain_2& domain, const Bubbles_2& own, const Hilbert_partition_2& partition,
+                              Communicator& comm, double reach, double stray)
+    : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_stray(stray), m_answers(own)
   {
     get_outline();
     get_nearby(reach);
@@ -84,13 +84,12 @@ private:
   void get_outline()
   {
     m_mesh.bubbles = with_owner(m_own, m_comm.rank());
-    for (const Bubble_record_2& r : gather_outline(m_comm, m_own)) {
-      const int owner = m_partition.owner(r.x, r.y);
-      if (owner != m_comm.rank())
-        add(m_mesh.bubbles, r, owner);
-    }
+    for (const Bubble_record_2& r : gather_outline(m_comm, m_own))
+      if (r.owner != m_comm.rank())
+        add(m_mesh.bubbles, r, r.owner);
   }
 
+  /// of strays it may get too few: then it will ask
   void get_nearby(double reach)
   {
     Messages<Bubble_record_2> out;
@@ -149,7 +148,7 @@ private:
       const Bbox_2 box = box_that_matters(m_mesh, t, m_domain.bbox());
       const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin();
       const auto ranks = clearance.others_in_disc(box.xmin() + dx / 2, box.ymin() + dy / 2,
-                                                  0.5000001 * std::hypot(dx, dy));
+                                                  0.5000001 * std::hypot(dx, dy) + m_stray);
       if (ranks.empty() || m_is_certain.count(triangle(t)) != 0)
         continue;
       const auto question = make_question(m_mesh, t, box, vertex, static_cast<std::int32_t>(m_asked.size()));
@@ -212,6 +211,7 @@ private:
   const Bubbles_2& m_own;
   const Hilbert_partition_2& m_partition;
   Communicator& m_comm;
+  const double m_stray;
   Query_answers_2 m_answers;
   Distributed_mesh_2 m_mesh;
   bool m_is_new = true;          // there are bubbles that are not in the triangulation
@@ -225,12 +225,13 @@ private:
 /// on all ranks and ascend
 /// \param reach how far from the piece of a rank it gets the bubbles at once, in units of their own d; no
 /// result depends on it, but for the ghosts
+/// \param stray how far bubbles of any rank are from its piece at most
 /// \throws std::runtime_error on all ranks if `triangulate()` would throw
 inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const Bubbles_2& own,
                                                   const Hilbert_partition_2& partition,
-                                                  Communicator& comm, double reach = 3)
+                                                  Communicator& comm, double reach = 3, double stray = 0)
 {
-  return Distributed_triangulation_2(domain, own, partition, comm, reach)();
+  return Distributed_triangulation_2(domain, own, partition, comm, reach, stray)();
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

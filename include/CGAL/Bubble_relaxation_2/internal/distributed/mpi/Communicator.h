@@ -248,23 +248,30 @@ private:
   std::mutex m_mutex;
 };
 
+/// each of so many elements counts for one
+struct Count_each
+{
+  std::int64_t operator()(std::int64_t number) const { return number; }
+};
+
 /// Collective. What sorting the elements of all ranks would bring to some positions. All are searched at once by
 /// halving: 64 times each rank counts its elements before each. No rank gets elements of others.
 /// \param sorted this rank's
 /// \param bits the number in whose order an element is
+/// \param count for how many so many of the first elements of `sorted` count
 /// \returns these numbers; the largest one that there is, for positions where there is no element
-template <class T, class Bits>
+template <class T, class Bits, class Count = Count_each>
 std::vector<std::uint64_t> find_sorted(const Communicator& comm, const std::vector<T>& sorted, const Bits& bits,
-                                       const std::vector<std::int64_t>& positions)
+                                       const std::vector<std::int64_t>& positions, const Count& count = {})
 {
   std::vector<std::uint64_t> found(positions.size(), 0); // the largest that are known to be small enough
   std::vector<std::int64_t> counts(positions.size());
   for (int bit = 63; bit >= 0 && !positions.empty(); --bit) {
     const std::uint64_t half = std::uint64_t(1) << bit;
     for (std::size_t k = 0; k < found.size(); ++k)
-      counts[k] = std::lower_bound(sorted.begin(), sorted.end(), found[k] | half,
-                                   [&bits](const T& t, std::uint64_t number) { return bits(t) < number; }) -
-                  sorted.begin();
+      counts[k] = count(std::lower_bound(sorted.begin(), sorted.end(), found[k] | half,
+                                         [&bits](const T& t, std::uint64_t number) { return bits(t) < number; }) -
+                        sorted.begin());
     comm.reduce_each(counts, MPI_SUM);
     for (std::size_t k = 0; k < found.size(); ++k)
       if (counts[k] <= positions[k])

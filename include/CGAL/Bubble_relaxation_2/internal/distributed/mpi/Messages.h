@@ -151,23 +151,47 @@ void deliver_expected(const Communicator& comm, const Messages<T>& out, Messages
   delivery.finish();
 }
 
-/// Puts in the values of what other ranks own. `sent`, `received`: indices of what pairs of ranks share, in one order
-/// on both sides.
-template <class T>
-void share_values(const Communicator& comm, const Messages<Index>& sent, const Messages<Index>& received,
-                  std::vector<T>& values)
+/// What a rank shares with others: the indices of what it owns and they have, and of what they own and it has, in one
+/// order on both sides.
+struct Shared_lists
 {
-  Messages<T> out, in;
-  for (const auto& list : sent)
-    for (Index i : list.second)
-      out[list.first].push_back(values[i]);
-  for (const auto& list : received)
-    in[list.first].resize(list.second.size());
-  deliver_expected(comm, out, in);
-  for (const auto& list : received)
-    for (std::size_t n = 0; n < list.second.size(); ++n)
-      values[list.second[n]] = in[list.first][n];
-}
+  Messages<Index> sent, received;
+
+  /// what is `here` the k-th goes to a rank
+  template <class T>
+  void send(int rank, const std::vector<T>& here, std::size_t k, Messages<T>& out)
+  {
+    sent[rank].push_back(static_cast<Index>(k));
+    out[rank].push_back(here[k]);
+  }
+
+  /// Collective. Delivers it, and adds what comes after the last that is here.
+  template <class T>
+  void deliver_to(std::vector<T>& here, const Messages<T>& out, Communicator& comm)
+  {
+    for (const auto& message : deliver(comm, out))
+      for (const T& record : message.second) {
+        received[message.first].push_back(static_cast<Index>(here.size()));
+        here.push_back(record);
+      }
+  }
+
+  /// Puts in the values of what others own.
+  template <class T>
+  void share(const Communicator& comm, std::vector<T>& values) const
+  {
+    Messages<T> out, in;
+    for (const auto& list : sent)
+      for (Index i : list.second)
+        out[list.first].push_back(values[i]);
+    for (const auto& list : received)
+      in[list.first].resize(list.second.size());
+    deliver_expected(comm, out, in);
+    for (const auto& list : received)
+      for (std::size_t n = 0; n < list.second.size(); ++n)
+        values[list.second[n]] = in[list.first][n];
+  }
+};
 
 /// Collective. The records of all ranks, one rank after the other: for what is small against the bubbles.
 /// \throws std::length_error on all ranks if they have more than 2^31 bytes

@@ -150,22 +150,16 @@ private:
 /// Collective. Cuts the curve so that all ranks own equally many of some elements, which are on any ranks.
 /// \param sorted this rank's
 /// \param key where on the curve an element is
-template <class T, class Key_of>
+/// \param count see `find_sorted()`
+template <class T, class Key_of, class Count = Count_each>
 Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve, const std::vector<T>& sorted,
-                                   const Key_of& key)
+                                   const Key_of& key, const Count& count = {})
 {
-  const std::int64_t all = comm.sum(static_cast<std::int64_t>(sorted.size()));
+  const std::int64_t all = comm.sum(count(static_cast<std::int64_t>(sorted.size())));
   std::vector<std::int64_t> cuts;
   for (int rank = 1; rank < comm.size(); ++rank)
     cuts.push_back(all * rank / comm.size());
-  return Hilbert_partition_2(curve, find_sorted(comm, sorted, key, cuts));
-}
-
-/// the same of keys
-inline Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve,
-                                          const std::vector<Hilbert_curve_2::Key>& keys)
-{
-  return even_partition(comm, curve, keys, [](Hilbert_curve_2::Key key) { return key; });
+  return Hilbert_partition_2(curve, find_sorted(comm, sorted, key, cuts, count));
 }
 
 /// cuts the curve so that all ranks own equally many of some bubbles, which all of them have

@@ -49,24 +49,20 @@ public:
     for (const auto& message : deliver(m_comm, out))
       holes.insert(holes.end(), message.second.begin(), message.second.end());
     const std::size_t number_of_ours = holes.size();
-    m_holes_sent.clear();
-    m_holes_received.clear();
+    m_holes = {};
     Lists_of_few<int> told(number_of_ours);
     out.clear();
     for (std::size_t k = 0; k < number_of_ours; ++k)
       for (int rank : m_partition->owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
-        tell(holes[k], static_cast<Index>(k), rank, told, out);
-    receive(out, holes);
+        tell(holes, static_cast<Index>(k), rank, told, out);
+    m_holes.deliver_to(holes, out, m_comm);
     out.clear();
     tell_of_smaller(holes, number_of_ours, reach, told, out);
-    receive(out, holes);
+    m_holes.deliver_to(holes, out, m_comm);
     return number_of_ours;
   }
 
-  void share_choice(std::vector<char>& states) override
-  {
-    share_values(m_comm, m_holes_sent, m_holes_received, states);
-  }
+  void share_choice(std::vector<char>& states) override { m_holes.share(m_comm, states); }
 
 protected:
   /// `partition`: `nullptr` until it is known, before anything is asked
@@ -85,35 +81,24 @@ private:
     Bubble_buckets_2 ours(2 * reach, holes[0].d, holes[0].x, holes[0].y, number_of_ours);
     for (std::size_t k = 0; k < number_of_ours; ++k)
       ours.insert(static_cast<Index>(k), holes[k].x, holes[k].y, holes[k].d);
-    for (const auto& list : m_holes_received)
+    for (const auto& list : m_holes.received)
       for (Index l : list.second) {
         const double far = reach * holes[l].d;
         ours.for_each_near(holes[l].x, holes[l].y, holes[l].d, [&](Index k, double squared, double) {
           if (squared < far * far)
-            tell(holes[k], k, list.first, told, out);
+            tell(holes, k, list.first, told, out);
           return true;
         });
       }
   }
 
-  void tell(const Hole_2& hole, Index k, int rank, Lists_of_few<int>& told, Messages<Hole_2>& out)
+  void tell(const std::vector<Hole_2>& holes, Index k, int rank, Lists_of_few<int>& told, Messages<Hole_2>& out)
   {
-    if (rank == m_comm.rank() || !told.add_once(k, rank))
-      return;
-    out[rank].push_back(hole);
-    m_holes_sent[rank].push_back(k);
+    if (rank != m_comm.rank() && told.add_once(k, rank))
+      m_holes.send(rank, holes, static_cast<std::size_t>(k), out);
   }
 
-  void receive(const Messages<Hole_2>& out, std::vector<Hole_2>& holes)
-  {
-    for (const auto& message : deliver(m_comm, out))
-      for (const Hole_2& h : message.second) {
-        m_holes_received[message.first].push_back(static_cast<Index>(holes.size()));
-        holes.push_back(h);
-      }
-  }
-
-  Messages<Index> m_holes_sent, m_holes_received; // in one order on both sides
+  Shared_lists m_holes;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

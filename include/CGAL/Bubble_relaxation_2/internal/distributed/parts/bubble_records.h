@@ -26,6 +26,7 @@ struct Bubble_record_2
   std::int64_t id;
   Index host, pin;
   std::int32_t dimension;
+  std::int32_t owner = -1; ///< where somebody asks for it
 };
 
 inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i, std::int64_t id)
@@ -105,13 +106,15 @@ inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
   return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
 }
 
-/// Collective. The bubbles of all ranks on the outline, those of one rank after those of another.
+/// Collective. The bubbles of all ranks on the outline, with their owners.
 inline std::vector<Bubble_record_2> gather_outline(const Communicator& comm, const Bubbles_2& bubbles)
 {
   std::vector<Bubble_record_2> own;
   for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (bubbles.is_ours(i) && is_on_outline(bubbles, i))
+    if (bubbles.is_ours(i) && is_on_outline(bubbles, i)) {
       own.push_back(record(bubbles, i));
+      own.back().owner = comm.rank();
+    }
   return gather_records(comm, own);
 }
 

@@ -133,26 +133,18 @@ public:
 
   void share_proposals(std::vector<Growth_proposal_2>& proposals) override
   {
-    m_proposals_sent.clear();
-    m_proposals_received.clear();
+    m_proposals = {};
     Messages<Growth_proposal_2> out;
-    for (std::size_t k = 0; k < proposals.size(); ++k)
-      for (int rank : m_holders->others(proposals[k].from)) {
-        out[rank].push_back(proposals[k]);
-        m_proposals_sent[rank].push_back(static_cast<Index>(k));
-      }
-    for (const auto& message : deliver(m_comm, out))
-      for (Growth_proposal_2 p : message.second) {
-        p.from = foreign;
-        m_proposals_received[message.first].push_back(static_cast<Index>(proposals.size()));
-        proposals.push_back(p);
-      }
+    const std::size_t own = proposals.size();
+    for (std::size_t k = 0; k < own; ++k)
+      for (int rank : m_holders->others(proposals[k].from))
+        m_proposals.send(rank, proposals, k, out);
+    m_proposals.deliver_to(proposals, out, m_comm);
+    for (std::size_t k = own; k < proposals.size(); ++k)
+      proposals[k].from = foreign;
   }
 
-  void share_choice(std::vector<char>& states) override
-  {
-    share_values(m_comm, m_proposals_sent, m_proposals_received, states);
-  }
+  void share_choice(std::vector<char>& states) override { m_proposals.share(m_comm, states); }
 
   void exchange_new(std::vector<Growth_proposal_2>& bubbles) override
   {
@@ -194,10 +186,7 @@ public:
     list_new(crystal);
   }
 
-  void share_settled(std::vector<Point>& settled) override
-  {
-    share_values(m_comm, m_new_sent, m_new_received, settled);
-  }
+  void share_settled(std::vector<Point>& settled) override { m_new.share(m_comm, settled); }
 
   /// A bubble has its place and its size. Where d jumps, it may be larger than it was thought to be.
   void enter_front(const Crystal_2& crystal, Index i, double key) override
@@ -323,19 +312,18 @@ private:
   /// who tells whom where new bubbles settle, which are counted from the first
   void list_new(const Crystal_2& crystal)
   {
-    m_new_sent.clear();
-    m_new_received.clear();
+    m_new = {};
     for (std::size_t i = static_cast<std::size_t>(m_first); i < crystal.size(); ++i) {
       const Index index = static_cast<Index>(i);
       if (crystal.birth(i).generation != m_generation)
         continue;
       if (!owns(index))
-        m_new_received[m_holders->owner(i)].push_back(index - m_first);
+        m_new.received[m_holders->owner(i)].push_back(index - m_first);
       else
         for (int rank : m_holders->others(index))
-          m_new_sent[rank].push_back(index - m_first);
+          m_new.sent[rank].push_back(index - m_first);
     }
-    for (auto* lists : {&m_new_sent, &m_new_received})
+    for (auto* lists : {&m_new.sent, &m_new.received})
       for (auto& list : *lists)
         std::sort(list.second.begin(), list.second.end(),
                   [&](Index i, Index j) { return crystal.came_before(m_first + i, m_first + j); });
@@ -354,8 +342,8 @@ private:
   std::vector<Index> m_grown;      // of ours, not known to all that need them
   Messages<Late> m_late;
   // of the present generation
-  Index m_first = 0;                             // of the new bubbles
-  Messages<Index> m_proposals_sent, m_proposals_received, m_new_sent, m_new_received; // in one order on both sides
+  Index m_first = 0; // of the new bubbles
+  Shared_lists m_proposals, m_new;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

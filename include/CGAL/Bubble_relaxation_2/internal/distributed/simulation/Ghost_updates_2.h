@@ -265,42 +265,44 @@ private:
 class Numbered_sets
 {
 public:
-  /// the set of a bubble is to go to a rank
-  void add(int rank, const Bubbles_2& b, const Neighbor_sets_2& sets, Index i)
+  /// the set of a bubble is to go to a rank, which has those for which `may_know(j)` holds
+  template <class May_know>
+  void add(int rank, const Bubbles_2& b, const Neighbor_sets_2& sets, Index i, const May_know& may_know)
   {
     std::vector<std::int64_t>& message = m_messages[rank];
     message.push_back(b.id[i]);
-    message.push_back(sets.end(i) - sets.begin(i));
+    const std::size_t place_of_size = message.size();
+    message.push_back(0);
     for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j)
-      message.push_back(b.id[*j]);
+      if (may_know(*j))
+        message.push_back(b.id[*j]);
+    message[place_of_size] = static_cast<std::int64_t>(message.size() - place_of_size - 1);
   }
 
   /// Collective. Sends them, and gets those that are for this rank.
   void send(Communicator& comm) { m_messages = deliver(comm, m_messages); }
 
-  /// calls `take(bubble, set)` for each set that this rank got, with the bubbles that it knows
+  /// Calls `take(bubble, set)` for each set that this rank got, with the bubbles that it knows. `indices`: of bubbles by
+  /// their numbers
   template <class Take>
-  void for_each(const Bubbles_2& b, const Take& take) const
+  void for_each(const Bubbles_2& b, const std::unordered_map<std::int64_t, Index>& indices, const Take& take) const
   {
-    std::unordered_map<std::int64_t, Index> indices;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (!b.is_gone(i))
-        indices[b.id[i]] = static_cast<Index>(i);
+    const auto index = [&](std::int64_t number) {
+      const auto found = indices.find(number);
+      return found == indices.end() || b.is_gone(found->second) ? no_index : found->second;
+    };
     std::vector<Index> set;
     for (const auto& message : m_messages)
-      for (std::size_t k = 0; k < message.second.size();) {
-        const std::int64_t number = message.second[k];
-        const std::size_t first = k + 2;
-        k = first + static_cast<std::size_t>(message.second[k + 1]);
+      for (auto next = message.second.begin(); next != message.second.end();) {
+        const Index i = index(*next++);
         set.clear();
-        for (std::size_t n = first; n < k; ++n) {
-          const auto found = indices.find(message.second[n]);
-          if (found != indices.end())
-            set.push_back(found->second);
+        for (std::int64_t left = *next++; left > 0; --left) {
+          const Index j = index(*next++);
+          if (j != no_index)
+            set.push_back(j);
         }
-        const auto bubble = indices.find(number);
-        if (bubble != indices.end()) // else it is gone
-          take(bubble->second, set);
+        if (i != no_index)
+          take(i, set);
       }
   }
 
@@ -309,37 +311,16 @@ private:
 };
 
 /// Collective. Tells the ranks that have bubbles of ours which neighbours these have: the sets of others' bubbles become
-/// what their owners say, as far as the neighbours are known here. Sets come in the order of the lists of the halo, which
-/// is the same on both sides.
+/// what their owners say, as far as the neighbours are known here.
 inline void share_sets(Communicator& comm, const Halo_2& halo, const Bubbles_2& bubbles, Neighbor_sets_2& sets)
 {
-  Messages<std::int64_t> out; // for each bubble how many neighbours are named, and their numbers
-  for (const auto& list : halo.sent()) {
-    std::vector<std::int64_t>& message = out[list.first];
-    for (Index i : list.second) {
-      const std::size_t place_of_size = message.size();
-      message.push_back(0);
-      for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j)
-        if (halo.may_know(list.first, *j))
-          message.push_back(bubbles.id[*j]);
-      message[place_of_size] = static_cast<std::int64_t>(message.size() - place_of_size - 1);
-    }
-  }
-  const std::unordered_map<std::int64_t, Index> indices = halo.indices_at_border(bubbles);
-  std::vector<Index> set;
-  for (const auto& message : deliver(comm, out)) {
-    auto next = message.second.begin();
-    for (Index i : halo.received().at(message.first)) {
-      set.clear();
-      for (std::int64_t left = *next++; left > 0; --left) {
-        const auto found = indices.find(*next++);
-        if (found != indices.end() && !bubbles.is_gone(found->second))
-          set.push_back(found->second);
-      }
-      if (!bubbles.is_gone(i))
-        sets.assign(i, set);
-    }
-  }
+  Numbered_sets messages;
+  for (const auto& list : halo.sent())
+    for (Index i : list.second)
+      messages.add(list.first, bubbles, sets, i, [&](Index j) { return halo.may_know(list.first, j); });
+  messages.send(comm);
+  messages.for_each(bubbles, halo.indices_at_border(bubbles),
+                    [&sets](Index i, const std::vector<Index>& set) { sets.assign(i, set); });
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -95,8 +95,7 @@ public:
     m_near_border.clear();
     m_is_near_border.clear();
     m_has_gone_far = false;
-    m_sent.clear();
-    m_received.clear();
+    m_lists = {};
     m_places.reserve(expected);
     m_is_near_border.reserve(expected);
     ++m_number_of_changes;
@@ -112,7 +111,7 @@ public:
     if (owner == m_comm.rank())
       find_clearance(b, i);
     else {
-      m_received[owner].push_back(i);
+      m_lists.received[owner].push_back(i);
       ++m_number_of_changes;
       note_near_border(i);
     }
@@ -120,14 +119,15 @@ public:
   }
 
   /// for each neighbouring rank, the bubbles that it has of ours, and those that we have of it, in one order
-  const Messages<Index>& sent() const { return m_sent; }
-  const Messages<Index>& received() const { return m_received; }
+  const Shared_lists& lists() const { return m_lists; }
+  const Messages<Index>& sent() const { return m_lists.sent; }
+  const Messages<Index>& received() const { return m_lists.received; }
 
   /// of bubbles that we have of others, and others of ours, by their numbers
   std::unordered_map<std::int64_t, Index> indices_at_border(const Bubbles_2& b) const
   {
     std::unordered_map<std::int64_t, Index> result;
-    for (const auto* lists : {&m_sent, &m_received})
+    for (const auto* lists : {&m_lists.sent, &m_lists.received})
       for (const auto& list : *lists)
         for (Index i : list.second)
           result[b.id[i]] = i;
@@ -320,7 +320,7 @@ private:
   /// whether all ranks of which we have bubbles have this one of ours
   bool is_known_to_all_around(Index i) const
   {
-    return std::all_of(m_received.begin(), m_received.end(),
+    return std::all_of(received().begin(), received().end(),
                        [&](const Messages<Index>::value_type& list) { return has(list.first, i); });
   }
 
@@ -350,7 +350,7 @@ private:
   {
     if (rank == m_comm.rank() || !m_holders.add_once(i, rank))
       return;
-    m_sent[rank].push_back(i);
+    m_lists.sent[rank].push_back(i);
     ++m_number_of_changes;
     out[rank].push_back(state(i));
   }
@@ -367,7 +367,7 @@ private:
   std::vector<Index> m_near_border;      // others', and ours whose disc met another part once
   std::vector<char> m_is_near_border;    // the same, of each bubble
   bool m_has_gone_far = false;
-  Messages<Index> m_sent, m_received;
+  Shared_lists m_lists;
   std::size_t m_number_of_changes = 0;
 };
 

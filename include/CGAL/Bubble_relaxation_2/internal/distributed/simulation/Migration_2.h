@@ -24,6 +24,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -45,21 +46,35 @@ public:
   /// who owns what; it stays in one place
   const Hilbert_partition_2& partition() const { return *m_partition; }
 
-  /// Collective. Whether a rank has so many more bubbles than the mean that all should migrate.
-  bool is_due(const Bubbles_2& bubbles) const { return is_unbalanced(bubbles, too_many); }
-
-  /// Collective. Cuts the curve anew so that each rank has as many bubbles, if that is worth while. When bubbles
-  /// migrate often it is so less often.
-  void balance(const Bubbles_2& bubbles, bool is_often)
+  /// notes how many bubbles took part in a step, here and on all ranks
+  void note_step(std::int64_t awake, std::int64_t all_awake)
   {
-    if (!is_unbalanced(bubbles, is_often ? too_many : many))
-      return;
-    std::vector<Hilbert_curve_2::Key> keys;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (is_here(bubbles, i))
-        keys.push_back(m_partition->curve().key(bubbles.x[i], bubbles.y[i]));
-    std::sort(keys.begin(), keys.end());
-    *m_partition = even_partition(m_comm, m_partition->curve(), keys);
+    constexpr double usual = 1.1; // times the mean
+    m_excess = (std::max)(0., m_excess + double(awake) - usual * double(all_awake) / m_comm.size());
+  }
+
+  /// Whether others have waited so long for this rank since the last migration that all should migrate. `all`: how many
+  /// bubbles there are
+  bool is_waited_for(std::int64_t all) const
+  {
+    constexpr double few = 50; // more bubbles than that make no difference
+    return m_excess > m_patience * (double(all) / m_comm.size() + few);
+  }
+
+  /// Collective. Cuts the curve anew so that as many moves are to come on each rank, about, if that is worth while.
+  void balance(const Simulation_2& simulation, const Bubbles_2& bubbles)
+  {
+    balance(bubbles, many, [&](std::size_t i) {
+      return simulation.memory(static_cast<Index>(i)).is_active != 0 ? moves_of_awake : 1;
+    });
+    m_excess = 0;
+    m_patience = (std::min)(1.25 * m_patience, most_patience);
+  }
+
+  /// The same so that each rank has as many bubbles. `most`: there may be so many times more than the mean on one
+  void balance(const Bubbles_2& bubbles, double most = many) const
+  {
+    balance(bubbles, most, [](std::size_t) { return std::int64_t(1); });
   }
 
   /// Collective. Brings each bubble to the rank that owns its place now, and what the simulation knows of it.
@@ -96,8 +111,14 @@ public:
   }
 
 private:
-  /// more bubbles than the mean: so many that all migrate, and so many that they migrate to other parts if they do
-  static constexpr double too_many = 1.1, many = 1.01;
+  static constexpr double many = 1.01; // times the mean
+
+  /// A migration takes as long as so many moves of each bubble. The first one is not put off until others have waited
+  /// as long, since nobody knows how many moves will come; each next one is put off a bit longer than the last.
+  static constexpr double most_patience = 8;
+
+  /// How often a bubble that is awake will still move, about; one that sleeps does so once, when all are roused.
+  static constexpr std::int64_t moves_of_awake = 40;
 
   /// How many bubbles there are, and the sum of their numbers modulo 2^64, before and after a migration, which may not
   /// change these for all ranks together.
@@ -114,19 +135,36 @@ private:
 
   static bool is_here(const Bubbles_2& bubbles, std::size_t i) { return bubbles.is_ours(i) && !bubbles.is_gone(i); }
 
-  /// Collective. Whether a rank has so many times more bubbles than the mean that others wait for it.
-  bool is_unbalanced(const Bubbles_2& bubbles, double most) const
+  /// `work(i)`: of a bubble
+  template <class Work>
+  void balance(const Bubbles_2& bubbles, double most, const Work& work) const
   {
-    const double few = 160 * (most - 1); // bubbles more than that make no difference
-    std::int64_t n = 0;
+    std::vector<std::pair<Hilbert_curve_2::Key, std::int64_t>> places;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
-      n += is_here(bubbles, i);
-    return double(m_comm.largest(n)) > most * double(m_comm.sum(n)) / m_comm.size() + few;
+      if (is_here(bubbles, i))
+        places.emplace_back(m_partition->curve().key(bubbles.x[i], bubbles.y[i]), work(i));
+    std::sort(places.begin(), places.end());
+    std::vector<std::int64_t> before(1, 0); // the work of all before
+    for (const auto& place : places)
+      before.push_back(before.back() + place.second);
+    if (is_unbalanced(before.back(), most))
+      *m_partition = even_partition(
+        m_comm, m_partition->curve(), places, [](const auto& place) { return place.first; },
+        [&before](std::int64_t n) { return before[static_cast<std::size_t>(n)]; });
+  }
+
+  /// Collective. Whether a rank has so many times more work than the mean that others wait for it.
+  bool is_unbalanced(std::int64_t work, double most) const
+  {
+    const double few = 160 * (most - 1); // more than that makes no difference
+    return double(m_comm.largest(work)) > most * double(m_comm.sum(work)) / m_comm.size() + few;
   }
 
   Communicator& m_comm;
   Traffic_2& m_traffic;
   std::unique_ptr<Hilbert_partition_2> m_partition;
+  double m_excess = 0;     // moves here, more than usual, since the last migration
+  double m_patience = 0.3; // until the next one, in moves of each bubble
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -113,8 +113,8 @@ public:
         triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
   }
 
-  void share(std::vector<char>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
-  void share(std::vector<double>& values) override { share_values(m_comm, m_halo.sent(), m_halo.received(), values); }
+  void share(std::vector<char>& values) override { m_halo.lists().share(m_comm, values); }
+  void share(std::vector<double>& values) override { m_halo.lists().share(m_comm, values); }
 
   /// \pre they are sorted along the curve
   void number(Bubbles_2& inserted) override

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -133,8 +134,6 @@ public:
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.id[i] >= first_new && !bubbles.is_ours(i))
         simulation.wake_around(static_cast<Index>(i));
-    if (m_migration.is_due(bubbles))
-      m_is_outgrown = m_is_far_from_home = true; // all migrate before the next step
   }
 
   std::size_t number_of_all(const Bubbles_2&) const override { return static_cast<std::size_t>(m_number_of_all); }
@@ -166,6 +165,7 @@ public:
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving) override
   {
     count_step();
+    m_awake = static_cast<std::int64_t>(active.size());
     if (!m_interval.is_used())
       m_moves.send(m_halo, b, active, is_moving);
   }
@@ -187,16 +187,20 @@ public:
   Step_sums sum(const Step_sums& sums) override
   {
     const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
-    const bool is_far_here = m_is_far_here || (!m_interval.is_used() && m_halo.has_gone_far());
-    std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless),
+    const bool is_far_here =
+      m_is_far_here ||
+      (!m_interval.is_used() && (m_halo.has_gone_far() || m_migration.is_waited_for(m_number_of_all)));
+    std::array<std::int64_t, 7> values{static_cast<std::int64_t>(sums.restless),
                                        static_cast<std::int64_t>(sums.outrun), m_comm.has_failed(),
-                                       !m_outgrown.empty() || is_far_here, is_far_here, is_stale};
+                                       !m_outgrown.empty() || is_far_here, is_far_here, is_stale, m_awake};
     m_comm.reduce_each(values, MPI_SUM);
     if (values[2] != 0)
       m_comm.agree();
     m_is_outgrown = m_is_outgrown || values[3] != 0; // until the next step
     m_is_far_from_home = m_is_far_from_home || values[4] != 0;
     m_is_far_here = false;
+    m_migration.note_step(m_awake, values[6]);
+    m_awake = 0;
     if (values[0] == 0 && values[5] != 0) { // they rest among others that may have moved
       m_interval.make_due();
       values[0] = 1;
@@ -210,6 +214,13 @@ public:
   bool is_outgrown() const override { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
 
   const Hilbert_partition_2& partition() const { return m_migration.partition(); }
+
+  /// Collective. Parts with as many bubbles each, for what comes after the simulation.
+  const Hilbert_partition_2& even_partition(const Bubbles_2& bubbles)
+  {
+    m_migration.balance(bubbles);
+    return partition();
+  }
 
   const Traffic_2& traffic() const { return m_traffic; }
 
@@ -322,23 +333,35 @@ private:
   /// the same; neighbour sets that are not what references tell go with their bubbles
   void migrate_with_sets(Simulation_2& simulation, Bubbles_2& bubbles)
   {
-    m_migration.balance(bubbles, m_interval.is_used());
+    balance(simulation, bubbles);
     Numbered_sets messages;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_ours(i) && !bubbles.is_gone(i))
         messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
-                     static_cast<Index>(i));
+                     static_cast<Index>(i), [](Index) { return true; });
     messages.send(m_comm);
     m_migration.send_home(simulation, bubbles);
     look_for_ghosts(simulation, bubbles);
     std::vector<std::vector<Index>> sets(bubbles.size());
-    messages.for_each(bubbles, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
+    std::unordered_map<std::int64_t, Index> indices;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      indices[bubbles.id[i]] = static_cast<Index>(i);
+    messages.for_each(bubbles, indices, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
     simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
+  }
+
+  /// with the paper's protocol bubbles migrate often, and so less often to other parts
+  void balance(const Simulation_2& simulation, const Bubbles_2& bubbles)
+  {
+    if (m_interval.is_used())
+      m_migration.balance(bubbles, 1.1);
+    else
+      m_migration.balance(simulation, bubbles);
   }
 
   void migrate(Simulation_2& simulation, Bubbles_2& bubbles)
   {
-    m_migration.balance(bubbles, m_interval.is_used());
+    balance(simulation, bubbles);
     m_migration.send_home(simulation, bubbles);
   }
 
@@ -352,6 +375,7 @@ private:
   Stage_messages_2 m_stages;
   Population_team_2 m_population;
   std::int64_t m_number_of_all = 0; // that ever were
+  std::int64_t m_awake = 0;         // in this step, here
   bool m_may_be_stopped, m_has_population, m_is_outgrown = false, m_is_far_here = false,
        m_is_far_from_home = false;
   std::vector<Index> m_others;

@@ -51,8 +51,9 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
   if (traffic)
     *traffic = team.traffic();
   remove_confusing_of_ours(comm, problem.domain, bubbles);
-  return Placed_part_2{bring_home_and_number(comm, team.partition(), team.population().next_number(), std::move(bubbles)),
-                       team.partition()};
+  const Hilbert_partition_2& partition = team.even_partition(bubbles);
+  return Placed_part_2{bring_home_and_number(comm, partition, team.population().next_number(), std::move(bubbles)),
+                       partition};
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -15,11 +15,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
 #include <algorithm>
 #include <array>
@@ -36,8 +33,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 struct Mesh_piece_2
 {
   Distributed_mesh_2 mesh;
-  Messages<Index> sent;     ///< own bubbles that other ranks have, in the order of their numbers
-  Messages<Index> received; ///< others' bubbles that this rank has, in the same order as there
+  Shared_lists shared; ///< bubbles, in the order of their numbers
 };
 
 /// Collective. Each rank tells the others which of their bubbles it knows.
@@ -45,16 +41,15 @@ inline void link_with_others(Communicator& comm, Mesh_piece_2& piece)
 {
   const Bubbles_2& known = piece.mesh.bubbles;
   Messages<std::int64_t> wanted;
-  piece.sent.clear();
-  piece.received.clear();
+  piece.shared = {};
   for (std::size_t i = 0; i < known.size(); ++i)
     if (!known.is_ours(i)) {
       wanted[known.owner[i]].push_back(known.id[i]);
-      piece.received[known.owner[i]].push_back(static_cast<Index>(i));
+      piece.shared.received[known.owner[i]].push_back(static_cast<Index>(i));
     }
   for (const auto& message : deliver(comm, wanted))
     for (std::int64_t number : message.second)
-      piece.sent[message.first].push_back(known.index_of(number));
+      piece.shared.sent[message.first].push_back(known.index_of(number));
 }
 
 /// how many bubbles of a triangle are of this rank
@@ -167,155 +162,73 @@ inline bool forget_doubtful(const std::vector<Index>& beside_others, Border_cert
   return true;
 }
 
-/// Gives each rank the triangles around its own ones. A bubble goes to the ranks with a part of a disc around it,
-/// and to those with a neighbour of it; of the other ranks' triangles those count whose vertices all came so. Own
-/// bubbles and triangles stay where they are in memory, as far as others do not come before them.
-class Mesh_widening_2
+/// the numbers of the vertices of a triangle, in order
+using Numbers_of_triangle = std::array<std::int64_t, 3>;
+
+inline Numbers_of_triangle sorted_numbers(const Bubbles_2& bubbles, const std::array<Index, 3>& vertices)
 {
-public:
-  /// \pre the edges of `mesh` are labelled, and its final triangles are right
-  Mesh_widening_2(Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition, Communicator& comm)
-    : m_partition(partition), m_comm(comm), m_piece{std::move(mesh), {}, {}}, m_mesh(m_piece.mesh)
-  {}
+  Numbers_of_triangle result{bubbles.id[vertices[0]], bubbles.id[vertices[1]], bubbles.id[vertices[2]]};
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
-  Mesh_widening_2(const Mesh_widening_2&) = delete;
-  Mesh_widening_2& operator=(const Mesh_widening_2&) = delete;
-
-  /// Collective. To be called once. `reach`: the radius of the discs in units of the bubbles' sizes.
-  Mesh_piece_2 operator()(double reach)
-  {
-    Messages<Bubble_record_2> bubbles;
-    Messages<Triangle> triangles;
-    find_takers(reach);
-    tell(bubbles, triangles);
-    take_in(deliver(m_comm, bubbles));
-    replace_triangles(deliver(m_comm, triangles));
-    m_mesh.mark_triangles(m_comm.rank());
-    link_with_others(m_comm, m_piece);
-    return std::move(m_piece);
+/// Collective. The triangles that others own around this rank's part, sorted: each rank tells of its own ones.
+inline std::vector<Numbers_of_triangle> triangles_around_part(Communicator& comm, const Distributed_mesh_2& mesh,
+                                                              const Hilbert_partition_2& partition, double reach)
+{
+  const Bubbles_2& b = mesh.bubbles;
+  Messages<Numbers_of_triangle> out;
+  Clearance_2 clearance(partition, comm.rank());
+  for (std::size_t t = 0; t < mesh.is_owned.size(); ++t) {
+    const Index first = mesh.is_owned[t] ? mesh.first_vertex(t) : no_index;
+    if (first != no_index)
+      for (int rank : clearance.others_in_disc(b.x[first], b.y[first], reach * b.d[first]))
+        out[rank].push_back(sorted_numbers(b, mesh.triangles.vertices[t]));
   }
+  std::vector<Numbers_of_triangle> result;
+  for (const auto& message : deliver(comm, out))
+    result.insert(result.end(), message.second.begin(), message.second.end());
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
-private:
-  struct Triangle
-  {
-    std::array<std::int64_t, 3> vertices; // numbers
-    std::array<Index, 3> edges;
-  };
-
-  bool is_own(Index v) const { return m_mesh.bubbles.owner[v] == m_comm.rank(); }
-
-  /// the other ranks that have to know own bubbles
-  void find_takers(double reach)
-  {
-    const Bubbles_2& b = m_mesh.bubbles;
-    m_takers.resize(m_mesh.bubbles.size());
-    Clearance_2 clearance(m_partition, m_comm.rank());
-    for (std::size_t i = 0; i < m_mesh.bubbles.size(); ++i)
-      if (is_own(static_cast<Index>(i)))
-        for (int rank : clearance.others_in_disc(b.x[i], b.y[i], reach * b.d[i]))
-          m_takers.add_once(static_cast<Index>(i), rank);
-    for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
-      if (m_mesh.is_final[t])
-        find_takers_beside(m_mesh.triangles.vertices[t]);
-  }
-
-  /// own vertices of a triangle with others
-  void find_takers_beside(const std::array<Index, 3>& vertices)
-  {
-    const std::vector<std::int32_t>& owners = m_mesh.bubbles.owner;
-    if (owners[vertices[0]] == owners[vertices[1]] && owners[vertices[0]] == owners[vertices[2]])
-      return;
+/// Forgets others' bubbles that no triangle has.
+inline void forget_lonely_ghosts(Bubble_mesh_2& mesh)
+{
+  std::vector<char> is_left(mesh.bubbles.size(), 0);
+  for (std::size_t i = 0; i < is_left.size(); ++i)
+    is_left[i] = mesh.bubbles.is_ours(i);
+  for (const std::array<Index, 3>& vertices : mesh.triangles.vertices)
     for (Index v : vertices)
-      for (Index w : vertices)
-        if (is_own(v) && !is_own(w))
-          m_takers.add_once(v, owners[w]);
-  }
+      is_left[v] = 1;
+  const std::vector<Index> left = marked(is_left);
+  std::vector<Index> number(is_left.size(), no_index);
+  for (std::size_t k = 0; k < left.size(); ++k)
+    number[left[k]] = static_cast<Index>(k);
+  for (std::array<Index, 3>& vertices : mesh.triangles.vertices)
+    for (Index& v : vertices)
+      v = number[v];
+  mesh.bubbles.select(left);
+}
 
-  void tell(Messages<Bubble_record_2>& bubbles, Messages<Triangle>& triangles)
-  {
-    const Bubbles_2& known = m_mesh.bubbles;
-    for (std::size_t i = 0; i < known.size(); ++i)
-      for (int rank : m_takers[static_cast<Index>(i)])
-        bubbles[rank].push_back(record(known, i));
-    for (std::size_t t = 0; t < m_mesh.is_owned.size(); ++t) {
-      const Index first = m_mesh.first_vertex(t);
-      if (!m_mesh.is_owned[t] || m_takers.is_empty(first))
-        continue;
-      const std::array<Index, 3>& v = m_mesh.triangles.vertices[t];
-      for (int rank : m_takers[first])
-        triangles[rank].push_back(Triangle{{known.id[v[0]], known.id[v[1]], known.id[v[2]]},
-                                           m_mesh.triangles.edges[t]});
-    }
-  }
-
-  /// Keeps own bubbles and takes in others', all in the order of their numbers.
-  void take_in(const Messages<Bubble_record_2>& others)
-  {
-    Bubbles_2& known = m_mesh.bubbles;
-    const Index before = static_cast<Index>(known.size());
-    std::vector<Index> order;
-    order.reserve(known.size());
-    for (Index i = 0; i < before; ++i)
-      if (is_own(i))
-        order.push_back(i);
-    const std::size_t own = order.size();
-    for (const auto& message : others)
-      for (const Bubble_record_2& r : message.second) {
-        order.push_back(static_cast<Index>(known.size()));
-        internal::add(known, r, message.first);
-      }
-    merge_tail(order, own, [&known](Index i, Index j) { return known.id[i] < known.id[j]; });
-    std::vector<std::pair<Index, std::int64_t>> ghosts; // that were known before
-    for (Index i = 0; i < before; ++i)
-      if (!is_own(i))
-        ghosts.emplace_back(i, known.id[i]);
-    m_place.assign(known.size(), no_index);
-    for (std::size_t k = 0; k < order.size(); ++k)
-      m_place[order[k]] = static_cast<Index>(k);
-    known.select(order);
-    for (const auto& ghost : ghosts)
-      m_place[ghost.first] = known.index_of(ghost.second);
-  }
-
-  /// in the place of those without own bubbles come such that their owners tell
-  void replace_triangles(const Messages<Triangle>& received)
-  {
-    Marked_triangles_2& m = m_mesh.triangles;
-    for (std::array<Index, 3>& vertices : m.vertices)
-      for (Index& v : vertices)
-        v = m_place[v];
-    std::vector<New_triangle_2> made;
-    for (const auto& message : received)
-      for (const Triangle& t : message.second) {
-        const Bubbles_2& b = m_mesh.bubbles;
-        const std::array<Index, 3> v{b.index_of(t.vertices[0]), b.index_of(t.vertices[1]), b.index_of(t.vertices[2])};
-        // else it has an own vertex, or one that is too far away
-        if (std::all_of(v.begin(), v.end(), [this](Index i) { return i != no_index && !is_own(i); }))
-          made.push_back(New_triangle_2{v, t.edges});
-      }
-    std::vector<Index> old;
-    for (std::size_t t = 0; t < m_mesh.is_final.size(); ++t)
-      if (!m_mesh.is_final[t])
-        old.push_back(static_cast<Index>(t));
-    Mesh_stitching_2 stitching(m_mesh);
-    stitching.replace(old, {});
-    stitching.forget_triangles(); // first: the order in which own ones are given to users stays
-    for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
-      stitching.open(static_cast<Index>(t));
-    internal::make_room_for(made.size(), m.vertices);
-    internal::make_room_for(made.size(), m.neighbors);
-    internal::make_room_for(made.size(), m.edges);
-    internal::make_room_for(made.size(), m.inside);
-    stitching.replace({}, made);
-  }
-
-  const Hilbert_partition_2& m_partition;
-  Communicator& m_comm;
-  Lists_of_few<int> m_takers; // the other ranks that have to know a bubble
-  Mesh_piece_2 m_piece;
-  Distributed_mesh_2& m_mesh; // of the piece
-  std::vector<Index> m_place; // of each bubble that was there or came
-};
+/// Collective. The triangles of a mesh that the whole has, too: own ones, and those that others own and told of. \pre
+/// the edges are labelled; each rank got bubbles with this `reach` for the mesh
+inline Mesh_piece_2 piece_of_whole(Communicator& comm, Distributed_mesh_2&& mesh, const Hilbert_partition_2& partition,
+                                   double reach)
+{
+  const auto around = triangles_around_part(comm, mesh, partition, reach);
+  Mesh_piece_2 piece{std::move(mesh), {}};
+  Distributed_mesh_2& m = piece.mesh;
+  keep_triangles(m.triangles, [&](std::size_t t) {
+    return m.is_final[t] != 0 ||
+           (m.triangles.inside[t] != 0 &&
+            std::binary_search(around.begin(), around.end(), sorted_numbers(m.bubbles, m.triangles.vertices[t])));
+  });
+  forget_lonely_ghosts(m);
+  m.mark_triangles(comm.rank());
+  link_with_others(comm, piece);
+  return piece;
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

@@ -21,6 +21,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,31 +30,18 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The ranks that treat the defects of a mesh together, see `Team`. Each treats its own vertices, and
 /// moves those of others as it is told. Its piece of the mesh gets narrower with each sweep, by what bubbles that it
-/// does not know may have changed; when triangles around its own vertices are concerned, it knows too little.
+/// does not know may have changed; when triangles around its own vertices are concerned, the pieces are made anew.
 class Treatment_team_2 : public Team
 {
 public:
-  Treatment_team_2(Communicator& comm, const Mesh_piece_2& piece)
-    : m_comm(comm), m_piece(piece), m_targets(piece.mesh.bubbles.size()),
-      m_beside_others(triangles_beside_others(piece.mesh)),
-      m_certificate(piece.mesh), m_was_moved(piece.mesh.bubbles.size(), 0)
+  /// `renew`: makes the pieces of all ranks anew from where their bubbles are
+  Treatment_team_2(Communicator& comm, Mesh_piece_2& piece, std::function<void()> renew)
+    : m_comm(comm), m_piece(piece), m_renew(std::move(renew))
   {
-    for (const auto& list : piece.sent)
-      for (std::size_t k = 0; k < list.second.size(); ++k)
-        m_targets.add(list.second[k], {list.first, static_cast<std::int32_t>(k)});
+    start();
   }
 
   bool is_alone() const override { return m_comm.size() == 1; }
-
-  bool goes_on_treating(bool here) override
-  {
-    const std::int32_t answer = m_comm.largest(std::int32_t(m_knows_too_little ? 2 : here ? 1 : 0));
-    m_has_failed = answer == 2;
-    return answer == 1;
-  }
-
-  /// Collective. Whether any rank knew too little: then what was done is worth nothing.
-  bool has_failed() const { return m_has_failed || m_comm.any(m_knows_too_little); }
 
   std::size_t largest_number(std::size_t here) const override
   {
@@ -61,7 +50,7 @@ public:
 
   bool any(bool here) const override { return m_comm.any(here); }
 
-  void share(std::vector<char>& values) override { share_values(m_comm, m_piece.sent, m_piece.received, values); }
+  void share(std::vector<char>& values) override { m_piece.shared.share(m_comm, values); }
 
   void share_moved(Bubble_mesh_2& mesh, const std::vector<Index>& moved, Undo_log_2& log) override
   {
@@ -69,9 +58,9 @@ public:
       return;
     Bubbles_2& b = mesh.bubbles;
     Messages<Move> out, in;
-    for (const auto& list : m_piece.sent)
+    for (const auto& list : m_piece.shared.sent)
       out[list.first];
-    for (const auto& list : m_piece.received)
+    for (const auto& list : m_piece.shared.received)
       in[list.first].resize(list.second.size());
     for (Index v : moved)
       for (const auto& target : m_targets[v])
@@ -79,7 +68,7 @@ public:
     deliver_expected(m_comm, out, in);
     for (const auto& message : in)
       for (const Move& m : message.second) {
-        const Index v = m_piece.received.at(message.first)[m.position];
+        const Index v = m_piece.shared.received.at(message.first)[m.position];
         log.note(Undo_log_2::vertex(b, v));
         b.host[v] = m.host;
         b.x[v] = m.x;
@@ -90,17 +79,28 @@ public:
       }
   }
 
-  void restore_border(Editable_triangulation_2& mesh) override
+  bool restore_border(Editable_triangulation_2& mesh, Undo_log_2& log, std::vector<Index>& moved,
+                      std::vector<char>& was_moved) override
   {
     follow_flips(mesh);
     if (is_alone())
-      return;
+      return false;
     for (Index t : m_beside_others)
       if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
         mesh.restore_delaunay_around(t);
     follow_flips(mesh);
-    m_knows_too_little =
-      !forget_doubtful(m_beside_others, m_certificate, mesh) || m_knows_too_little;
+    if (!m_comm.any(!forget_doubtful(m_beside_others, *m_certificate, mesh)))
+      return false;
+    renew(log, moved, was_moved);
+    return true;
+  }
+
+  /// Makes the piece what it was at first if it was made anew since; returns whether it was.
+  bool undo()
+  {
+    if (m_before)
+      m_piece = *std::move(m_before);
+    return m_before.has_value();
   }
 
   void add_neighbors_of_others(const Editable_triangulation_2& mesh, std::vector<Index>& result) override
@@ -122,6 +122,45 @@ public:
   const std::vector<Index>& changed_triangles() const { return m_beside_others; }
 
 private:
+  void start()
+  {
+    const std::size_t n = m_piece.mesh.bubbles.size();
+    m_targets = Lists_of_few<std::pair<int, std::int32_t>>(n);
+    for (const auto& list : m_piece.shared.sent)
+      for (std::size_t k = 0; k < list.second.size(); ++k)
+        m_targets.add(list.second[k], {list.first, static_cast<std::int32_t>(k)});
+    m_beside_others = triangles_beside_others(m_piece.mesh);
+    m_certificate.emplace(m_piece.mesh);
+    m_was_moved.assign(n, 0);
+    m_moved.clear();
+  }
+
+  void renew(Undo_log_2& log, std::vector<Index>& moved, std::vector<char>& was_moved)
+  {
+    const Bubbles_2& b = m_piece.mesh.bubbles;
+    std::vector<std::int64_t> moved_now, moved_ever;
+    for (Index v : moved)
+      moved_now.push_back(b.id[v]);
+    for (Index v : marked(was_moved))
+      moved_ever.push_back(b.id[v]);
+    if (!m_before)
+      log.undo(m_before.emplace(m_piece).mesh);
+    log = Undo_log_2();
+    m_renew();
+    start();
+    std::transform(moved_now.begin(), moved_now.end(), moved.begin(),
+                   [&b](std::int64_t number) { return b.index_of(number); });
+    was_moved.assign(b.size(), 0);
+    for (std::int64_t number : moved_ever)
+      was_moved[b.index_of(number)] = 1;
+    for (Index v : moved)
+      m_was_moved[v] = 1;
+    share(m_was_moved);
+    for (Index v : moved)
+      m_was_moved[v] = 0;
+    m_moved = marked(m_was_moved);
+  }
+
   struct Move
   {
     std::int32_t position;
@@ -142,14 +181,15 @@ private:
   }
 
   Communicator& m_comm;
-  const Mesh_piece_2& m_piece;
+  Mesh_piece_2& m_piece;
+  const std::function<void()> m_renew;
+  std::optional<Mesh_piece_2> m_before; // the first that was made anew
   /// of each own bubble: the ranks that know it, and its position in the lists of both
   Lists_of_few<std::pair<int, std::int32_t>> m_targets;
   std::vector<Index> m_beside_others; // triangles, and all that were flipped, wherever they are
-  Border_certificate_2 m_certificate;
+  std::optional<Border_certificate_2> m_certificate;
   std::vector<char> m_was_moved; // of others' bubbles, in this sweep
   std::vector<Index> m_moved;    // those
-  bool m_knows_too_little = false, m_has_failed = false;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

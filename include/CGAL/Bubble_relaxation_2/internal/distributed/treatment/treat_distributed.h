@@ -26,29 +26,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the mesh
-/// that is wider than its own triangles; if that was not wide enough, all begin again with a wider one.
+/// that is wider than its own triangles and gets narrower with what is done; when nothing wider is left, the pieces are
+/// made anew from where the bubbles are then.
 class Distributed_treatment_2
 {
 public:
-  /// `first_reach`: how much wider the pieces are at first, in units of d \pre it is positive
+  /// `reach`: how much wider the pieces are, in units of d \pre it is positive
   Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, Communicator& comm,
-                          double first_reach = usual_reach)
-    : m_domain(domain), m_partition(partition), m_comm(comm), m_first_reach(first_reach)
+                          double reach = usual_reach)
+    : m_domain(domain), m_partition(partition), m_comm(comm), m_reach(reach)
   {}
 
   /// Collective. The mesh of all ranks' bubbles, each of which is at home.
-  Distributed_mesh_2 triangulate(const Bubbles_2& own) const
-  {
-    Distributed_mesh_2 mesh = distributed_triangulate(m_domain, own, m_partition, m_comm);
-    label_edges(mesh.triangles);
-    return mesh;
-  }
+  Distributed_mesh_2 triangulate(const Bubbles_2& own) const { return triangulate(own, m_reach, 0); }
 
   /// Collective.
   double smallest_quality(const Distributed_mesh_2& mesh) const
@@ -76,13 +73,12 @@ public:
     double smallest = smallest_quality(mesh);
     if (smallest >= treated_quality)
       return counts;
-    Treated_piece piece{Mesh_piece_2{std::move(mesh), {}, {}}, m_first_reach, false};
-    widen(piece);
+    Mesh_piece_2 piece = piece_of_whole(m_comm, std::move(mesh), m_partition, m_reach);
     counts.treated = smooth(piece, smallest, sweeps_before_surgery);
     if (may_operate)
       operate(piece, smallest, counts);
     counts.treated += smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps);
-    mesh = std::move(piece.piece.mesh);
+    mesh = std::move(piece.mesh);
     return counts;
   }
 
@@ -96,68 +92,66 @@ private:
   static constexpr double treated_quality = Smoothing_sweeps_2::treated_quality;
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
 
-  enum class Smoothing { KEPT, TAKEN_BACK, TOO_NARROW };
-
-  /// a piece, which gets narrower with what is done to it
-  struct Treated_piece
+  Distributed_mesh_2 triangulate(const Bubbles_2& own, double reach, double stray) const
   {
-    Mesh_piece_2 piece;
-    double reach;
-    bool is_as_wide; ///< as `reach` says
-    bool has_changed_outline = false; ///< by surgery
-  };
-
-  /// makes it as wide as it was meant to be; if it is so and that is too narrow, twice as wide
-  void widen(Treated_piece& p) const
-  {
-    if (p.is_as_wide)
-      p.reach *= 2;
-    p.piece = Mesh_widening_2(std::move(p.piece.mesh), m_partition, m_comm)(p.reach);
-    p.is_as_wide = true;
-    ++p.piece.mesh.number_of_widenings;
+    Distributed_mesh_2 mesh = distributed_triangulate(m_domain, own, m_partition, m_comm, reach, stray);
+    label_edges(mesh.triangles);
+    return mesh;
   }
 
-  /// moves vertices; returns how many were moved
-  std::size_t smooth(Treated_piece& p, double& smallest, int most_sweeps) const
+  /// Makes pieces that are too narrow from where all bubbles are.
+  void renew(Mesh_piece_2& piece, double reach) const
   {
-    std::size_t number = 0;
-    if (smallest >= treated_quality)
-      return number;
-    for (;; widen(p)) {
-      const Smoothing result = try_to_smooth(p, smallest, most_sweeps, number);
-      if (result == Smoothing::TOO_NARROW)
+    const std::size_t renewals = piece.mesh.number_of_renewals;
+    const Bubbles_2 own = own_bubbles(piece.mesh, m_comm.rank());
+    piece = piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(own)), m_partition, reach);
+    piece.mesh.number_of_renewals = renewals + 1;
+  }
+
+  /// how far from the part of its owner a bubble is at most, on any rank, or a bit more
+  double farthest_stray(const Bubbles_2& own) const
+  {
+    double farthest = 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (m_partition.owner(own.x[i], own.y[i]) == m_comm.rank())
         continue;
-      p.is_as_wide = p.is_as_wide && result == Smoothing::TAKEN_BACK;
-      return number;
+      double radius = 0.1 * own.d[i];
+      for (bool is_near = false; !is_near; radius *= 2) {
+        const auto ranks = m_partition.owners_in_disc(own.x[i], own.y[i], radius);
+        is_near = std::binary_search(ranks.begin(), ranks.end(), m_comm.rank());
+      }
+      farthest = (std::max)(farthest, radius); // twice that of the disc, beside which the part may be
     }
+    return m_comm.largest(farthest);
   }
 
-  /// Moves vertices, unless the mesh gets worse by that or a rank knows too little.
-  Smoothing try_to_smooth(Treated_piece& p, double& smallest, int most_sweeps, std::size_t& number) const
+  /// moves vertices, unless the mesh gets worse by that; returns how many were moved
+  std::size_t smooth(Mesh_piece_2& piece, double& smallest, int most_sweeps) const
   {
-    Distributed_mesh_2& mesh = p.piece.mesh;
-    Bubbles_2& bubbles = mesh.bubbles;
-    Treatment_team_2 team(m_comm, p.piece);
+    if (smallest >= treated_quality)
+      return 0;
+    Distributed_mesh_2& mesh = piece.mesh;
+    Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
     Smoothing_sweeps_2 treat(m_domain, mesh, team);
-    const std::vector<Index> moved = treat(most_sweeps);
-    if (team.has_failed()) {
-      treat.undo();
-      ++mesh.number_of_failed_treatments;
-      return Smoothing::TOO_NARROW;
+    std::vector<Index> moved;
+    double smallest_now = -1;
+    try {
+      moved = treat(most_sweeps);
+      mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
+      smallest_now = smallest_quality(mesh);
+    } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
     }
-    mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
-    const double smallest_now = smallest_quality(mesh);
     const bool moves_outline =
-      std::any_of(moved.begin(), moved.end(), [&](Index v) { return bubbles.is_on_edge(v); });
+      std::any_of(moved.begin(), moved.end(), [&](Index v) { return mesh.bubbles.is_on_edge(v); });
     // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
     if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
-      treat.undo();
-      mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
-      return Smoothing::TAKEN_BACK;
+      if (!team.undo())
+        treat.undo();
+      mesh.mark_triangles(m_comm.rank());
+      return 0;
     }
     smallest = smallest_now;
-    number = static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
-    return Smoothing::KEPT;
+    return static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
   }
 
   bool has_valid_outline(const Distributed_mesh_2& mesh) const
@@ -170,55 +164,55 @@ private:
     return triangulate_outline(m_domain, bubbles, outline);
   }
 
-  void operate(Treated_piece& piece, double& smallest, Treatment_counts& counts) const
+  void operate(Mesh_piece_2& piece, double& smallest, Treatment_counts& counts) const
   {
     if (smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
     Treatment_counts changes;
-    std::optional<Treated_piece> last;
-    for (double bad_quality : bad_qualities) {
-      std::optional<Treated_piece> next = operate_once(last ? *last : piece, bad_quality, changes);
-      if (!next)
-        break;
-      last = std::move(next);
+    Mesh_piece_2 last = piece;
+    bool has_changed_outline = false;
+    double smallest_now = -1;
+    try {
+      for (double bad_quality : bad_qualities)
+        if (!operate_once(last, bad_quality, changes, has_changed_outline))
+          break;
+      smallest_now = smallest_quality(last.mesh);
+    } catch (const std::runtime_error&) { // the same
     }
-    if (!last)
-      return;
-    const double smallest_now = smallest_quality(last->piece.mesh);
     // rounding can make a mess of a change; then what was there is good
-    if (smallest_now < smallest || (m_comm.any(last->has_changed_outline) && !has_valid_outline(last->piece.mesh)))
+    if (changes.inserted + changes.deleted == 0 || smallest_now < smallest ||
+        (m_comm.any(has_changed_outline) && !has_valid_outline(last.mesh)))
       return;
     smallest = smallest_now;
-    piece = std::move(*last);
+    piece = std::move(last);
     counts += changes;
   }
 
-  /// inserts and deletes bubbles around bad triangles; returns nothing if there is nothing to be done
-  std::optional<Treated_piece> operate_once(Treated_piece& p, double bad_quality, Treatment_counts& counts) const
+  /// inserts and deletes bubbles around bad triangles; returns whether there was something to be done
+  bool operate_once(Mesh_piece_2& piece, double bad_quality, Treatment_counts& counts, bool& has_changed_outline) const
   {
-    const std::int64_t end = number_of_bubbles(p.piece.mesh);
-    for (;; widen(p)) {
-      Distributed_surgery_2 surgery(m_domain, p.piece, m_comm);
-      if (!surgery.find_patches(bad_quality))
-        continue;
-      const Patch_changes_2 changes = surgery.operate(end);
-      if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
-        return std::nullopt;
-      Treated_piece changed{p.piece, p.reach, false, p.has_changed_outline};
-      Piece_stitching_2 stitch(changed.piece, m_comm);
-      if (!stitch(changes, end))
-        continue;
-      changed.has_changed_outline = changed.has_changed_outline || stitch.has_changed_outline;
-      counts.inserted += static_cast<std::size_t>(surgery.number_of_insertions);
-      counts.deleted += static_cast<std::size_t>(surgery.number_of_deletions);
-      return changed;
+    std::optional<Distributed_surgery_2> surgery(std::in_place, m_domain, piece, m_comm);
+    for (double reach = m_reach; !surgery->find_patches(bad_quality); reach *= 2) { // they are cut off
+      renew(piece, reach);
+      surgery.emplace(m_domain, piece, m_comm);
     }
+    const std::int64_t end = number_of_bubbles(piece.mesh);
+    const Patch_changes_2 changes = surgery->operate(end);
+    if (surgery->number_of_insertions + surgery->number_of_deletions == 0)
+      return false;
+    counts.inserted += static_cast<std::size_t>(surgery->number_of_insertions);
+    counts.deleted += static_cast<std::size_t>(surgery->number_of_deletions);
+    Piece_stitching_2 stitch(piece, m_comm);
+    if (!stitch(changes, end))
+      renew(piece, m_reach);
+    has_changed_outline = has_changed_outline || stitch.has_changed_outline;
+    return true;
   }
 
   const Domain_2& m_domain;
   const Hilbert_partition_2& m_partition;
   Communicator& m_comm;
-  const double m_first_reach;
+  const double m_reach;
 };
 
 /// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all have

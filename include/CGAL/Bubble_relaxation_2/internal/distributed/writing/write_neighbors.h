@@ -59,7 +59,7 @@ public:
   Bubbles_with_ghosts_2 operator()()
   {
     insert_in_buckets(0);
-    Messages<Owned_record> out;
+    Messages<Bubble_record_2> out;
     tell_of_own(out);
     learn(deliver(m_comm, out));
     out.clear();
@@ -69,13 +69,7 @@ public:
   }
 
 private:
-  struct Owned_record
-  {
-    Bubble_record_2 bubble;
-    std::int32_t owner;
-  };
-
-  void tell_of_own(Messages<Owned_record>& out)
+  void tell_of_own(Messages<Bubble_record_2>& out)
   {
     constexpr double slack = 1 + 1e-9; // coordinates are rounded to cells of the curve
     const Bubbles_2& b = m_known;
@@ -85,7 +79,7 @@ private:
         tell(static_cast<Index>(i), rank, out);
   }
 
-  void tell_of_pairs(Messages<Owned_record>& out)
+  void tell_of_pairs(Messages<Bubble_record_2>& out)
   {
     const Bubbles_2& b = m_known;
     for (std::size_t k = m_result.number_of_own; k < b.size(); ++k) {
@@ -99,21 +93,21 @@ private:
   }
 
   /// once; neither ourselves, nor the owner of a bubble need be told
-  void tell(Index i, int rank, Messages<Owned_record>& out)
+  void tell(Index i, int rank, Messages<Bubble_record_2>& out)
   {
     if (rank == m_comm.rank() || rank == m_known.owner[i] || !m_told.insert({i, rank}).second)
       return;
-    const std::size_t k = static_cast<std::size_t>(i);
-    out[rank].push_back(Owned_record{record(m_known, k), m_known.owner[k]});
+    out[rank].push_back(record(m_known, static_cast<std::size_t>(i)));
+    out[rank].back().owner = m_known.owner[i];
   }
 
-  void learn(const Messages<Owned_record>& in)
+  void learn(const Messages<Bubble_record_2>& in)
   {
     const std::size_t first = m_known.size();
     for (const auto& message : in)
-      for (const Owned_record& r : message.second)
-        if (m_learnt.insert(r.bubble.id).second)
-          add(m_known, r.bubble, r.owner);
+      for (const Bubble_record_2& r : message.second)
+        if (m_learnt.insert(r.id).second)
+          add(m_known, r, r.owner);
     insert_in_buckets(first);
   }
 
