@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Default_adaptation_visitor_2.h>
+
+#include <functional>
+#include <optional>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// the options of a relaxation, with its threads
+template <class NamedParameters>
+Relaxation_options read_local_options(const NamedParameters& np)
+{
+  Relaxation_options options = read_options(np);
+  options.threads = threads_of<Concurrency<NamedParameters>>();
+  return options;
+}
+
+/// the user's sizes, if there are any
+template <class Cdt, class NamedParameters>
+std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
+{
+  using Point_2 = typename Cdt::Geom_traits::Point_2;
+  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value)
+    return Sizes_2(
+      checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
+  else
+    return std::nullopt;
+}
+
+template <class T>
+T& unwrapped(T& t)
+{
+  return t;
+}
+
+template <class T>
+T& unwrapped(const std::reference_wrapper<T>& t)
+{
+  return t.get();
+}
+
+/// a copy of the user's visitor, or a reference to it if that was given
+template <class Cdt, class NamedParameters>
+decltype(auto) visitor_of([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::visitor_t>::value)
+    return parameters::get_parameter(np, internal_np::visitor);
+  else
+    return Default_adaptation_visitor_2<Cdt>();
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_copy_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_write_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
+
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// What is to be done with a part of a triangulation. It refers to the user's vertices and parameters.
+template <class Cdt>
+class Part_input_2
+{
+public:
+  using Part = std::vector<typename Cdt::Face_handle>;
+
+  /// `sizes`: those that are wanted; by default those of the mesh
+  template <class Is_inside, class Is_pinned>
+  Part_input_2(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain, const Is_pinned& is_pinned,
+               const Relaxation_options& options, const std::optional<Sizes_2>& sizes)
+    : Part_input_2(cdt, Part_copy_2<Cdt>(cdt, part, is_in_domain), is_pinned, options, sizes)
+  {}
+
+  const Part_reading_2<Cdt>& reading() const { return m_reading; }
+
+  Problem_2 problem() const
+  {
+    return Problem_2{m_limits.cut ? *m_limits.domain : m_reading.domain, m_reading.given, m_options, m_wanted,
+                     m_limits.sizes, m_limits.cut.get(), &m_reading.domain};
+  }
+
+private:
+  template <class Is_pinned>
+  Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_pinned& is_pinned, const Relaxation_options& o,
+               const std::optional<Sizes_2>& sizes)
+    : m_options(o), m_reading(cdt, copy, is_pinned),
+      m_wanted(sizes ? no_finer_than_rim(m_reading.domain, *sizes, o.size_growth) : sizes_of_mesh(copy)),
+      m_limits(limit_by_outline(m_reading.domain, m_reading.given, m_wanted, o, o.limit_by_outline && sizes))
+  {
+    if (!m_options.placement_is_given) // then what fits of a mesh is kept
+      m_reading.look_around(copy);
+  }
+
+  Relaxation_options m_options;
+  Part_reading_2<Cdt> m_reading;
+  Sizes_2 m_wanted;
+  Limits_of_outline_2 m_limits;
+};
+
+/// Nodes that cannot be written have to go, until those can be that are left.
+template <class Cdt>
+void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_reading_2<Cdt>& reading,
+                   const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
+{
+  for (;;) {
+    const std::vector<Index> those = Part_write_2<Cdt>(cdt, part, reading, mesh).build();
+    if (those.empty())
+      return;
+    make_mesh_without(those, problem, mesh, report);
+  }
+}
+
+/// Meshes a part of a triangulation anew, and tells the visitor.
+template <class Cdt, class Visitor>
+void remesh_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
+                 Progress& progress, Visitor& visitor, Report& report)
+{
+  const Problem_2 problem = input.problem();
+  Bubble_mesh_2 mesh = make_mesh(problem, progress, report);
+  progress.report(1);
+  const Phase_timer timer(report.seconds.writing);
+  make_writable(cdt, part, input.reading(), problem, mesh, report);
+  using Vertices = std::vector<typename Cdt::Vertex_handle>;
+  const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh).removed_vertices();
+  visitor.before_change(part, removed);
+  Part_write_2<Cdt> write(cdt, part, input.reading(), mesh);
+  write.build();
+  const Vertices new_vertices = write.new_vertices();
+  const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
+  write.exchange();
+  visitor.while_both_exist(part, removed, new_faces, new_vertices);
+  write.finish();
+  visitor.after_change(new_faces, new_vertices);
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
