@@ -15,11 +15,21 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Whether faces are numbered as they are created, as in triangulations for meshes: no two may have one number.
+template <class Face, class = void>
+struct Has_time_stamp : std::false_type {};
+
+template <class Face>
+struct Has_time_stamp<Face, std::void_t<decltype(std::declval<Face&>().set_time_stamp(std::declval<Face&>().time_stamp()))>>
+  : std::true_type
+{};
 
 /// New faces of a triangulation that take the place of old ones, all at once. Until then new faces know each other and
 /// the old ones around them, but no old face or vertex knows a new one: what fails before is forgotten without a trace.
@@ -93,7 +103,8 @@ public:
     if (known != no_index)
       return m_copies[known];
     make_room_for(1, m_new);
-    const Face_handle f = enter(m_cdt.tds().create_face(old));
+    const Face_handle f = enter(m_cdt.tds().create_face());
+    copy_content(*old, *f);
     take(old);
     m_copies.back() = f;
     const std::array<Front, 3> front = m_front.count(&*old) > 0 ? m_front[&*old] : std::array<Front, 3>();
@@ -220,6 +231,18 @@ private:
     m_new_numbers.add(&*f);
     m_is_dropped.push_back(0);
     return f;
+  }
+
+  /// with what the user's face base carries
+  static void copy_content(const typename Cdt::Face& from, typename Cdt::Face& to)
+  {
+    if constexpr (Has_time_stamp<typename Cdt::Face>::value) {
+      const auto stamp = to.time_stamp();
+      to = from;
+      to.set_time_stamp(stamp);
+    } else {
+      to = from;
+    }
   }
 
   /// of the side `i` of a face in the face behind it, which need not know that it is there

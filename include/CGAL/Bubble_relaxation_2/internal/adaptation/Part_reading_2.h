@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_READING_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_READING_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_copy_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
 #include <cstddef>
@@ -26,7 +26,7 @@ public:
 
   /// `is_pinned(vertex)`: what the user pinned
   template <class Is_pinned>
-  Part_reading_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_pinned& is_pinned)
+  Part_reading_2(const Cdt& cdt, const Marked_copy_2& copy, const Is_pinned& is_pinned)
     : Read_domain_2(copy, Vertex_order<Cdt>::is_before())
   {
     for (std::size_t v = 0; v < m_is_pinned.size(); ++v)

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H
 
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
@@ -29,6 +30,24 @@ Relaxation_options read_local_options(const NamedParameters& np)
   Relaxation_options options = read_options(np);
   options.threads = threads_of<Concurrency<NamedParameters>>();
   return options;
+}
+
+/// when a face does not fit, as the user says
+template <class NamedParameters>
+Misfit_criteria read_misfit_criteria(const NamedParameters& np)
+{
+  Misfit_criteria c;
+  take(np, internal_np::longest_edge, c.longest_edge);
+  take(np, internal_np::shortest_edge, c.shortest_edge);
+  take(np, internal_np::misfit_angle, c.misfit_angle);
+  take_count(np, internal_np::number_of_rings, "number_of_rings", c.number_of_rings, 0, 1000000);
+  if (!(c.longest_edge > 1))
+    throw_invalid_parameter("longest_edge", c.longest_edge, "greater than 1");
+  if (!(c.shortest_edge >= 0 && c.shortest_edge < 1))
+    throw_invalid_parameter("shortest_edge", c.shortest_edge, "not negative and less than 1");
+  if (!(c.misfit_angle >= 0 && c.misfit_angle <= 33))
+    throw_invalid_parameter("misfit_angle", c.misfit_angle, "0 to 33 degrees");
+  return c;
 }
 
 /// the user's sizes, if there are any

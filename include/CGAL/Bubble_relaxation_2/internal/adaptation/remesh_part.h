@@ -10,14 +10,17 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_copy_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_write_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_defects.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_sizes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -75,16 +78,13 @@ void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
   }
 }
 
-/// Meshes a part of a triangulation anew, and tells the visitor.
+/// Puts the mesh of a part into the triangulation, and tells the visitor.
 template <class Cdt, class Visitor>
-void remesh_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
-                 Progress& progress, Visitor& visitor, Report& report)
+void write_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
+                Bubble_mesh_2 mesh, Visitor& visitor, Report& report)
 {
-  const Problem_2 problem = input.problem();
-  Bubble_mesh_2 mesh = make_mesh(problem, progress, report);
-  progress.report(1);
   const Phase_timer timer(report.seconds.writing);
-  make_writable(cdt, part, input.reading(), problem, mesh, report);
+  make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
   using Vertices = std::vector<typename Cdt::Vertex_handle>;
   const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh).removed_vertices();
   visitor.before_change(part, removed);
@@ -97,6 +97,78 @@ void remesh_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, c
   write.finish();
   visitor.after_change(new_faces, new_vertices);
 }
+
+/// What is to be done with a part of a triangulation, and how.
+template <class Cdt, class Is_inside, class Is_pinned>
+struct Part_task_2
+{
+  using Part = std::vector<typename Cdt::Face_handle>;
+
+  Cdt& cdt;
+  const Is_inside& is_in_domain;
+  const Is_pinned& is_pinned;
+  const Relaxation_options& options;
+  const std::optional<Sizes_2>& sizes;
+
+  /// Meshes a part anew.
+  template <class Visitor>
+  void remesh(const Part& part, Visitor& visitor, Report& report) const
+  {
+    const Part_input_2<Cdt> input = read(part, report);
+    Progress progress(options.callback, options.number_of_rounds);
+    Bubble_mesh_2 mesh = make_mesh(input.problem(), progress, report);
+    progress.report(1);
+    write_part(cdt, part, input, std::move(mesh), visitor, report);
+  }
+
+  /// The same. Where bad triangles are left at the rim, the part grows, and all is done once more.
+  template <class Visitor>
+  void adapt(Part part, Visitor& visitor, Report& report) const
+  {
+    constexpr int most_tries = 4;
+    Progress progress(options.callback, options.number_of_rounds);
+    for (int tries = 1;; ++tries) {
+      const Part_input_2<Cdt> input = read(part, report);
+      Report of_this_try;
+      of_this_try.seconds = report.seconds;
+      Bubble_mesh_2 mesh = make_mesh(input.problem(), progress, of_this_try);
+      report = of_this_try;
+      Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
+      if (larger.size() == part.size()) {
+        progress.report(1);
+        write_part(cdt, part, input, std::move(mesh), visitor, report);
+        return;
+      }
+      part.swap(larger);
+    }
+  }
+
+private:
+  Part_input_2<Cdt> read(const Part& part, Report& report) const
+  {
+    const Phase_timer timer(report.seconds.reading);
+    return Part_input_2<Cdt>(cdt, part, is_in_domain, is_pinned, options, sizes);
+  }
+
+  bool is_treated(const Report& report) const
+  {
+    return options.defect_treatment && report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK;
+  }
+
+  /// the part with more around its bad triangles
+  Part grown(const Part& part, const Part_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh) const
+  {
+    Part_growth_2<Cdt, Is_inside> growth(cdt, is_in_domain, part);
+    for (Index corner : rim_defects(reading.domain, mesh)) {
+      Part_growth_2<Cdt, Is_inside> around(cdt, is_in_domain, {});
+      around.add_star(reading.vertex(reading.graph->corners()[corner]));
+      around.add_rings(2);
+      for (auto f : around.faces())
+        growth.add(f);
+    }
+    return growth.faces();
+  }
+};
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
