@@ -48,6 +48,9 @@ public:
   }
 
 private:
+  /// Bubbles that are a little too dense stay so. Once that does not show, but many changes of a mesh would add up.
+  static constexpr double little = 1.1;
+
   template <class Is_pinned>
   Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_pinned& is_pinned, const Relaxation_options& o,
                const std::optional<Sizes_2>& sizes)
@@ -55,6 +58,7 @@ private:
       m_wanted(sizes ? no_finer_than_rim(m_reading.domain, *sizes, o.size_growth) : sizes_of_mesh(copy)),
       m_limits(limit_by_outline(m_reading.domain, m_reading.given, m_wanted, o, o.limit_by_outline && sizes))
   {
+    m_reading.given.largest_misfit = little;
     if (!m_options.placement_is_given) // then what fits of a mesh is kept
       m_reading.look_around(copy);
   }
