@@ -13,8 +13,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <map>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,8 @@ public:
   /// takes `w` out, which is between `u` and `v`; returns whether that can be done
   bool remove(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
+    while (peel_around(u, w, v))
+      ;
     m_corners.assign(1, v);
     m_sides.clear();
     Face_handle f = m_exchange.open_side(w, v).face;
@@ -63,6 +66,7 @@ public:
   /// puts `p` in between `u` and `v`
   void insert(Vertex_handle u, Vertex_handle p, Vertex_handle v)
   {
+    peel(m_exchange.open_side(u, v).face, Face_handle());
     const Side open = m_exchange.open_side(u, v);
     const Face_handle f = open.face;
     const int i = open.index;
@@ -81,6 +85,50 @@ public:
 
 private:
   bool is_infinite(Vertex_handle v) const { return m_cdt.is_infinite(v); }
+
+  /// Opens slivers at `w`, which is between `u` and `v`; returns whether there is one.
+  bool peel_around(Vertex_handle u, Vertex_handle w, Vertex_handle v)
+  {
+    for (Face_handle f = m_exchange.open_side(w, v).face;; f = m_exchange.across(f, Cdt::ccw(f->index(w)))) {
+      if (peel(f, Face_handle()))
+        return true;
+      const int i = f->index(w);
+      if (f->vertex(Cdt::cw(i)) == u || f->is_constrained(Cdt::ccw(i)))
+        return false;
+    }
+  }
+
+  /// Where vertices on an edge of the convex hull lie beside it by a rounding, slivers fill its dents. They have no room
+  /// for others: the hull is opened as far as a sliver is seen from beyond it, and made convex again later. Returns
+  /// whether `f` is a sliver that was opened. `from`: where not to look
+  bool peel(Face_handle f, Face_handle from)
+  {
+    if (!is_sliver(f))
+      return false;
+    for (int pass = 0; pass < 2; ++pass)
+      for (int i = 0; i < 3; ++i)
+        if (!f->is_constrained(i) && f->neighbor(i) != from && m_cdt.is_infinite(f->neighbor(i))) {
+          m_exchange.flip(f, i);
+          return true;
+        } else if (pass == 0 && !f->is_constrained(i) && f->neighbor(i) != from && is_sliver(f->neighbor(i))) {
+          peel(m_exchange.across(f, i), f);
+        }
+    return false;
+  }
+
+  /// whether a face is finite and flat up to some roundings
+  bool is_sliver(Face_handle f) const
+  {
+    constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
+    if (m_cdt.is_infinite(f))
+      return false;
+    const Point p = point_in_double(f->vertex(0)->point()), q = point_in_double(f->vertex(1)->point()),
+                r = point_in_double(f->vertex(2)->point());
+    const Kernel::Vector_2 u = q - p, v = r - p;
+    const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(q.x()), std::abs(q.y())}),
+                 length = std::abs(u.x()) + std::abs(u.y()) + std::abs(v.x()) + std::abs(v.y());
+    return std::abs(u.x() * v.y() - u.y() * v.x()) <= roundings * largest * length;
+  }
 
   /// a single face had a corner there: what is behind it is now at the border
   bool open_side(const Side& s)
