@@ -98,22 +98,34 @@ private:
     }
   }
 
-  /// Where vertices on an edge of the convex hull lie beside it by a rounding, slivers fill its dents. They have no room
-  /// for others: the hull is opened as far as a sliver is seen from beyond it, and made convex again later. Returns
-  /// whether `f` is a sliver that was opened. `from`: where not to look
+  /// Where vertices on an edge lie beside it by a rounding, slivers fill its dents. They have no room for others: their
+  /// corners are given to the face beyond them, finite or not, which sees them all; what is not Delaunay or convex then is
+  /// made so later. Returns whether `f` is a sliver that was opened. `from`: where not to look
   bool peel(Face_handle f, Face_handle from)
   {
     if (!is_sliver(f))
       return false;
-    for (int pass = 0; pass < 2; ++pass)
-      for (int i = 0; i < 3; ++i)
-        if (!f->is_constrained(i) && f->neighbor(i) != from && m_cdt.is_infinite(f->neighbor(i))) {
-          m_exchange.flip(f, i);
-          return true;
-        } else if (pass == 0 && !f->is_constrained(i) && f->neighbor(i) != from && is_sliver(f->neighbor(i))) {
-          peel(m_exchange.across(f, i), f);
-        }
+    const auto may_cross = [&](int i) { return !f->is_constrained(i) && f->neighbor(i) != from; };
+    for (int i = 0; i < 3; ++i)
+      if (may_cross(i) && is_sliver(f->neighbor(i)))
+        peel(m_exchange.across(f, i), f);
+    for (int i = 0; i < 3; ++i)
+      if (may_cross(i) && is_seen(f, i)) {
+        m_exchange.flip(f, i);
+        return true;
+      }
     return false;
+  }
+
+  /// whether the face behind the side `i` of a sliver is none, and sees all its corners
+  bool is_seen(Face_handle sliver, int i) const
+  {
+    const Side s = m_exchange.side(sliver, i);
+    if (m_cdt.is_infinite(s.face))
+      return true;
+    const Vertex_handle p = sliver->vertex(i), q = s.face->vertex(s.index);
+    return !is_sliver(s.face) && is_counterclockwise(p, sliver->vertex(Cdt::ccw(i)), q) &&
+           is_counterclockwise(p, q, sliver->vertex(Cdt::cw(i)));
   }
 
   /// whether a face is finite and flat up to some roundings

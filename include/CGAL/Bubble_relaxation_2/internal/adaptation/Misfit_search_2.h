@@ -32,6 +32,13 @@ struct Misfit_criteria
   std::size_t number_of_rings = 4;
 };
 
+/// A place whose triangles are what the outline forces them to be.
+struct Forced_place_2
+{
+  Point center;
+  double radius;
+};
+
 /// Finds the faces of a mesh that do not fit sizes. In a good mesh the mean length of a face's edges differs from the size
 /// by up to a third here and there, so only larger misfits tell that sizes have changed. But then all counts that hangs
 /// together with them and is off by the cube root of their factor, so that nothing is left over where changes fade out.
@@ -40,23 +47,17 @@ class Misfit_search_2
 {
 public:
   using Face_handle = typename Cdt::Face_handle;
-  using Vertex_handle = typename Cdt::Vertex_handle;
 
-  /// `sharp`: vertices whose faces have the angles that the outline forces on them
   Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Misfit_criteria& criteria,
-                  const std::vector<Vertex_handle>& sharp)
-    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria),
-      m_smallest_sine(std::sin(criteria.misfit_angle * CGAL_PI / 180)), m_sharp(sizeof(typename Cdt::Vertex)),
-      m_numbers(sizeof(typename Cdt::Face))
-  {
-    for (Vertex_handle v : sharp)
-      m_sharp.add(&*v);
-  }
+                  const std::vector<Forced_place_2>& forced)
+    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria), m_forced(forced),
+      m_smallest_sine(std::sin(criteria.misfit_angle * CGAL_PI / 180)), m_numbers(sizeof(typename Cdt::Face))
+  {}
 
   std::vector<Face_handle> operator()()
   {
     for (auto f = m_cdt.finite_faces_begin(); f != m_cdt.finite_faces_end(); ++f)
-      if (m_is_in_domain(f) && !is_forced(f) && is_misfit(f))
+      if (m_is_in_domain(f) && is_misfit(f) && !is_forced(f))
         add(f);
     for (std::size_t k = 0; k < m_found.size(); ++k)
       for (int i = 0; i < 3; ++i) {
@@ -79,10 +80,13 @@ private:
   /// whether it is a face of the domain that was not found yet
   bool is_other(Face_handle f) const { return m_numbers(&*f) == no_index && !m_cdt.is_infinite(f) && m_is_in_domain(f); }
 
+  /// \pre called for misfits only, of which there are few
   bool is_forced(Face_handle f) const
   {
-    return m_sharp(&*f->vertex(0)) != no_index || m_sharp(&*f->vertex(1)) != no_index ||
-           m_sharp(&*f->vertex(2)) != no_index;
+    const Point p = point_in_double(f->vertex(0)->point());
+    return std::any_of(m_forced.begin(), m_forced.end(), [&p](const Forced_place_2& forced) {
+      return CGAL::squared_distance(p, forced.center) < forced.radius * forced.radius;
+    });
   }
 
   bool is_misfit(Face_handle f) const
@@ -120,8 +124,9 @@ private:
   const Is_inside& m_is_in_domain;
   const Sizes_2& m_sizes;
   Misfit_criteria m_criteria;
+  const std::vector<Forced_place_2>& m_forced;
   double m_smallest_sine;
-  Address_numbers m_sharp, m_numbers; // vertices; faces that were found
+  Address_numbers m_numbers; // of faces that were found
   std::vector<Face_handle> m_found;
 };
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
@@ -48,8 +49,6 @@ private:
 template <class Cdt>
 class Outline_reading_2
 {
-  using Vertex_handle = typename Cdt::Vertex_handle;
-
 public:
   template <class Is_inside, class Is_pinned>
   Outline_reading_2(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned, const Sizes_2& wanted,
@@ -58,14 +57,17 @@ public:
   {
     add_pins(cdt, is_in_domain, is_pinned);
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
-    for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth))
-      m_sharp.push_back(m_reading.vertex(m_reading.graph->corners()[c.corner]));
+    constexpr double reach = 0.5; // of circles, in sizes, with what is refined around them
+    for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth)) {
+      const Point& p = m_reading.domain.corners()[c.corner];
+      m_forced.push_back(Forced_place_2{p, reach * m_wanted(p)});
+    }
   }
 
   const Sizes_2& sizes() const { return m_limits.sizes; }
 
-  /// where two edges of the domain meet in less than 45 degrees
-  const std::vector<Vertex_handle>& sharp_vertices() const { return m_sharp; }
+  /// around corners in which two edges of the domain meet in less than 45 degrees
+  const std::vector<Forced_place_2>& forced_places() const { return m_forced; }
 
 private:
   template <class Is_inside, class Is_pinned>
@@ -82,7 +84,7 @@ private:
   Part_reading_2<Cdt> m_reading;
   Sizes_2 m_wanted;
   Limits_of_outline_2 m_limits{m_wanted, nullptr, nullptr};
-  std::vector<Vertex_handle> m_sharp;
+  std::vector<Forced_place_2> m_forced;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

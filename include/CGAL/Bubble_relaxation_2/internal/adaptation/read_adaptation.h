@@ -62,16 +62,17 @@ std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
     return std::nullopt;
 }
 
-template <class T>
-T& unwrapped(T& t)
+/// what a visitor refers to if it is a reference
+template <class Visitor>
+Visitor& unwrapped(Visitor& visitor)
 {
-  return t;
+  return visitor;
 }
 
-template <class T>
-T& unwrapped(const std::reference_wrapper<T>& t)
+template <class Visitor>
+Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
 {
-  return t.get();
+  return visitor.get();
 }
 
 /// a copy of the user's visitor, or a reference to it if that was given
