@@ -6,14 +6,14 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// What it costs to mesh a part of a mesh anew, in comparison to meshing that part alone, and how that grows with the whole:
-// CPU time, and the most memory beyond what there was. `adapt` finds the part by one sweep over all faces, which is a
-// column of its own.
+// What it costs to mesh a part of a mesh anew, in comparison to meshing that part alone, and how that grows with the
+// whole: CPU time, and the most memory beyond what there was. `adapt` finds the part by one sweep over all faces,
+// which is a column of its own.
 //
 //   local [number of vertices ...]
 //
-// And whether meshes get worse by many changes: random places are refined and given back again, and at the end the mesh is
-// compared with one that is made at once for the same sizes.
+// And whether meshes get worse by many changes: random places are refined and given back again, and at the end the
+// mesh is compared with one that is made at once for the same sizes.
 //
 //   local drift [number of changes] [seed]
 
@@ -129,7 +129,8 @@ paper::Outline outline(const std::vector<CDT::Face_handle>& part)
   return result;
 }
 
-void print(double whole, std::size_t vertices, const Cost& faces, const Cost& alone, const Cost& sweep, const Cost& adapt)
+void print(double whole, std::size_t vertices, const Cost& faces, const Cost& alone, const Cost& sweep,
+           const Cost& adapt)
 {
   std::cout << std::setw(9) << whole << std::setw(9) << vertices << std::fixed << std::setprecision(2) << std::setw(9)
             << 1e3 * faces.seconds << std::setw(9) << 1e3 * alone.seconds << std::setw(8)

@@ -49,8 +49,9 @@ struct Has_info : std::false_type {};
 template <class Base>
 struct Has_info<Base, std::void_t<decltype(std::declval<Base&>().info())>> : std::true_type {};
 
-/// All that has to be the same after a part of a triangulation was meshed anew: faces of the domain that do not belong to the
-/// part, and vertices that are not inside of it, or on one of its constraints at the border of the domain.
+/// All that has to be the same after a part of a triangulation was meshed anew: faces of the domain that do not
+/// belong to the part, and vertices that are not inside of it, or on one of its constraints at the border of the
+/// domain.
 template <class CDT>
 class Outside
 {

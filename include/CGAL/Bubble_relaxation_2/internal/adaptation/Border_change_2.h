@@ -84,8 +84,6 @@ public:
   }
 
 private:
-  bool is_infinite(Vertex_handle v) const { return m_cdt.is_infinite(v); }
-
   /// Opens slivers at `w`, which is between `u` and `v`; returns whether there is one.
   bool peel_around(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
@@ -98,9 +96,9 @@ private:
     }
   }
 
-  /// Where vertices on an edge lie beside it by a rounding, slivers fill its dents. They have no room for others: their
-  /// corners are given to the face beyond them, finite or not, which sees them all; what is not Delaunay or convex then is
-  /// made so later. Returns whether `f` is a sliver that was opened. `from`: where not to look
+  /// Where vertices on an edge lie beside it by a rounding, slivers fill its dents. They have no room for others:
+  /// their corners are given to the face beyond them, finite or not, which sees them all; what is not Delaunay or
+  /// convex then is made so later. Returns whether `f` is a sliver that was opened. `from`: where not to look
   bool peel(Face_handle f, Face_handle from)
   {
     if (!is_sliver(f))
@@ -152,13 +150,16 @@ private:
     return true;
   }
 
-  /// The hole has the sides `m_sides[k]` from `m_corners[k]` to `m_corners[k + 1]`, counterclockwise, and the last corner is
-  /// the first one.
+  /// The hole has the sides `m_sides[k]` from `m_corners[k]` to `m_corners[k + 1]`, counterclockwise, and the last
+  /// corner is the first one.
   bool fill_hole()
   {
-    const auto infinite = std::find_if(m_corners.begin(), m_corners.end(), [&](Vertex_handle v) { return is_infinite(v); });
-    if (infinite != m_corners.end())
-      return fill_from(*infinite), true;
+    const auto infinite =
+      std::find_if(m_corners.begin(), m_corners.end(), [&](Vertex_handle v) { return m_cdt.is_infinite(v); });
+    if (infinite != m_corners.end()) {
+      fill_from(static_cast<std::size_t>(infinite - m_corners.begin()));
+      return true;
+    }
     m_corners.pop_back();
     while (m_corners.size() > 3)
       if (!cut_ear())
@@ -172,10 +173,10 @@ private:
   }
 
   /// one infinite face beyond each side between finite corners: the hull is made convex later
-  void fill_from(Vertex_handle infinite)
+  void fill_from(std::size_t at)
   {
-    const auto at = static_cast<std::size_t>(std::find(m_corners.begin(), m_corners.end(), infinite) - m_corners.begin()),
-               n = m_sides.size();
+    const std::size_t n = m_sides.size();
+    const Vertex_handle infinite = m_corners[at];
     Side behind = m_sides[at]; // of the side from the infinite vertex to the first corner
     for (std::size_t k = 1; k + 1 < n; ++k) {
       const std::size_t first = (at + k) % n;
@@ -184,9 +185,7 @@ private:
       m_exchange.link(f, 2, behind);
       behind = Side{f, 1, false};
     }
-    const Side last = m_sides[(at + n - 1) % n];
-    // `behind` is the side of the last face
-    m_exchange.link(behind.face, behind.index, last);
+    m_exchange.link(behind.face, behind.index, m_sides[(at + n - 1) % n]);
   }
 
   /// cuts a triangle off the hole that has no other corner in it

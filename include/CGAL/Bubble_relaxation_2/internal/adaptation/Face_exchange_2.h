@@ -27,16 +27,14 @@ template <class Face, class = void>
 struct Has_time_stamp : std::false_type {};
 
 template <class Face>
-struct Has_time_stamp<Face, std::void_t<decltype(std::declval<Face&>().set_time_stamp(std::declval<Face&>().time_stamp()))>>
-  : std::true_type
-{};
+struct Has_time_stamp<Face, std::void_t<decltype(std::declval<Face&>().set_time_stamp(0))>> : std::true_type {};
 
 /// New faces of a triangulation that take the place of old ones, all at once. Until then new faces know each other and
 /// the old ones around them, but no old face or vertex knows a new one: what fails before is forgotten without a trace.
 /// The exchange itself does not throw, and can be undone until the old ones are deleted.
 ///
-/// An old face that turns out to be in the way is copied: the copy is a new face. Sides with nothing behind them yet are
-/// open.
+/// An old face that turns out to be in the way is copied: the copy is a new face. Sides with nothing behind them yet
+/// are open.
 template <class Cdt>
 class Face_exchange_2
 {

@@ -39,9 +39,10 @@ struct Forced_place_2
   double radius;
 };
 
-/// Finds the faces of a mesh that do not fit sizes. In a good mesh the mean length of a face's edges differs from the size
-/// by up to a third here and there, so only larger misfits tell that sizes have changed. But then all counts that hangs
-/// together with them and is off by the cube root of their factor, so that nothing is left over where changes fade out.
+/// Finds the faces of a mesh that do not fit sizes. In a good mesh the mean length of a face's edges differs from the
+/// size by up to a third here and there, so only larger misfits tell that sizes have changed. But then all counts
+/// that hangs together with them and is off by the cube root of their factor, so that nothing is left over where
+/// changes fade out.
 template <class Cdt, class Is_inside>
 class Misfit_search_2
 {
@@ -78,7 +79,10 @@ private:
   }
 
   /// whether it is a face of the domain that was not found yet
-  bool is_other(Face_handle f) const { return m_numbers(&*f) == no_index && !m_cdt.is_infinite(f) && m_is_in_domain(f); }
+  bool is_other(Face_handle f) const
+  {
+    return m_numbers(&*f) == no_index && !m_cdt.is_infinite(f) && m_is_in_domain(f);
+  }
 
   /// \pre called for misfits only, of which there are few
   bool is_forced(Face_handle f) const

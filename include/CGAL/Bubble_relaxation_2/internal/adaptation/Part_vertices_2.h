@@ -21,7 +21,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The vertices of a part before and after: those of bubbles that lie where a vertex was are that vertex, others are new.
+/// The vertices of a part before and after: those of bubbles that lie where a vertex was are that vertex, others are
+/// new.
 template <class Cdt>
 class Part_vertices_2
 {

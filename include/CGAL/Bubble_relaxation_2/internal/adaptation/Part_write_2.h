@@ -10,11 +10,11 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_WRITE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Border_change_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Constraint_paths_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Delaunay_repair_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_vertices_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,12 +35,13 @@ class Part_write_2
   using Side = typename Face_exchange_2<Cdt>::Side;
   using Chain = Constraint_graph_2::Chain;
   using Path = std::vector<Vertex_handle>;
+  using Path_change = typename Constraint_paths_2<Cdt>::Change;
 
 public:
   Part_write_2(Cdt& cdt, const std::vector<Face_handle>& part, const Part_reading_2<Cdt>& reading,
                const Bubble_mesh_2& mesh)
     : m_cdt(cdt), m_part(part), m_reading(reading), m_mesh(mesh), m_exchange(cdt),
-      m_vertices(reading, mesh.bubbles, m_exchange), m_repair(cdt, m_exchange)
+      m_vertices(reading, mesh.bubbles, m_exchange), m_repair(cdt, m_exchange), m_paths(reading)
   {}
 
   /// Makes the new faces. Returns the bubbles that have to go before that can be done: those that an edge of the rim
@@ -49,7 +50,7 @@ public:
   std::vector<Index> build()
   {
     take_part();
-    find_paths();
+    m_paths.find(m_mesh.bubbles, m_vertices);
     for (std::size_t e = 0; e < m_paths.size(); ++e)
       change_border(m_reading.graph->chains()[e], m_paths[e]);
     m_repair.make_hull_convex();
@@ -80,18 +81,11 @@ public:
   void finish()
   {
     if constexpr (Has_constraint_hierarchy<Cdt>::value)
-      for (std::size_t e = 0; e < m_paths.size(); ++e)
-        change_hierarchy(m_reading.graph->chains()[e], m_paths[e]);
+      m_paths.change_hierarchy(m_cdt);
     m_exchange.finish(m_vertices.removed());
   }
 
 private:
-  /// the vertices of a chain from source to target, before and after
-  struct Paths
-  {
-    Path before, after;
-  };
-
   void take_part()
   {
     for (Face_handle f : m_part)
@@ -105,26 +99,8 @@ private:
           m_beyond[{&*f->vertex(Cdt::ccw(i)), &*f->vertex(Cdt::cw(i))}] = {f, i};
   }
 
-  Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
-
-  void find_paths()
-  {
-    const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(m_reading.domain, m_mesh.bubbles);
-    for (std::size_t e = 0; e < on_edge.size(); ++e) {
-      const Chain& chain = m_reading.graph->chains()[e];
-      Paths paths{{corner(chain.source)}, {corner(chain.source)}};
-      for (Index v : chain.splits)
-        paths.before.push_back(m_reading.vertex(v));
-      for (Index i : on_edge[e])
-        paths.after.push_back(m_vertices(i));
-      paths.before.push_back(corner(chain.target));
-      paths.after.push_back(corner(chain.target));
-      m_paths.push_back(std::move(paths));
-    }
-  }
-
   /// changes the faces on the other side of a constraint at the border of the domain
-  void change_border(const Chain& chain, const Paths& paths)
+  void change_border(const Chain& chain, const Path_change& paths)
   {
     if (paths.before == paths.after || (chain.inside_left && chain.inside_right))
       return;
@@ -136,7 +112,7 @@ private:
     for (std::size_t k = 0; k + 1 < before.size(); ++k)
       m_exchange.copy(beyond(before[k + 1], before[k]).face);
     Border_change_2<Cdt> change(m_cdt, m_exchange);
-    for_each_stretch(before, after, [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
+    for_each_stretch<Vertex_handle>(before, after, [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
       for (std::size_t k = 0; k < old.size(); ++k)
         if (!change.remove(u, old[k], k + 1 < old.size() ? old[k + 1] : v))
           throw_too_flat();
@@ -146,23 +122,6 @@ private:
         last = w;
       }
     });
-  }
-
-  /// calls `visit(u, old, added, v)` for two vertices that are on both paths, and what is between them
-  template <class Visitor>
-  static void for_each_stretch(const Path& before, const Path& after, const Visitor& visit)
-  {
-    auto next_before = before.begin() + 1, next_after = after.begin() + 1;
-    for (Vertex_handle u = before.front(); next_after != after.end();) {
-      Path old, added;
-      while (std::find(next_before, before.end(), *next_after) == before.end())
-        added.push_back(*next_after++);
-      while (*next_before != *next_after)
-        old.push_back(*next_before++);
-      visit(u, old, added, *next_after);
-      u = *next_after++;
-      ++next_before;
-    }
   }
 
   /// the face beyond the side of the part from `u` to `v`; an open side if there is none
@@ -254,38 +213,8 @@ private:
 
   [[noreturn]] static void throw_too_flat()
   {
-    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to change it there");
-  }
-
-  /// the polylines of a hierarchy get the new vertices of a constraint
-  void change_hierarchy(const Chain& chain, const Paths& paths)
-  {
-    if (paths.before == paths.after || !chain.takes_bubbles)
-      return;
-    auto& hierarchy = m_cdt.hierarchy_ref();
-    for_each_stretch(paths.before, paths.after,
-                     [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
-      for (std::size_t k = 0; k < old.size(); ++k)
-        take_out(u, old[k]);
-      Vertex_handle last = u;
-      for (Vertex_handle w : added) {
-        hierarchy.split_constraint(last, v, w);
-        last = w;
-      }
-    });
-  }
-
-  /// takes `w`, which follows `u`, out of the only polyline that goes there; its point, too, which would be kept for ever
-  void take_out(Vertex_handle u, Vertex_handle w)
-  {
-    auto context = *m_cdt.contexts_begin(u, w);
-    auto it = context.current();
-    if (*it == u)
-      ++it;
-    const typename Cdt::Points_in_constraint_iterator point = it;
-    auto before = it, after = it;
-    m_cdt.hierarchy_ref().simplify(--before, it, ++after);
-    context.id().vl_ptr()->erase(point.base());
+    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to change it "
+                             "there");
   }
 
   Cdt& m_cdt;
@@ -296,7 +225,7 @@ private:
   Part_vertices_2<Cdt> m_vertices;
   Delaunay_repair_2<Cdt> m_repair;
   std::map<std::pair<const void*, const void*>, std::pair<Face_handle, int>> m_beyond; // sides by their ends
-  std::vector<Paths> m_paths;       // of the chains
+  Constraint_paths_2<Cdt> m_paths;
   std::vector<Face_handle> m_faces; // of the triangles that are inside
   std::size_t m_first_inside = 0;   // of the new faces
 };

@@ -31,7 +31,8 @@ inline std::vector<Index> rim_defects(const Domain_2& part, const Bubble_mesh_2&
   const Bubbles_2& b = mesh.bubbles;
   for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {
     const Index f = static_cast<Index>(t);
-    if (!mesh.triangles.inside[t] || !(CGAL::radius_ratio_2(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2)) < bad))
+    if (!mesh.triangles.inside[t] ||
+        !(CGAL::radius_ratio_2(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2)) < bad))
       continue;
     for (Index v : mesh.triangles.vertices[t])
       if (b.is_corner(v) && b.host[v] != no_index && is_on_rim[b.host[v]])

@@ -38,8 +38,8 @@ inline std::vector<Size_source_2> coarse_rim(const Domain_2& part, const Sizes_2
   return result;
 }
 
-/// The wanted sizes, and larger ones beside edges of the rim that are far longer: from there they shrink by no more than
-/// `growth` per unit of length, else triangles at the rim would be needles.
+/// The wanted sizes, and larger ones beside edges of the rim that are far longer: from there they shrink by no more
+/// than `growth` per unit of length, else triangles at the rim would be needles.
 inline Sizes_2 no_finer_than_rim(const Domain_2& part, const Sizes_2& wanted, double growth)
 {
   std::vector<Size_source_2> sources = coarse_rim(part, wanted);

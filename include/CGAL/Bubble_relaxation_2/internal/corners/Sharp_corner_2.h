@@ -169,13 +169,11 @@ inline std::vector<Sharp_corner_2> sharp_corners(const Domain_2& domain, double 
 /// bit more than a third of them is the largest radius, since circles around corners that face each other must not meet
 inline void find_circles(const Domain_2& domain, const Sizes_2& sizes, std::vector<Sharp_corner_2>& corners)
 {
-  corners.erase(std::remove_if(corners.begin(), corners.end(),
-                               [&](const Sharp_corner_2& c) {
-                                 return std::any_of(c.arms().begin(), c.arms().end(), [&](const Sharp_corner_2::Arm& a) {
-                                   return !domain.edges()[a.edge].takes_bubbles;
-                                 });
-                               }),
-                corners.end());
+  const auto takes_no_nodes = [&](const Sharp_corner_2& c) {
+    return std::any_of(c.arms().begin(), c.arms().end(),
+                       [&](const Sharp_corner_2::Arm& a) { return !domain.edges()[a.edge].takes_bubbles; });
+  };
+  corners.erase(std::remove_if(corners.begin(), corners.end(), takes_no_nodes), corners.end());
   std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge
   for (const Sharp_corner_2& corner : corners)
     for (const Sharp_corner_2::Arm& a : corner.arms())

@@ -59,8 +59,8 @@ protected:
     }
   }
 
-  /// some faces of a triangulation, which all are inside. `is_rim(face, i)`: whether a side that has none of them behind
-  /// it is to stay as it is; then it counts as constrained
+  /// some faces of a triangulation, which all are inside. `is_rim(face, i)`: whether a side that has none of them
+  /// behind it is to stay as it is; then it counts as constrained
   /// \throws std::invalid_argument as `check_coordinates()` does
   template <class Cdt, class Is_rim>
   Marked_copy_2(const Cdt& cdt, const std::vector<typename Cdt::Face_handle>& some, const Is_rim& is_rim)
