@@ -188,7 +188,7 @@ std::vector<typename CDT::Face_handle> npbs_misfit_faces(const CDT& cdt, const N
 \brief meshes the part of a mesh anew that does not fit sizes, and leaves the rest as it is: `npbs_misfit_faces()` and
 `npbs_remesh_faces()` in one go.
 
-If all fits nothing changes, and the report tells of no vertices and triangles. Where a bad triangle (q < 0.9) at the
+If all fits nothing changes, and the report tells of no vertices and triangles. Where a bad triangle (q < 0.92) at the
 rim of the part is left, which could not be treated since the rim stays, more faces around it are added to the part,
 and it is meshed once more, up to four times in all. So meshes do not get worse by many changes: see \ref BR2_local.
 

@@ -22,6 +22,7 @@
 #include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_relax.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -176,4 +177,142 @@ TYPED_TEST(Adapt, random_parts_of_random_domains)
       ASSERT_FALSE(testing::Test::HasFailure()) << "domain " << k << ", change " << change;
     }
   }
+}
+
+/// a constraint with domain on both sides, of which only one is in the part, belongs to the rim
+TYPED_TEST(Adapt, constraints_at_the_rim_are_not_split)
+{
+  TypeParam cdt = domains::make<TypeParam>({{{0, 0}, {0.48, 0}, {1, 0}, {1, 1}, {0.53, 1}, {0, 1}}});
+  const validation::Segment wall{{0.48, 0}, {0.53, 1}};
+  domains::insert(cdt, {wall.first, wall.second}, false);
+  CGAL::npbs_relax(cdt, size(0.08));
+  std::vector<typename TypeParam::Face_handle> part;
+  for (auto f : faces_near(cdt, 0, 0.5, 9)) {
+    bool is_left = true;
+    for (int i = 0; i < 3; ++i) {
+      const validation::Xy p = validation::xy(f->vertex(i));
+      is_left = is_left && p.first - 0.48 - p.second * 0.05 < 1e-9;
+    }
+    if (is_left)
+      part.push_back(f);
+  }
+  const adaptation::Outside<TypeParam> outside(cdt, part);
+  ASSERT_GT(outside.number_of_faces(), 50u);
+  ASSERT_GT(part.size(), 50u);
+  const validation::Snapshot before = validation::snapshot(cdt);
+  CGAL::npbs_remesh_faces(cdt, part, size(0.03));
+  outside.expect_untouched(cdt);
+  validation::expect_valid_mesh(cdt);
+  const validation::Snapshot after = validation::snapshot(cdt);
+  for (const validation::Segment& piece : before.constraints)
+    if (validation::off(wall, piece.first) < 1e-12 && validation::off(wall, piece.second) < 1e-12) {
+      EXPECT_TRUE(std::binary_search(after.constraints.begin(), after.constraints.end(), piece));
+    }
+  EXPECT_GT(after.constraints.size(), before.constraints.size()); // those of the outline are split
+}
+
+/// The circle of a flat triangle reaches far over its longest edge: nodes of the part must not come into it.
+TYPED_TEST(Adapt, nodes_stay_out_of_the_circles_of_faces_outside)
+{
+  using Point = typename TypeParam::Point;
+  TypeParam cdt = domains::make<TypeParam>({domains::square(0, 0, 10)});
+  for (const Point& p : {Point(4, 5), Point(6, 5), Point(5, 5.25), Point(5, 0.8)})
+    cdt.insert(p);
+  for (auto f : cdt.finite_face_handles())
+    f->set_in_domain(true);
+  const auto flat = faces_near(cdt, 5, 5.08, 0.1);
+  ASSERT_EQ(flat.size(), 1u);
+  auto part = faces_near(cdt, 0, 0, 99);
+  part.erase(std::find(part.begin(), part.end(), flat.front()));
+  const adaptation::Outside<TypeParam> outside(cdt, part);
+  ASSERT_EQ(outside.number_of_faces(), 1u);
+  const auto report = CGAL::npbs_remesh_faces(cdt, part, size(0.5));
+  outside.expect_untouched(cdt);
+  validation::expect_valid_mesh(cdt);
+  EXPECT_GT(report.number_of_vertices, 150u);
+  EXPECT_NEAR(validation::domain_area(cdt), 100, 1e-9);
+  for (auto v : cdt.finite_vertex_handles()) {
+    const validation::Xy p = validation::xy(v);
+    EXPECT_GE(std::hypot(p.first - 5, p.second - 3.125), 2.125 - 1e-9); // of the flat triangle
+  }
+}
+
+/// what crosses in a hierarchy, and pieces of two constraints
+TEST(Adapt_plus, overlapping_and_crossing_constraints)
+{
+  using Crossing_cdt = CGAL::Constrained_Delaunay_triangulation_2<K, domains::CDT::Triangulation_data_structure,
+                                                                  CGAL::Exact_predicates_tag>;
+  using Crossing = CGAL::Constrained_triangulation_plus_2<Crossing_cdt>;
+  Crossing cdt = domains::make<Crossing>({domains::square(0, 0, 1)});
+  domains::insert(cdt, {{0.1, 0.2}, {0.9, 0.8}}, false);
+  domains::insert(cdt, {{0.2, 0.9}, {0.7, 0.1}}, false);
+  domains::insert(cdt, {{0, 0}, {0.5, 0}}, false); // lies on the square
+  const validation::Snapshot before = validation::snapshot(cdt);
+  CGAL::npbs_relax(cdt, size(0.05));
+  for (const Disc& disc : {Disc{0.45, 0.5, 0.2}, Disc{0.4, 0, 0.2}, Disc{0.5, 0.5, 9}})
+    for (double d : {0.03, 0.07}) {
+      const auto part = faces_near(cdt, disc.x, disc.y, disc.radius);
+      const adaptation::Outside<Crossing> outside(cdt, part);
+      CGAL::npbs_remesh_faces(cdt, part, size(d));
+      outside.expect_untouched(cdt);
+      validation::expect_valid_mesh(cdt);
+      validation::expect_vertices_kept(before.vertices, validation::snapshot(cdt));
+      validation::expect_constraints_kept(before, validation::snapshot(cdt));
+      EXPECT_EQ(cdt.number_of_constraints(), 4u);
+    }
+}
+
+TEST(Adapt_kernels, with_inexact_predicates)
+{
+  using Simple = Cdt_of<CGAL::Simple_cartesian<double>>;
+  Simple cdt = mesh<Simple>({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.05);
+  for (double d : {0.03, 0.08}) {
+    const auto part = faces_near(cdt, 0.5, 0.3, 0.3);
+    const adaptation::Outside<Simple> outside(cdt, part);
+    CGAL::npbs_remesh_faces(cdt, part, size(d));
+    outside.expect_untouched(cdt);
+    validation::expect_valid_mesh(cdt);
+    EXPECT_NEAR(validation::domain_area(cdt), 0.96, 1e-12);
+  }
+}
+
+/// Faces without marks cannot tell whether they are in the domain: the hole's constraints are those of a rim, except for
+/// `npbs_adapt()`, which finds the domain as a relaxation does.
+TEST(Adapt_marks, are_not_needed)
+{
+  using Bare = CGAL::Constrained_Delaunay_triangulation_2<K>;
+  Bare cdt = domains::make<Bare>({slanted, hole});
+  CGAL::npbs_relax(cdt, size(0.05));
+  const auto at_hole = [&cdt] {
+    std::size_t sum = 0;
+    for (const auto& e : cdt.finite_edges()) {
+      const validation::Xy p = validation::xy(e.first->vertex(cdt.ccw(e.second)));
+      sum += cdt.is_constrained(e) && std::hypot(p.first - 0.5, p.second - 0.5) < 0.25;
+    }
+    return sum;
+  };
+  const std::size_t before = at_hole();
+  std::vector<Bare::Face_handle> part;
+  for (Bare::Face_handle f : cdt.finite_face_handles()) {
+    const auto c = CGAL::centroid(cdt.triangle(f));
+    const bool is_in_hole = CGAL::orientation(K::Point_2(0.4, 0.4), K::Point_2(0.7, 0.43), c) == CGAL::LEFT_TURN &&
+                            CGAL::orientation(K::Point_2(0.7, 0.43), K::Point_2(0.5, 0.65), c) == CGAL::LEFT_TURN &&
+                            CGAL::orientation(K::Point_2(0.5, 0.65), K::Point_2(0.4, 0.4), c) == CGAL::LEFT_TURN;
+    if (!is_in_hole && std::hypot(c.x() - 0.5, c.y() - 0.5) < 0.3)
+      part.push_back(f);
+  }
+  const std::size_t number = cdt.number_of_vertices();
+  CGAL::npbs_remesh_faces(cdt, part, size(0.025));
+  EXPECT_TRUE(cdt.is_valid());
+  EXPECT_GT(cdt.number_of_vertices(), number + 30);
+  EXPECT_EQ(at_hole(), before);
+  CGAL::npbs_adapt(cdt, size(0.02));
+  EXPECT_TRUE(cdt.is_valid());
+  EXPECT_GT(at_hole(), 2 * before);
+  std::size_t at_once = 0;
+  {
+    Bare other = domains::make<Bare>({slanted, hole});
+    at_once = CGAL::npbs_relax(other, size(0.02)).number_of_vertices;
+  }
+  EXPECT_NEAR(double(cdt.number_of_vertices()), double(at_once), 0.02 * double(at_once));
 }
