@@ -93,7 +93,7 @@ private:
     for (std::size_t k = 0; k < m_part.size(); ++k) {
       if (is_reached[k])
         continue;
-      if (!m_cdt.tds().faces().owns_dereferencable(m_part[k]))
+      if (!m_cdt.tds().faces().owns(m_part[k]))
         throw_faces("has a face that is none of this triangulation");
       is_reached[k] = 1;
       reached.assign(1, static_cast<Index>(k));
