@@ -21,7 +21,7 @@ namespace CGAL {
 \brief is told what `npbs_remesh_faces()` and `npbs_adapt()` change, and does nothing. Visitors are derived from it, and
 have what they need of its functions.
 
-\cgalModels `BubbleAdaptationVisitor_2`
+\cgalModels{BubbleAdaptationVisitor_2}
 
 \tparam CDT the triangulation
 */
