@@ -4,6 +4,8 @@
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
 #   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, a grid, CGAL's searches, nanoflann
 #   benchmark.sh transfer [1e4 1e6]               values carried over to another mesh: microseconds a pair of triangles
+#   benchmark.sh local [1e4 1e6]                  a part of a mesh meshed anew: time and memory over those of the part alone
+#   benchmark.sh local drift [1000]               a mesh after so many local changes, against one made at once
 #   benchmark.sh phases                           nanoseconds a node of each phase
 #   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, as they are and simplified: this package, CGAL's
 #                                                 2D Meshes and Gmsh: table, SVG
@@ -16,7 +18,7 @@ cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | coasts | influence | transfer | phases | compile | distributed) benchmark=$1; shift ;;
+  scaling | compare | coasts | influence | transfer | local | phases | compile | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then

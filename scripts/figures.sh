@@ -22,6 +22,7 @@ figures=$here/doc/Bubble_relaxation_2/fig
 ../release/demo/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
 ../release/demo/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
+../release/benchmark/Bubble_relaxation_2/local drift 1000 | tee "$figures/local_drift.txt"
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .
 "$here/scripts/benchmark.sh" influence 1e4 1e6 | grep -v '^\[\|^ninja' | tee "$figures/influence_domains.txt"

@@ -13,6 +13,7 @@
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
+#include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
@@ -55,6 +56,24 @@ TEST(Size_of_the_mesh, on_an_edge_does_not_depend_on_what_was_asked_before)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
+
+TEST(Concurrency, parts_have_the_same_bits_for_any_number_of_threads)
+{
+  const paper::Domain domain = paper::square_with_hole(0.3);
+  const auto adapted = [&domain](auto tag) {
+    paper::CDT cdt = paper::triangulate(domain);
+    CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(domain.d));
+    const auto finer = [&domain](const paper::Point& p) { return (p.x() > 0.3 ? 0.5 : 1.) * domain.d(p); };
+    CGAL::npbs_adapt(cdt, CGAL::parameters::sizing_function(finer).concurrency_tag(tag));
+    return validation::triangles(cdt);
+  };
+  const auto sequential = adapted(CGAL::Sequential_tag());
+  ASSERT_GT(sequential.size(), 3000u);
+  for (std::size_t threads : {1u, 2u, 3u}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    EXPECT_TRUE(adapted(CGAL::Parallel_tag()) == sequential);
+  }
+}
 
 TEST(Concurrency, same_bits_for_any_number_of_threads)
 {

@@ -60,6 +60,12 @@ CGAL_add_named_parameter(source_in_domain_map_t, source_in_domain_map, source_in
 CGAL_add_named_parameter(target_in_domain_map_t, target_in_domain_map, target_in_domain_map)
 CGAL_add_named_parameter(keep_integral_t, keep_integral, keep_integral)
 
+// parts that are meshed anew
+CGAL_add_named_parameter(longest_edge_t, longest_edge, longest_edge)
+CGAL_add_named_parameter(shortest_edge_t, shortest_edge, shortest_edge)
+CGAL_add_named_parameter(misfit_angle_t, misfit_angle, misfit_angle)
+CGAL_add_named_parameter(number_of_rings_t, number_of_rings, number_of_rings)
+
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000
 CGAL_add_named_parameter(seeds_t, seeds, seeds)

@@ -164,10 +164,16 @@ inline std::vector<Sharp_corner_2> sharp_corners(const Domain_2& domain, double 
   return result;
 }
 
-/// Gives sharp corners their circles, and forgets those where roundings of coordinates would show in them. `sizes`: a
+/// Gives sharp corners their circles, and forgets those where roundings of coordinates would show in them, or where an
+/// arm takes no nodes. `sizes`: a
 /// bit more than a third of them is the largest radius, since circles around corners that face each other must not meet
 inline void find_circles(const Domain_2& domain, const Sizes_2& sizes, std::vector<Sharp_corner_2>& corners)
 {
+  const auto takes_no_nodes = [&](const Sharp_corner_2& c) {
+    return std::any_of(c.arms().begin(), c.arms().end(),
+                       [&](const Sharp_corner_2::Arm& a) { return !domain.edges()[a.edge].takes_bubbles; });
+  };
+  corners.erase(std::remove_if(corners.begin(), corners.end(), takes_no_nodes), corners.end());
   std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge
   for (const Sharp_corner_2& corner : corners)
     for (const Sharp_corner_2::Arm& a : corner.arms())

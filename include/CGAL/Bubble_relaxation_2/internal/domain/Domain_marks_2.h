@@ -39,6 +39,9 @@ public:
 
   bool is_inside(Index t) const { return t != no_index && tr.inside[t]; }
 
+  /// whether the side `i` of a triangle parts what is copied from what is not, and is to stay as it is
+  bool is_rim(Index t, int i) const { return !m_rim.empty() && (m_rim[t] >> i & 1) != 0; }
+
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
 protected:
@@ -53,6 +56,27 @@ protected:
     for (void* f : faces.addresses()) {
       const auto& face = *static_cast<typename Cdt::Face*>(f);
       add_constraints(face.is_constrained(0), face.is_constrained(1), face.is_constrained(2));
+    }
+  }
+
+  /// some faces of a triangulation, which all are inside. `is_rim(face, i)`: whether a side that has none of them
+  /// behind it is to stay as it is; then it counts as constrained
+  /// \throws std::invalid_argument as `check_coordinates()` does
+  template <class Cdt, class Is_rim>
+  Marked_copy_2(const Cdt& cdt, const std::vector<typename Cdt::Face_handle>& some, const Is_rim& is_rim)
+    : Triangulation_copy_2(cdt, some)
+  {
+    check_coordinates(tr.points);
+    tr.inside.assign(tr.number_of_triangles(), 1);
+    m_number_of_faces = tr.number_of_triangles();
+    for (std::size_t t = 0; t < m_number_of_faces; ++t) {
+      const auto f = Handles<Cdt>::face(faces.addresses()[t]);
+      int rim = 0;
+      for (int i = 0; i < 3; ++i)
+        rim |= tr.neighbors[t][i] == no_index && is_rim(f, i) ? 1 << i : 0;
+      m_rim.push_back(static_cast<char>(rim));
+      add_constraints(f->is_constrained(0) || (rim & 1), f->is_constrained(1) || (rim & 2),
+                      f->is_constrained(2) || (rim & 4));
     }
   }
 
@@ -107,6 +131,7 @@ private:
   void flood(std::vector<char>& is_reached, std::vector<Index>& reached) const;
 
   std::vector<char> m_constrained;
+  std::vector<char> m_rim; // sides of the triangles, if some faces were copied only
   std::size_t m_number_of_faces = 0;
 };
 

@@ -26,10 +26,9 @@ struct Mesh_star_2
   double spacing;   ///< mean length of the edges
   double direction; ///< angle of the shortest edge
 
-  /// whether a bubble of size `d` may stay there: the mesh is about as fine as d asks
-  bool fits(double d) const
+  /// whether a bubble of size `d` may stay there: the mesh is about as fine as d asks, up to a factor
+  bool fits(double d, double largest_misfit = 1.25) const
   {
-    constexpr double largest_misfit = 1.25;
     return !(spacing > largest_misfit * d || d > largest_misfit * spacing);
   }
 };
@@ -56,6 +55,7 @@ struct Given_mesh_2
   std::vector<std::vector<Point>> on_edge; ///< those that split an edge of the domain, from source to target
   std::vector<Point> free;                 ///< along the curve
   std::vector<Mesh_star_2> around; ///< of the free ones, if that was asked for
+  double largest_misfit = 1.25;    ///< of the free ones that stay
 };
 
 class Cut_domain_2;

@@ -58,6 +58,10 @@ Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& repor
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& report);
 
+/// deletes bubbles of such a mesh, and makes it anew
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void make_mesh_without(const std::vector<Index>& those, const Problem_2& problem, Bubble_mesh_2& mesh, Report& report);
+
 /// The bubbles nearer to each other than `radius` times the mean of both sizes: those of bubble i are
 /// `neighbors[offsets[i]]` up to, without, `neighbors[offsets[i + 1]]`.
 CGAL_BUBBLE_RELAXATION_2_INLINE

@@ -84,6 +84,17 @@ Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& re
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
+void make_mesh_without(const std::vector<Index>& those, const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
+{
+  for (Index i : those)
+    mesh.bubbles.remove(static_cast<std::size_t>(i));
+  mesh.bubbles.forget_gone();
+  report.number_of_deletions += those.size();
+  triangulate(problem.whole_domain(), mesh);
+  evaluate(mesh, problem, report);
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
 void find_neighbors(const Bubbles_2& bubbles, double radius, const Threads& threads, std::vector<std::size_t>& offsets,
                     std::vector<std::int32_t>& neighbors)
 {

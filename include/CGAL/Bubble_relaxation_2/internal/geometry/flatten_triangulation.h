@@ -115,15 +115,37 @@ struct Triangulation_copy_2
       add_vertex(&*v, point_in_double(v->point()));
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
       faces.add(&*f);
+    add_triangles<Triangulation>();
+  }
+
+  /// some faces, finite ones, and their vertices
+  template <class Triangulation>
+  Triangulation_copy_2(const Triangulation&, const std::vector<typename Triangulation::Face_handle>& some)
+    : vertices(sizeof(typename Triangulation::Vertex)), faces(sizeof(typename Triangulation::Face))
+  {
+    for (const auto& f : some) {
+      if (faces(&*f) != no_index)
+        continue; // it comes twice
+      faces.add(&*f);
+      for (int i = 0; i < 3; ++i)
+        if (vertices(&*f->vertex(i)) == no_index)
+          add_vertex(&*f->vertex(i), point_in_double(f->vertex(i)->point()));
+    }
+    add_triangles<Triangulation>();
+  }
+
+private:
+  using Addresses = std::array<const void*, 3>;
+
+  template <class Triangulation>
+  void add_triangles()
+  {
     for (void* f : faces.addresses()) {
       const auto& face = *static_cast<typename Triangulation::Face*>(f);
       add_triangle({&*face.vertex(0), &*face.vertex(1), &*face.vertex(2)},
                    {&*face.neighbor(0), &*face.neighbor(1), &*face.neighbor(2)});
     }
   }
-
-private:
-  using Addresses = std::array<const void*, 3>;
 
   void reserve(std::size_t number_of_vertices, std::size_t number_of_faces)
   {

@@ -88,7 +88,7 @@ inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, co
 {
   std::vector<double> directions(bubbles.size(), 0);
   const auto is_kept = [&](std::size_t k, double d) {
-    const bool is_fitting = given.around[k].fits(d);
+    const bool is_fitting = given.around[k].fits(d, given.largest_misfit);
     if (is_fitting)
       directions.push_back(given.around[k].direction);
     return is_fitting;

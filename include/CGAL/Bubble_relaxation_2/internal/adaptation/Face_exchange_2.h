@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FACE_EXCHANGE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FACE_EXCHANGE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Whether faces are numbered as they are created, as in triangulations for meshes: no two may have one number.
+template <class Face, class = void>
+struct Has_time_stamp : std::false_type {};
+
+template <class Face>
+struct Has_time_stamp<Face, std::void_t<decltype(std::declval<Face&>().set_time_stamp(0))>> : std::true_type {};
+
+/// New faces of a triangulation that take the place of old ones, all at once. Until then new faces know each other and
+/// the old ones around them, but no old face or vertex knows a new one: what fails before is forgotten without a trace.
+/// The exchange itself does not throw, and can be undone until the old ones are deleted.
+///
+/// An old face that turns out to be in the way is copied: the copy is a new face. Sides with nothing behind them yet
+/// are open.
+template <class Cdt>
+class Face_exchange_2
+{
+public:
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Face_handle = typename Cdt::Face_handle;
+
+  /// what is behind a side of a new face
+  struct Side
+  {
+    Face_handle face; ///< none if the side is open
+    int index;        ///< of the same side there
+    bool is_constrained;
+  };
+
+  explicit Face_exchange_2(Cdt& cdt)
+    : m_cdt(cdt), m_new_numbers(sizeof(typename Cdt::Face)), m_old_numbers(sizeof(typename Cdt::Face))
+  {}
+
+  Face_exchange_2(const Face_exchange_2&) = delete;
+  Face_exchange_2& operator=(const Face_exchange_2&) = delete;
+
+  ~Face_exchange_2()
+  {
+    if (m_is_finished)
+      return;
+    if (m_is_exchanged)
+      undo();
+    for (Face_handle f : m_new)
+      m_cdt.tds().delete_face(f);
+    for (Vertex_handle v : m_new_vertices)
+      m_cdt.tds().delete_vertex(v);
+  }
+
+  Vertex_handle add_vertex(const typename Cdt::Point& p)
+  {
+    m_new_vertices.reserve(m_new_vertices.size() + 1 + m_new_vertices.size() / 2);
+    m_new_vertices.push_back(m_cdt.tds().create_vertex());
+    m_new_vertices.back()->set_point(p);
+    return m_new_vertices.back();
+  }
+
+  /// a new face with three open sides
+  Face_handle add_face(Vertex_handle a, Vertex_handle b, Vertex_handle c)
+  {
+    make_room_for(1, m_new);
+    return enter(m_cdt.tds().create_face(a, b, c));
+  }
+
+  /// an old face is to go
+  void take(Face_handle old)
+  {
+    m_old_numbers.add(&*old);
+    m_old.push_back(old);
+    m_copies.push_back(Face_handle());
+  }
+
+  bool is_new(Face_handle f) const { return m_new_numbers(&*f) != no_index; }
+
+  /// the old face beside a part, or what has taken its place
+  Face_handle copy(Face_handle old)
+  {
+    const Index known = m_old_numbers(&*old);
+    if (known != no_index)
+      return m_copies[known];
+    make_room_for(1, m_new);
+    const Face_handle f = enter(m_cdt.tds().create_face());
+    copy_content(*old, *f);
+    take(old);
+    m_copies.back() = f;
+    const std::array<Front, 3> front = m_front.count(&*old) > 0 ? m_front[&*old] : std::array<Front, 3>();
+    m_front.erase(&*old);
+    for (int i = 0; i < 3; ++i) {
+      const Face_handle n = old->neighbor(i);
+      const bool is_constrained = old->is_constrained(i);
+      if (front[i].face != Face_handle()) // a new face is in front of it
+        link(f, i, Side{front[i].face, front[i].index, is_constrained});
+      else if (m_old_numbers(&*n) != no_index)
+        link(f, i, Side{Face_handle(), 0, is_constrained});
+      else
+        link(f, i, Side{n, mirror_index(old, i), is_constrained});
+    }
+    return f;
+  }
+
+  /// what is behind the side `i` of a new face, as a new face
+  Face_handle across(Face_handle f, int i)
+  {
+    const Face_handle n = f->neighbor(i);
+    return is_new(n) ? n : copy(n);
+  }
+
+  Side side(Face_handle f, int i) const
+  {
+    const Face_handle n = f->neighbor(i);
+    return Side{n, n == Face_handle() ? 0 : mirror_index(f, i), f->is_constrained(i)};
+  }
+
+  /// puts `s` behind the side `i` of a new face, and the face in front of `s`
+  void link(Face_handle f, int i, const Side& s)
+  {
+    f->set_neighbor(i, s.face);
+    f->set_constraint(i, s.is_constrained);
+    if (s.face == Face_handle()) {
+      m_open[ends(f, i)] = Front{f, i};
+    } else if (is_new(s.face)) {
+      s.face->set_neighbor(s.index, f);
+      s.face->set_constraint(s.index, s.is_constrained);
+    } else {
+      m_front[&*s.face][static_cast<std::size_t>(s.index)] = Front{f, i};
+    }
+  }
+
+  /// the open side from one vertex to another, which has its face on the left; empty if there is none
+  Side open_side(Vertex_handle from, Vertex_handle to) const
+  {
+    const auto found = m_open.find({&*from, &*to});
+    return found == m_open.end() ? Side{Face_handle(), 0, false} : Side{found->second.face, found->second.index, true};
+  }
+
+  /// it is linked now, or gone
+  void forget_open_side(Vertex_handle from, Vertex_handle to) { m_open.erase({&*from, &*to}); }
+
+  bool has_open_sides() const { return !m_open.empty(); }
+
+  /// a new face is not needed any more; its sides are to be linked with others
+  void drop(Face_handle f) { m_is_dropped[m_new_numbers(&*f)] = 1; }
+
+  bool is_dropped(Face_handle f) const { return m_is_dropped[m_new_numbers(&*f)] != 0; }
+
+  /// turns the edge on the side `i` of a new face, which is not constrained, between two new faces
+  void flip(Face_handle f, int i)
+  {
+    const Face_handle g = across(f, i);
+    const int j = mirror_index(f, i);
+    const Vertex_handle p = f->vertex(i), a = f->vertex(Cdt::ccw(i)), b = f->vertex(Cdt::cw(i)), q = g->vertex(j);
+    const Side pa = side(f, Cdt::cw(i)), bp = side(f, Cdt::ccw(i)), qb = side(g, Cdt::cw(j)),
+               aq = side(g, Cdt::ccw(j));
+    f->set_vertices(p, a, q);
+    g->set_vertices(p, q, b);
+    link(f, 0, aq);
+    link(f, 2, pa);
+    link(g, 0, qb);
+    link(g, 1, bp);
+    link(f, 1, Side{g, 2, false});
+  }
+
+  const std::vector<Face_handle>& new_faces() const { return m_new; } ///< with dropped ones
+  const std::vector<Vertex_handle>& new_vertices() const { return m_new_vertices; }
+
+  /// Puts the new faces into the place of the old ones.
+  void exchange() noexcept
+  {
+    for (const auto& [old, front] : m_front)
+      for (int j = 0; j < 3; ++j)
+        if (front[j].face != Face_handle())
+          static_cast<typename Cdt::Face*>(old)->set_neighbor(j, front[j].face);
+    for (Face_handle f : m_new)
+      for (int i = 0; i < 3 && !is_dropped(f); ++i)
+        f->vertex(i)->set_face(f);
+    m_is_exchanged = true;
+  }
+
+  /// deletes the old faces and what was dropped, and old vertices; then there is no way back
+  void finish(const std::vector<Vertex_handle>& removed) noexcept
+  {
+    for (Face_handle f : m_new)
+      if (is_dropped(f))
+        m_cdt.tds().delete_face(f);
+    for (Face_handle f : m_old)
+      m_cdt.tds().delete_face(f);
+    for (Vertex_handle v : removed)
+      m_cdt.tds().delete_vertex(v);
+    m_is_finished = true;
+  }
+
+private:
+  /// a new face that has an open side, or an old face behind it
+  struct Front
+  {
+    Face_handle face;
+    int index = 0;
+  };
+
+  using Ends = std::pair<const void*, const void*>;
+
+  static Ends ends(Face_handle f, int i) { return {&*f->vertex(Cdt::ccw(i)), &*f->vertex(Cdt::cw(i))}; }
+
+  Face_handle enter(Face_handle f)
+  {
+    m_new.push_back(f); // there is room for it
+    m_new_numbers.add(&*f);
+    m_is_dropped.push_back(0);
+    return f;
+  }
+
+  /// with what the user's face base carries
+  static void copy_content(const typename Cdt::Face& from, typename Cdt::Face& to)
+  {
+    if constexpr (Has_time_stamp<typename Cdt::Face>::value) {
+      const auto stamp = to.time_stamp();
+      to = from;
+      to.set_time_stamp(stamp);
+    } else {
+      to = from;
+    }
+  }
+
+  /// of the side `i` of a face in the face behind it, which need not know that it is there
+  static int mirror_index(Face_handle f, int i)
+  {
+    return Cdt::cw(f->neighbor(i)->index(f->vertex(Cdt::cw(i))));
+  }
+
+  void undo() noexcept
+  {
+    for (Face_handle f : m_old)
+      for (int i = 0; i < 3; ++i) {
+        f->vertex(i)->set_face(f);
+        f->neighbor(i)->set_neighbor(mirror_index(f, i), f);
+      }
+  }
+
+  Cdt& m_cdt;
+  std::vector<Face_handle> m_new, m_old;
+  std::vector<Face_handle> m_copies; // of each old face, if it has one
+  std::vector<char> m_is_dropped;    // of each new face
+  Address_numbers m_new_numbers, m_old_numbers;
+  std::vector<Vertex_handle> m_new_vertices;
+  std::map<Ends, Front> m_open;
+  std::unordered_map<void*, std::array<Front, 3>> m_front; // what old faces that stay have on their sides
+  bool m_is_exchanged = false, m_is_finished = false;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FACE_EXCHANGE_2_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_MISFIT_SEARCH_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_MISFIT_SEARCH_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// When a face does not fit.
+struct Misfit_criteria
+{
+  double longest_edge = 1.5, shortest_edge = 0.6; ///< means of the edges of a face, over the size there
+  double misfit_angle = 20;                       ///< degrees
+  std::size_t number_of_rings = 4;
+};
+
+/// A place whose triangles are what the outline forces them to be.
+struct Forced_place_2
+{
+  Point center;
+  double radius;
+};
+
+/// Finds the faces of a mesh that do not fit sizes. In a good mesh the mean length of a face's edges differs from the
+/// size by up to a third here and there, so only larger misfits tell that sizes have changed. But then all counts
+/// that hangs together with them and is off by the cube root of their factor, so that nothing is left over where
+/// changes fade out.
+template <class Cdt, class Is_inside>
+class Misfit_search_2
+{
+public:
+  using Face_handle = typename Cdt::Face_handle;
+
+  Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Misfit_criteria& criteria,
+                  const std::vector<Forced_place_2>& forced)
+    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria), m_forced(forced),
+      m_smallest_sine(std::sin(criteria.misfit_angle * CGAL_PI / 180)), m_numbers(sizeof(typename Cdt::Face))
+  {}
+
+  std::vector<Face_handle> operator()()
+  {
+    for (auto f = m_cdt.finite_faces_begin(); f != m_cdt.finite_faces_end(); ++f)
+      if (m_is_in_domain(f) && is_misfit(f) && !is_forced(f))
+        add(f);
+    for (std::size_t k = 0; k < m_found.size(); ++k)
+      for (int i = 0; i < 3; ++i) {
+        const Face_handle n = m_found[k]->neighbor(i);
+        if (is_other(n) && is_slight_misfit(n))
+          add(n);
+      }
+    Part_growth_2<Cdt, Is_inside> part(m_cdt, m_is_in_domain, std::move(m_found));
+    part.add_rings(m_criteria.number_of_rings);
+    return part.faces();
+  }
+
+private:
+  void add(Face_handle f)
+  {
+    m_numbers.add(&*f);
+    m_found.push_back(f);
+  }
+
+  /// whether it is a face of the domain that was not found yet
+  bool is_other(Face_handle f) const
+  {
+    return m_numbers(&*f) == no_index && !m_cdt.is_infinite(f) && m_is_in_domain(f);
+  }
+
+  /// \pre called for misfits only, of which there are few
+  bool is_forced(Face_handle f) const
+  {
+    const Point p = point_in_double(f->vertex(0)->point());
+    return std::any_of(m_forced.begin(), m_forced.end(), [&p](const Forced_place_2& forced) {
+      return CGAL::squared_distance(p, forced.center) < forced.radius * forced.radius;
+    });
+  }
+
+  bool is_misfit(Face_handle f) const
+  {
+    const auto [mean, sine] = measure(f);
+    return mean > m_criteria.longest_edge || mean < m_criteria.shortest_edge || sine < m_smallest_sine;
+  }
+
+  bool is_slight_misfit(Face_handle f) const
+  {
+    const double mean = measure(f).first, cube = mean * mean * mean;
+    return cube > m_criteria.longest_edge || cube < m_criteria.shortest_edge;
+  }
+
+  /// the mean length of the edges over the size, and the sine of the smallest angle that is not between two constraints
+  std::pair<double, double> measure(Face_handle f) const
+  {
+    std::array<Point, 3> p;
+    std::array<double, 3> length; // of the sides opposite to the corners
+    for (int i = 0; i < 3; ++i)
+      p[i] = point_in_double(f->vertex(i)->point());
+    for (int i = 0; i < 3; ++i)
+      length[i] = std::sqrt(CGAL::squared_distance(p[ccw(i)], p[cw(i)]));
+    const double twice_area = std::abs((p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) -
+                                       (p[2].x() - p[0].x()) * (p[1].y() - p[0].y()));
+    double sine = 1;
+    for (int i = 0; i < 3; ++i)
+      if (!f->is_constrained(ccw(i)) || !f->is_constrained(cw(i)))
+        if (length[i] <= length[ccw(i)] || length[i] <= length[cw(i)]) // else it may be obtuse
+          sine = (std::min)(sine, twice_area / (length[ccw(i)] * length[cw(i)]));
+    return {(length[0] + length[1] + length[2]) / (3 * m_sizes(CGAL::centroid(p[0], p[1], p[2]))), sine};
+  }
+
+  const Cdt& m_cdt;
+  const Is_inside& m_is_in_domain;
+  const Sizes_2& m_sizes;
+  Misfit_criteria m_criteria;
+  const std::vector<Forced_place_2>& m_forced;
+  double m_smallest_sine;
+  Address_numbers m_numbers; // of faces that were found
+  std::vector<Face_handle> m_found;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_MISFIT_SEARCH_2_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// The faces of a domain that have a constraint at a side: they know all of its outline.
+template <class Cdt>
+class Outline_copy_2 : public Marked_copy_2
+{
+  using Face_handle = typename Cdt::Face_handle;
+
+public:
+  template <class Is_inside>
+  Outline_copy_2(const Cdt& cdt, const Is_inside& is_in_domain)
+    : Marked_copy_2(cdt, faces_at_outline(cdt, is_in_domain), [](Face_handle, int) { return false; })
+  {}
+
+private:
+  template <class Is_inside>
+  static std::vector<Face_handle> faces_at_outline(const Cdt& cdt, const Is_inside& is_in_domain)
+  {
+    std::vector<Face_handle> result;
+    for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
+      if (is_in_domain(f) && (f->is_constrained(0) || f->is_constrained(1) || f->is_constrained(2)))
+        result.push_back(f);
+    return result;
+  }
+};
+
+/// The sizes that a relaxation of the whole domain would follow, found from its outline alone.
+template <class Cdt>
+class Outline_reading_2
+{
+public:
+  template <class Is_inside, class Is_pinned>
+  Outline_reading_2(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned, const Sizes_2& wanted,
+                    const Relaxation_options& options)
+    : m_reading(cdt, Outline_copy_2<Cdt>(cdt, is_in_domain), is_pinned), m_wanted(wanted)
+  {
+    add_pins(cdt, is_in_domain, is_pinned);
+    m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
+    constexpr double reach = 0.5; // of circles, in sizes, with what is refined around them
+    for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth)) {
+      const Point& p = m_reading.domain.corners()[c.corner];
+      m_forced.push_back(Forced_place_2{p, reach * m_wanted(p)});
+    }
+  }
+
+  const Sizes_2& sizes() const { return m_limits.sizes; }
+
+  /// around corners in which two edges of the domain meet in less than 45 degrees
+  const std::vector<Forced_place_2>& forced_places() const { return m_forced; }
+
+private:
+  template <class Is_inside, class Is_pinned>
+  void add_pins(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned)
+  {
+    std::vector<Point>& pins = m_reading.given.pinned;
+    pins.clear();
+    for (auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v)
+      if (is_pinned(v) && !cdt.are_there_incident_constraints(v) && is_in_domain(v->face()))
+        pins.push_back(point_in_double(v->point()));
+    std::sort(pins.begin(), pins.end());
+  }
+
+  Part_reading_2<Cdt> m_reading;
+  Sizes_2 m_wanted;
+  Limits_of_outline_2 m_limits{m_wanted, nullptr, nullptr};
+  std::vector<Forced_place_2> m_forced;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_CHECK_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_CHECK_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Whether a face is in the domain, as far as the face itself can tell.
+template <class Cdt>
+struct Is_in_domain
+{
+  const Cdt& cdt;
+
+  bool operator()(typename Cdt::Face_handle f) const
+  {
+    if constexpr (Has_domain_mark<typename Cdt::Face>::value)
+      return f->is_in_domain();
+    else
+      return !cdt.is_infinite(f);
+  }
+};
+
+/// Checks that faces can be meshed anew.
+template <class Cdt>
+class Part_check_2
+{
+  using Face_handle = typename Cdt::Face_handle;
+
+public:
+  explicit Part_check_2(const Cdt& cdt) : m_cdt(cdt), m_faces(sizeof(typename Cdt::Face)) {}
+
+  /// \throws std::invalid_argument if a face cannot be
+  template <class Face_range, class Is_inside>
+  std::vector<Face_handle> operator()(const Face_range& range, const Is_inside& is_in_domain)
+  {
+    if (m_cdt.dimension() < 2)
+      throw_faces("cannot be of this triangulation, whose dimension is " + std::to_string(m_cdt.dimension()));
+    for (Face_handle f : range) {
+      if (f == Face_handle())
+        throw_faces("has an empty handle");
+      if (m_faces(&*f) == no_index) {
+        m_faces.add(&*f);
+        m_part.push_back(f);
+      }
+    }
+    if (m_part.empty())
+      throw_faces("is empty");
+    check_owner();
+    for (Face_handle f : m_part)
+      check(f, is_in_domain);
+    return std::move(m_part);
+  }
+
+private:
+  [[noreturn]] static void throw_faces(const std::string& what)
+  {
+    throw std::invalid_argument("Bubble_relaxation_2: parameter faces " + what);
+  }
+
+  template <class Is_inside>
+  void check(Face_handle f, const Is_inside& is_in_domain) const
+  {
+    if (m_cdt.is_infinite(f))
+      throw_faces("has an infinite face");
+    if (is_in_domain(f))
+      return;
+    const Point p = point_in_double(f->vertex(0)->point());
+    throw_faces("has a face that is not marked as one of the domain, with a vertex at " + in_words(p.x(), p.y()));
+  }
+
+  /// Of faces that hang together one tells of all whether they are this triangulation's: asking the triangulation takes
+  /// longer, the larger it is.
+  void check_owner() const
+  {
+    std::vector<char> is_reached(m_part.size(), 0);
+    std::vector<Index> reached;
+    for (std::size_t k = 0; k < m_part.size(); ++k) {
+      if (is_reached[k])
+        continue;
+      if (!m_cdt.tds().faces().owns(m_part[k]))
+        throw_faces("has a face that is none of this triangulation");
+      is_reached[k] = 1;
+      reached.assign(1, static_cast<Index>(k));
+      while (!reached.empty()) {
+        const Face_handle f = m_part[reached.back()];
+        reached.pop_back();
+        for (int i = 0; i < 3; ++i) {
+          const Index n = m_faces(&*f->neighbor(i));
+          if (n != no_index && !is_reached[n]) {
+            is_reached[n] = 1;
+            reached.push_back(n);
+          }
+        }
+      }
+    }
+  }
+
+  const Cdt& m_cdt;
+  Address_numbers m_faces;
+  std::vector<Face_handle> m_part;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_CHECK_2_H

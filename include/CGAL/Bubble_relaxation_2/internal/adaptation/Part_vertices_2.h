@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_VERTICES_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_VERTICES_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+
+#include <cstddef>
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// The vertices of a part before and after: those of bubbles that lie where a vertex was are that vertex, others are
+/// new.
+template <class Cdt>
+class Part_vertices_2
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Point_2 = typename Cdt::Point;
+
+public:
+  Part_vertices_2(const Part_reading_2<Cdt>& reading, const Bubbles_2& bubbles, Face_exchange_2<Cdt>& exchange)
+    : m_reading(reading), m_bubbles(bubbles), m_exchange(exchange), m_of_bubble(bubbles.size()),
+      m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
+  {
+    std::map<Place, Index> old;
+    for (Index v : reading.free)
+      old[place(v)] = v;
+    for (const auto& chain : reading.graph->chains())
+      for (Index v : chain.splits)
+        old[place(v)] = v;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (bubbles.is_corner(i))
+        set(i, corner(i));
+      else
+        keep(i, old);
+    for (const auto& [where, v] : old)
+      m_removed.push_back(reading.vertex(v));
+  }
+
+  /// of a bubble; it is made if there is none
+  Vertex_handle operator()(Index bubble)
+  {
+    const std::size_t i = static_cast<std::size_t>(bubble);
+    if (!m_is_known[i])
+      set(i, m_exchange.add_vertex(bubbles_point(i)));
+    return m_of_bubble[i];
+  }
+
+  /// the bubble of a vertex, `no_index` if it has none
+  Index bubble(Vertex_handle v) const
+  {
+    const Index known = m_bubble_numbers(&*v);
+    return known == no_index ? no_index : m_bubbles_in_order[known];
+  }
+
+  const std::vector<Vertex_handle>& removed() const { return m_removed; }
+
+private:
+  using Place = std::pair<double, double>;
+
+  Place place(Index v) const
+  {
+    const Point p = point_in_double(m_reading.vertex(v)->point());
+    return {p.x(), p.y()};
+  }
+
+  Vertex_handle corner(std::size_t i) const
+  {
+    return m_reading.vertex(m_bubbles.host[i] != no_index ? m_reading.graph->corners()[m_bubbles.host[i]]
+                                                          : m_reading.pinned[m_bubbles.pin[i]]);
+  }
+
+  void set(std::size_t i, Vertex_handle v)
+  {
+    m_of_bubble[i] = v;
+    m_is_known[i] = 1;
+    m_bubble_numbers.add(&*v);
+    m_bubbles_in_order.push_back(static_cast<Index>(i));
+  }
+
+  /// Takes the vertex that is there already. What was free must be free, what split a constraint must be on it.
+  void keep(std::size_t i, std::map<Place, Index>& old)
+  {
+    const auto found = old.find({m_bubbles.x[i], m_bubbles.y[i]});
+    if (found == old.end())
+      return;
+    const Vertex_handle v = m_reading.vertex(found->second);
+    if (m_bubbles.is_on_edge(i) != m_reading.graph->contains(found->second) ||
+        (m_bubbles.is_in_face(i) && v->point() != Point_2(m_bubbles.x[i], m_bubbles.y[i])))
+      return; // in an exact kernel it is near by
+    set(i, v);
+    old.erase(found);
+  }
+
+  /// with exact constructions a bubble lies on its edge exactly, with others up to rounding
+  Point_2 bubbles_point(std::size_t i) const
+  {
+    using Ft = typename Cdt::Geom_traits::FT;
+    if constexpr (!std::is_floating_point<Ft>::value)
+      if (m_bubbles.is_on_edge(i)) {
+        const auto& chain = m_reading.graph->chains()[m_bubbles.host[i]];
+        const Point_2 &a = m_reading.vertex(m_reading.graph->corners()[chain.source])->point(),
+                      &b = m_reading.vertex(m_reading.graph->corners()[chain.target])->point();
+        const Ft s(m_bubbles.s[i]);
+        return Point_2(a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y()));
+      }
+    return Point_2(m_bubbles.x[i], m_bubbles.y[i]);
+  }
+
+  const Part_reading_2<Cdt>& m_reading;
+  const Bubbles_2& m_bubbles;
+  Face_exchange_2<Cdt>& m_exchange;
+  std::vector<Vertex_handle> m_of_bubble;
+  Address_numbers m_bubble_numbers; // of vertices in the order in which they became known
+  std::vector<Index> m_bubbles_in_order;
+  std::vector<char> m_is_known;
+  std::vector<Vertex_handle> m_removed;
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_VERTICES_2_H

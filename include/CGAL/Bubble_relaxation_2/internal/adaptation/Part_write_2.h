@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_WRITE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_WRITE_2_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Border_change_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Constraint_paths_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Delaunay_repair_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_vertices_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Writes the mesh of a part into the triangulation that it was read from. All that can fail is done by `build()`, of
+/// which nothing is left if no exchange follows.
+template <class Cdt>
+class Part_write_2
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Face_handle = typename Cdt::Face_handle;
+  using Side = typename Face_exchange_2<Cdt>::Side;
+  using Chain = Constraint_graph_2::Chain;
+  using Path = std::vector<Vertex_handle>;
+  using Path_change = typename Constraint_paths_2<Cdt>::Change;
+
+public:
+  Part_write_2(Cdt& cdt, const std::vector<Face_handle>& part, const Part_reading_2<Cdt>& reading,
+               const Bubble_mesh_2& mesh)
+    : m_cdt(cdt), m_part(part), m_reading(reading), m_mesh(mesh), m_exchange(cdt),
+      m_vertices(reading, mesh.bubbles, m_exchange), m_repair(cdt, m_exchange), m_paths(reading)
+  {}
+
+  /// Makes the new faces. Returns the bubbles that have to go before that can be done: those that an edge of the rim
+  /// cannot bear, or which are beside a constraint by a rounding where there is no room for that.
+  /// \throws std::runtime_error if the triangulation is too flat beside a constraint
+  std::vector<Index> build()
+  {
+    take_part();
+    m_paths.find(m_mesh.bubbles, m_vertices);
+    for (std::size_t e = 0; e < m_paths.size(); ++e)
+      change_border(m_reading.graph->chains()[e], m_paths[e]);
+    m_repair.make_hull_convex();
+    if (std::vector<Index> those = bubbles_of(m_repair.flat_faces(0)); !those.empty())
+      return those;
+    m_repair.flip(0, true);
+    m_first_inside = m_exchange.new_faces().size();
+    add_faces();
+    link_faces();
+    if (std::vector<Index> those = bubbles_of(m_repair.flat_faces(m_first_inside)); !those.empty())
+      return those;
+    m_repair.flip(m_first_inside, false);
+    return unbearable();
+  }
+
+  const Path& removed_vertices() const { return m_vertices.removed(); }
+  const Path& new_vertices() const { return m_exchange.new_vertices(); }
+
+  /// those in the domain
+  std::vector<Face_handle> new_faces() const
+  {
+    return {m_exchange.new_faces().begin() + static_cast<std::ptrdiff_t>(m_first_inside), m_exchange.new_faces().end()};
+  }
+
+  void exchange() noexcept { m_exchange.exchange(); }
+
+  /// there is no way back then
+  void finish()
+  {
+    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      m_paths.change_hierarchy(m_cdt);
+    m_exchange.finish(m_vertices.removed());
+  }
+
+private:
+  void take_part()
+  {
+    for (Face_handle f : m_part)
+      m_exchange.take(f);
+    Address_numbers in_part(sizeof(typename Cdt::Face));
+    for (Face_handle f : m_part)
+      in_part.add(&*f);
+    for (Face_handle f : m_part)
+      for (int i = 0; i < 3; ++i)
+        if (in_part(&*f->neighbor(i)) == no_index)
+          m_beyond[{&*f->vertex(Cdt::ccw(i)), &*f->vertex(Cdt::cw(i))}] = {f, i};
+  }
+
+  /// changes the faces on the other side of a constraint at the border of the domain
+  void change_border(const Chain& chain, const Path_change& paths)
+  {
+    if (paths.before == paths.after || (chain.inside_left && chain.inside_right))
+      return;
+    Path before = paths.before, after = paths.after;
+    if (chain.inside_right == false) { // what is out of the domain is to be on the left
+      std::reverse(before.begin(), before.end());
+      std::reverse(after.begin(), after.end());
+    }
+    for (std::size_t k = 0; k + 1 < before.size(); ++k)
+      m_exchange.copy(beyond(before[k + 1], before[k]).face);
+    Border_change_2<Cdt> change(m_cdt, m_exchange);
+    for_each_stretch<Vertex_handle>(before, after, [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
+      for (std::size_t k = 0; k < old.size(); ++k)
+        if (!change.remove(u, old[k], k + 1 < old.size() ? old[k + 1] : v))
+          throw_too_flat();
+      Vertex_handle last = u;
+      for (Vertex_handle w : added) {
+        change.insert(last, w, v);
+        last = w;
+      }
+    });
+  }
+
+  /// the face beyond the side of the part from `u` to `v`; an open side if there is none
+  Side beyond(Vertex_handle u, Vertex_handle v) const
+  {
+    const auto found = m_beyond.find({&*u, &*v});
+    if (found == m_beyond.end())
+      throw std::runtime_error("Bubble_relaxation_2: an edge of the part got lost; please report this");
+    return m_exchange.side(found->second.first, found->second.second);
+  }
+
+  void add_faces()
+  {
+    const Marked_triangles_2& tr = m_mesh.triangles;
+    m_faces.resize(tr.number_of_triangles());
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      if (!tr.inside[t])
+        continue;
+      const auto& v = tr.vertices[t];
+      m_faces[t] = m_exchange.add_face(m_vertices(v[0]), m_vertices(v[1]), m_vertices(v[2]));
+      if constexpr (Has_domain_mark<typename Cdt::Face>::value)
+        m_faces[t]->set_in_domain(true);
+    }
+  }
+
+  void link_faces()
+  {
+    const Marked_triangles_2& tr = m_mesh.triangles;
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      for (int i = 0; i < 3 && tr.inside[t]; ++i) {
+        const Index n = tr.neighbors[t][i];
+        if (n == no_index || !tr.inside[n])
+          m_exchange.link(m_faces[t], i, outer_side(m_faces[t], i));
+        else if (static_cast<std::size_t>(n) > t)
+          m_exchange.link(m_faces[t], i, Side{m_faces[n], tr.index_of_neighbor(n, static_cast<Index>(t)),
+                                              tr.edges[t][i] != no_index});
+      }
+    if (m_exchange.has_open_sides())
+      throw std::runtime_error("Bubble_relaxation_2: an edge of the border got lost; please report this");
+  }
+
+  /// what a new face has behind a side where the part ends
+  Side outer_side(Face_handle f, int i)
+  {
+    const Vertex_handle u = f->vertex(Cdt::ccw(i)), v = f->vertex(Cdt::cw(i));
+    const Side open = m_exchange.open_side(v, u);
+    if (open.face == Face_handle())
+      return beyond(u, v);
+    m_exchange.forget_open_side(v, u);
+    return open;
+  }
+
+  /// the vertices opposite to edges of the rim that are in the circle of the face behind it
+  std::vector<Index> unbearable() const
+  {
+    std::vector<Index> result;
+    for (std::size_t k = m_first_inside; k < m_exchange.new_faces().size(); ++k) {
+      const Face_handle f = m_exchange.new_faces()[k];
+      for (int i = 0; i < 3; ++i)
+        if (!m_exchange.is_new(f->neighbor(i)) && !f->is_constrained(i) && m_repair.is_illegal(f, i))
+          result.push_back(m_vertices.bubble(f->vertex(i)));
+    }
+    return only_movable(std::move(result));
+  }
+
+  /// those of faces that can go
+  /// \throws std::runtime_error if there is none among them
+  std::vector<Index> bubbles_of(const std::vector<Face_handle>& flat) const
+  {
+    std::vector<Index> result;
+    for (Face_handle f : flat)
+      for (int i = 0; i < 3; ++i)
+        result.push_back(m_vertices.bubble(f->vertex(i)));
+    result = only_movable(std::move(result));
+    if (result.empty() && !flat.empty())
+      throw_too_flat();
+    return result;
+  }
+
+  std::vector<Index> only_movable(std::vector<Index> those) const
+  {
+    std::sort(those.begin(), those.end());
+    those.erase(std::unique(those.begin(), those.end()), those.end());
+    those.erase(std::remove_if(those.begin(), those.end(),
+                               [&](Index i) { return i == no_index || !m_mesh.bubbles.can_move(i); }),
+                those.end());
+    return those;
+  }
+
+  [[noreturn]] static void throw_too_flat()
+  {
+    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to change it "
+                             "there");
+  }
+
+  Cdt& m_cdt;
+  const std::vector<Face_handle>& m_part;
+  const Part_reading_2<Cdt>& m_reading;
+  const Bubble_mesh_2& m_mesh;
+  Face_exchange_2<Cdt> m_exchange;
+  Part_vertices_2<Cdt> m_vertices;
+  Delaunay_repair_2<Cdt> m_repair;
+  std::map<std::pair<const void*, const void*>, std::pair<Face_handle, int>> m_beyond; // sides by their ends
+  Constraint_paths_2<Cdt> m_paths;
+  std::vector<Face_handle> m_faces; // of the triangles that are inside
+  std::size_t m_first_inside = 0;   // of the new faces
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_WRITE_2_H

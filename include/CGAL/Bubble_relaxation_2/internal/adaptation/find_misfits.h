@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FIND_MISFITS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FIND_MISFITS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Outline_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_check_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/read_adaptation.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
+
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// The faces of a triangulation that do not fit sizes, and what it took to find them.
+template <class Cdt>
+struct Misfits_2
+{
+  std::vector<typename Cdt::Face_handle> faces;
+  std::optional<Sizes_2> sizes; ///< that a relaxation of the whole would follow
+};
+
+/// The domain of a triangulation whose faces have no marks is found as by a relaxation, in a copy.
+template <class Cdt, class NamedParameters>
+auto domain_of(const Cdt& cdt, [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (Has_domain_mark<typename Cdt::Face>::value)
+    return Is_in_domain<Cdt>{cdt};
+  else
+    return Domain_marks_2<Cdt>(cdt, np);
+}
+
+/// what is reported where nothing is a misfit
+inline void tell_that_all_fits(Report& report)
+{
+  report.converged = true;
+  report.stop_reason = Bubble_stop_reason::CONVERGED;
+}
+
+template <class Cdt, class Is_inside, class NamedParameters>
+Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_options& options,
+                            const NamedParameters& np)
+{
+  static_assert(Is_given<NamedParameters, internal_np::sizing_function_t>::value,
+                "sizing_function is needed to find out where a mesh does not fit it");
+  const Misfit_criteria criteria = read_misfit_criteria(np);
+  const Outline_reading_2<Cdt> outline(cdt, is_in_domain, is_pinned<Cdt>(np), *given_sizes<Cdt>(np), options);
+  Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
+  return Misfits_2<Cdt>{search(), outline.sizes()};
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FIND_MISFITS_H

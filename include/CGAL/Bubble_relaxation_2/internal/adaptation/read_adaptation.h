@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Default_adaptation_visitor_2.h>
+
+#include <functional>
+#include <optional>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// the options of a relaxation, with its threads
+template <class NamedParameters>
+Relaxation_options read_local_options(const NamedParameters& np)
+{
+  Relaxation_options options = read_options(np);
+  options.threads = threads_of<Concurrency<NamedParameters>>();
+  return options;
+}
+
+/// when a face does not fit, as the user says
+template <class NamedParameters>
+Misfit_criteria read_misfit_criteria(const NamedParameters& np)
+{
+  Misfit_criteria c;
+  take(np, internal_np::longest_edge, c.longest_edge);
+  take(np, internal_np::shortest_edge, c.shortest_edge);
+  take(np, internal_np::misfit_angle, c.misfit_angle);
+  take_count(np, internal_np::number_of_rings, "number_of_rings", c.number_of_rings, 0, 1000000);
+  if (!(c.longest_edge > 1))
+    throw_invalid_parameter("longest_edge", c.longest_edge, "greater than 1");
+  if (!(c.shortest_edge >= 0 && c.shortest_edge < 1))
+    throw_invalid_parameter("shortest_edge", c.shortest_edge, "not negative and less than 1");
+  if (!(c.misfit_angle >= 0 && c.misfit_angle <= 33))
+    throw_invalid_parameter("misfit_angle", c.misfit_angle, "0 to 33 degrees");
+  return c;
+}
+
+/// the user's sizes, if there are any
+template <class Cdt, class NamedParameters>
+std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
+{
+  using Point_2 = typename Cdt::Geom_traits::Point_2;
+  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value)
+    return Sizes_2(
+      checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
+  else
+    return std::nullopt;
+}
+
+/// what a visitor refers to if it is a reference
+template <class Visitor>
+Visitor& unwrapped(Visitor& visitor)
+{
+  return visitor;
+}
+
+template <class Visitor>
+Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
+{
+  return visitor.get();
+}
+
+/// a copy of the user's visitor, or a reference to it if that was given
+template <class Cdt, class NamedParameters>
+decltype(auto) visitor_of([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::visitor_t>::value)
+    return parameters::get_parameter(np, internal_np::visitor);
+  else
+    return Default_adaptation_visitor_2<Cdt>();
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
+
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_copy_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_write_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_defects.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_sizes.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// What is to be done with a part of a triangulation. It refers to the user's vertices and parameters.
+template <class Cdt>
+class Part_input_2
+{
+public:
+  using Part = std::vector<typename Cdt::Face_handle>;
+
+  /// `sizes`: those that are wanted; by default those of the mesh
+  template <class Is_inside, class Is_pinned>
+  Part_input_2(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain, const Is_pinned& is_pinned,
+               const Relaxation_options& options, const std::optional<Sizes_2>& sizes)
+    : Part_input_2(cdt, Part_copy_2<Cdt>(cdt, part, is_in_domain), is_pinned, options, sizes)
+  {}
+
+  const Part_reading_2<Cdt>& reading() const { return m_reading; }
+
+  Problem_2 problem() const
+  {
+    return Problem_2{m_limits.cut ? *m_limits.domain : m_reading.domain, m_reading.given, m_options, m_wanted,
+                     m_limits.sizes, m_limits.cut.get(), &m_reading.domain};
+  }
+
+private:
+  /// Bubbles that are a little too dense stay so. Once that does not show, but many changes of a mesh would add up.
+  static constexpr double little = 1.1;
+
+  template <class Is_pinned>
+  Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_pinned& is_pinned, const Relaxation_options& o,
+               const std::optional<Sizes_2>& sizes)
+    : m_options(o), m_reading(cdt, copy, is_pinned),
+      m_wanted(sizes ? no_finer_than_rim(m_reading.domain, *sizes, o.size_growth) : sizes_of_mesh(copy)),
+      m_limits(limit_by_outline(m_reading.domain, m_reading.given, m_wanted, o, o.limit_by_outline && sizes))
+  {
+    m_reading.given.largest_misfit = little;
+    if (!m_options.placement_is_given) // then what fits of a mesh is kept
+      m_reading.look_around(copy);
+  }
+
+  Relaxation_options m_options;
+  Part_reading_2<Cdt> m_reading;
+  Sizes_2 m_wanted;
+  Limits_of_outline_2 m_limits;
+};
+
+/// Nodes that cannot be written have to go, until those can be that are left.
+template <class Cdt>
+void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_reading_2<Cdt>& reading,
+                   const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
+{
+  for (;;) {
+    const std::vector<Index> those = Part_write_2<Cdt>(cdt, part, reading, mesh).build();
+    if (those.empty())
+      return;
+    make_mesh_without(those, problem, mesh, report);
+  }
+}
+
+/// Puts the mesh of a part into the triangulation, and tells the visitor.
+template <class Cdt, class Visitor>
+void write_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
+                Bubble_mesh_2 mesh, Visitor& visitor, Report& report)
+{
+  const Phase_timer timer(report.seconds.writing);
+  make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
+  using Vertices = std::vector<typename Cdt::Vertex_handle>;
+  const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh).removed_vertices();
+  visitor.before_change(part, removed);
+  Part_write_2<Cdt> write(cdt, part, input.reading(), mesh);
+  write.build();
+  const Vertices new_vertices = write.new_vertices();
+  const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
+  write.exchange();
+  visitor.while_both_exist(part, removed, new_faces, new_vertices);
+  write.finish();
+  visitor.after_change(new_faces, new_vertices);
+}
+
+/// What is to be done with a part of a triangulation, and how.
+template <class Cdt, class Is_inside, class Is_pinned>
+struct Part_task_2
+{
+  using Part = std::vector<typename Cdt::Face_handle>;
+
+  Cdt& cdt;
+  const Is_inside& is_in_domain;
+  const Is_pinned& is_pinned;
+  const Relaxation_options& options;
+  const std::optional<Sizes_2>& sizes;
+
+  /// Meshes a part anew.
+  template <class Visitor>
+  void remesh(const Part& part, Visitor& visitor, Report& report) const
+  {
+    const Part_input_2<Cdt> input = read(part, report);
+    Progress progress(options.callback, options.number_of_rounds);
+    Bubble_mesh_2 mesh = make_mesh(input.problem(), progress, report);
+    progress.report(1);
+    write_part(cdt, part, input, std::move(mesh), visitor, report);
+  }
+
+  /// The same. Where bad triangles are left at the rim, the part grows, and all is done once more.
+  template <class Visitor>
+  void adapt(Part part, Visitor& visitor, Report& report) const
+  {
+    constexpr int most_tries = 4;
+    Progress progress(options.callback, options.number_of_rounds);
+    for (int tries = 1;; ++tries) {
+      const Part_input_2<Cdt> input = read(part, report);
+      Report of_this_try;
+      of_this_try.seconds = report.seconds;
+      Bubble_mesh_2 mesh = make_mesh(input.problem(), progress, of_this_try);
+      report = of_this_try;
+      Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
+      if (larger.size() == part.size()) {
+        progress.report(1);
+        write_part(cdt, part, input, std::move(mesh), visitor, report);
+        return;
+      }
+      part.swap(larger);
+    }
+  }
+
+private:
+  Part_input_2<Cdt> read(const Part& part, Report& report) const
+  {
+    const Phase_timer timer(report.seconds.reading);
+    return Part_input_2<Cdt>(cdt, part, is_in_domain, is_pinned, options, sizes);
+  }
+
+  bool is_treated(const Report& report) const
+  {
+    return options.defect_treatment && report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK;
+  }
+
+  /// the part with more around its bad triangles
+  Part grown(const Part& part, const Part_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh) const
+  {
+    Part_growth_2<Cdt, Is_inside> growth(cdt, is_in_domain, part);
+    for (Index corner : rim_defects(reading.domain, mesh)) {
+      Part_growth_2<Cdt, Is_inside> around(cdt, is_in_domain, {});
+      around.add_star(reading.vertex(reading.graph->corners()[corner]));
+      around.add_rings(2);
+      for (auto f : around.faces())
+        growth.add(f);
+    }
+    return growth.faces();
+  }
+};
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
