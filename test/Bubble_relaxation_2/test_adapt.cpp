@@ -279,8 +279,8 @@ TEST(Adapt_kernels, with_inexact_predicates)
   }
 }
 
-/// Faces without marks cannot tell whether they are in the domain: the hole's constraints are those of a rim, except for
-/// `npbs_adapt()`, which finds the domain as a relaxation does.
+/// Faces without marks cannot tell whether they are in the domain: the hole's constraints are those of a rim, except
+/// for `npbs_adapt()`, which finds the domain as a relaxation does.
 TEST(Adapt_marks, are_not_needed)
 {
   using Bare = CGAL::Constrained_Delaunay_triangulation_2<K>;

@@ -558,50 +558,71 @@ TEST(Adapt_quality, of_places_that_are_refined_and_given_back)
   }
 }
 
-/// The vertices of former rims are like others: where parts are meshed again and again no seam is left.
-TEST(Adapt_quality, does_not_drift)
-{
-  std::mt19937 random(1);
-  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
-  Places d;
-  CDT cdt = at_once(d);
-  struct Rims : CGAL::Default_adaptation_visitor_2<CDT>
-  {
-    std::set<Point> points;
+namespace {
 
-    void after_change(const Faces& faces, const Vertices&)
-    {
-      const std::set<CDT::Face_handle> inside(faces.begin(), faces.end());
-      for (CDT::Face_handle f : faces)
-        for (int i = 0; i < 3; ++i)
-          if (f->neighbor(i)->is_in_domain() && inside.count(f->neighbor(i)) == 0)
-            points.insert(f->vertex(CDT::ccw(i))->point());
-    }
-  } rims;
-  for (int k = 0; k < 60; ++k) {
-    if (d.smaller.size() == 5)
-      d.smaller.erase(d.smaller.begin());
-    const double x = uniform(0, 1.1), y = uniform(0, 1);
-    d.smaller.push_back({x, y, uniform(0.2, 0.6)});
-    CGAL::npbs_adapt(cdt, size(d).visitor(std::ref(rims)));
+/// the points of all rims that there were
+struct Rims : CGAL::Default_adaptation_visitor_2<CDT>
+{
+  std::set<Point> points;
+
+  void after_change(const Faces& faces, const Vertices&)
+  {
+    const std::set<CDT::Face_handle> inside(faces.begin(), faces.end());
+    for (CDT::Face_handle f : faces)
+      for (int i = 0; i < 3; ++i)
+        if (f->neighbor(i)->is_in_domain() && inside.count(f->neighbor(i)) == 0)
+          points.insert(f->vertex(CDT::ccw(i))->point());
   }
-  validation::expect_valid_mesh(cdt);
-  const CDT other = at_once(d);
-  const auto after = quality(cdt, d), once = quality(other, d);
-  EXPECT_NEAR(after.mean_quality(), once.mean_quality(), 0.005);
-  EXPECT_NEAR(after.mean_length_ratio(), once.mean_length_ratio(), 0.01);
-  EXPECT_GE(after.minimum_quality(), once.minimum_quality() - 0.03);
-  double at_rims = 0, elsewhere = 0;
-  std::size_t number_at_rims = 0, number_elsewhere = 0;
+};
+
+/// by how much the mean of q is less in triangles at former rims than elsewhere
+double seam(const CDT& cdt, const std::set<Point>& rims)
+{
+  double sums[] = {0, 0}, numbers[] = {0, 0};
   for (CDT::Face_handle f : cdt.finite_face_handles()) {
     if (!f->is_in_domain())
       continue;
-    const double q = CGAL::radius_ratio_2(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
-    const bool is_at_rim = rims.points.count(f->vertex(0)->point()) + rims.points.count(f->vertex(1)->point()) +
-                             rims.points.count(f->vertex(2)->point()) > 0;
-    (is_at_rim ? at_rims : elsewhere) += q;
-    ++(is_at_rim ? number_at_rims : number_elsewhere);
+    const int is_at_rim = rims.count(f->vertex(0)->point()) + rims.count(f->vertex(1)->point()) +
+                            rims.count(f->vertex(2)->point()) > 0;
+    sums[is_at_rim] += CGAL::radius_ratio_2(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    numbers[is_at_rim] += 1;
   }
-  EXPECT_GT(number_at_rims, 500u);
-  EXPECT_GE(at_rims / double(number_at_rims), elsewhere / double(number_elsewhere) - 0.01);
+  EXPECT_GT(numbers[1], 500);
+  return sums[0] / numbers[0] - sums[1] / numbers[1];
+}
+
+} // namespace
+
+/// The vertices of former rims are like others: where parts are meshed again and again no seam is left. Means of three
+/// meshes, since the smallest q of one is a matter of luck, at once or not.
+TEST(Adapt_quality, does_not_drift)
+{
+  double mean_quality = 0, mean_length = 0, smallest = 0, difference = 0; // at once, less what it is after changes
+  constexpr int number_of_meshes = 3;
+  for (int mesh = 1; mesh <= number_of_meshes; ++mesh) {
+    std::mt19937 random(static_cast<unsigned>(mesh));
+    const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    Places d;
+    CDT cdt = at_once(d);
+    Rims rims;
+    for (int k = 0; k < 60; ++k) {
+      if (d.smaller.size() == 5)
+        d.smaller.erase(d.smaller.begin());
+      const double x = uniform(0, 1.1), y = uniform(0, 1);
+      d.smaller.push_back({x, y, uniform(0.2, 0.6)});
+      CGAL::npbs_adapt(cdt, size(d).visitor(std::ref(rims)));
+    }
+    validation::expect_valid_mesh(cdt);
+    const auto after = quality(cdt, d), once = quality(at_once(d), d);
+    mean_quality += (once.mean_quality() - after.mean_quality()) / number_of_meshes;
+    mean_length += (once.mean_length_ratio() - after.mean_length_ratio()) / number_of_meshes;
+    smallest += (once.minimum_quality() - after.minimum_quality()) / number_of_meshes;
+    difference += seam(cdt, rims.points) / number_of_meshes;
+    EXPECT_GE(after.minimum_quality(), 0.88);
+  }
+  // measured: .0011, .0087, .0042, -.0032
+  EXPECT_LE(mean_quality, 0.002);
+  EXPECT_NEAR(mean_length, 0, 0.01);
+  EXPECT_LE(smallest, 0.008);
+  EXPECT_LE(difference, 0.);
 }

@@ -112,7 +112,7 @@ private:
     for (std::size_t k = 0; k + 1 < before.size(); ++k)
       m_exchange.copy(beyond(before[k + 1], before[k]).face);
     Border_change_2<Cdt> change(m_cdt, m_exchange);
-    for_each_stretch<Vertex_handle>(before, after, [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
+    const auto change_stretch = [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
       for (std::size_t k = 0; k < old.size(); ++k)
         if (!change.remove(u, old[k], k + 1 < old.size() ? old[k + 1] : v))
           throw_too_flat();
@@ -121,7 +121,8 @@ private:
         change.insert(last, w, v);
         last = w;
       }
-    });
+    };
+    for_each_stretch<Vertex_handle>(before, after, change_stretch);
   }
 
   /// the face beyond the side of the part from `u` to `v`; an open side if there is none
