@@ -282,8 +282,7 @@ public:
   /// Collective. Sends them, and gets those that are for this rank.
   void send(Communicator& comm) { m_messages = deliver(comm, m_messages); }
 
-  /// Calls `take(bubble, set)` for each set that this rank got, with the bubbles that it knows. `indices`: of bubbles by
-  /// their numbers
+  /// Calls `take(bubble, set)` for each set that this rank got, with the bubbles that it knows. `indices`: by numbers
   template <class Take>
   void for_each(const Bubbles_2& b, const std::unordered_map<std::int64_t, Index>& indices, const Take& take) const
   {
@@ -310,8 +309,8 @@ private:
   Messages<std::int64_t> m_messages;
 };
 
-/// Collective. Tells the ranks that have bubbles of ours which neighbours these have: the sets of others' bubbles become
-/// what their owners say, as far as the neighbours are known here.
+/// Collective. Tells the ranks that have bubbles of ours which neighbours these have: the sets of others' bubbles
+/// become what their owners say, as far as the neighbours are known here.
 inline void share_sets(Communicator& comm, const Halo_2& halo, const Bubbles_2& bubbles, Neighbor_sets_2& sets)
 {
   Numbered_sets messages;
