@@ -71,8 +71,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param cdt the triangulation that bounds the domain and takes the mesh. Constraints cross, or are refused by
-`CDT::Intersection_of_constraints_exception`, when they are inserted, as its intersection tag says; that may be any but
-`No_constraint_intersection_tag`, which does not allow vertices on constraints
+`CDT::Intersection_of_constraints_exception`, when they are inserted, as its intersection tag says
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, or the
 `sizing_function` alone: a number or a function of points
 

@@ -219,7 +219,7 @@ TEST(Defects, a_given_mesh_is_never_kept_where_d_asks_for_another)
         CGAL::npbs_relax(cdt, P::sizing_function(d).initial_placement(CGAL::Bubble_placement::KEEP));
         double sum = 0;
         int number = 0;
-        for (const auto e : cdt.finite_edges()) {
+        for (const auto& e : cdt.finite_edges()) {
           const auto s = cdt.segment(e);
           const Point m = CGAL::midpoint(s.source(), s.target());
           if (distance(m) > 0.04)

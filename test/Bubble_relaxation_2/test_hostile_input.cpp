@@ -272,8 +272,8 @@ TEST_P(Hostile_input, is_meshed_or_refused)
   expect_good(in, report, 1, "with the defaults");
   if (is_expected("angles")) { // the default of minimum_angle, and what rounds
     const std::size_t number = report.number_of_forced_triangles + report.number_of_small_angles;
-    EXPECT_GE(number, number_of_small_angles(in.cdt, 28 - 1e-6));
-    EXPECT_LE(number, number_of_small_angles(in.cdt, 28 + 1e-6));
+    EXPECT_GE(number, number_of_small_angles(in.cdt, 30 - 1e-6));
+    EXPECT_LE(number, number_of_small_angles(in.cdt, 30 + 1e-6));
   }
   const std::vector<validation::Triangle> triangles = validation::triangles(in.cdt);
   if (is_expected("again"))
