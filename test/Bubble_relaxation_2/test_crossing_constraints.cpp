@@ -112,5 +112,5 @@ TEST(Crossing_of_none, constraints_are_split_by_bubbles)
   const auto report = CGAL::npbs_relax(cdt, 0.1);
   EXPECT_TRUE(report.converged);
   validation::expect_constraints_kept(before, validation::snapshot(cdt));
-  validation::expect_valid_mesh(cdt);
+  EXPECT_TRUE(cdt.is_valid());
 }

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -193,12 +194,24 @@ bool is_misfit(const Mesh& mesh, Index t)
   return area > most * wanted || wanted > most * area;
 }
 
-inline std::size_t number_of_misfits(const Bubble_mesh_2& mesh)
+/// How many triangles of a mesh do not fit d, of how many. Areas would be sums whose bits depend on the order.
+struct Misfit_counts
 {
-  std::size_t n = 0;
+  std::int64_t misfits = 0, all = 0;
+
+  /// whether it is a larger share
+  bool is_worse_than(const Misfit_counts& other) const { return misfits * other.all > other.misfits * all; }
+};
+
+inline Misfit_counts count_misfits(const Bubble_mesh_2& mesh)
+{
+  Misfit_counts counts;
   for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
-    n += mesh.triangles.inside[t] && is_misfit(mesh, static_cast<Index>(t));
-  return n;
+    if (mesh.triangles.inside[t]) {
+      ++counts.all;
+      counts.misfits += is_misfit(mesh, static_cast<Index>(t));
+    }
+  return counts;
 }
 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is larger, treated
@@ -210,7 +223,8 @@ inline void keep_the_better(const Problem_2& problem, Bubble_mesh_2& mesh, Treat
   given.bubbles = given_bubbles(problem);
   triangulate(problem.domain, given);
   if (smallest_quality(given, threads) <= smallest_quality(mesh, threads) ||
-      (problem.options.population != Bubble_population::NONE && number_of_misfits(given) > number_of_misfits(mesh)))
+      (problem.options.population != Bubble_population::NONE &&
+       count_misfits(given).is_worse_than(count_misfits(mesh))))
     return;
   counts = treat_defects(problem.domain, problem.options, given);
   mesh = std::move(given);

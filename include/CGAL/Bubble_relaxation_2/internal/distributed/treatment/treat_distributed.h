@@ -58,12 +58,15 @@ public:
   }
 
   /// Collective.
-  std::int64_t number_of_misfits(const Distributed_mesh_2& mesh) const
+  Misfit_counts count_misfits(const Distributed_mesh_2& mesh) const
   {
-    std::int64_t n = 0;
+    Misfit_counts counts;
     for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
-      n += mesh.is_owned[t] && is_misfit(mesh, static_cast<Index>(t));
-    return m_comm.sum(n);
+      if (mesh.is_owned[t]) {
+        ++counts.all;
+        counts.misfits += is_misfit(mesh, static_cast<Index>(t));
+      }
+    return {m_comm.sum(counts.misfits), m_comm.sum(counts.all)};
   }
 
   /// Collective. \pre `mesh` was made by `triangulate()`. Afterwards bubbles may have left their homes.
@@ -242,7 +245,7 @@ inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& po
   const Distributed_treatment_2 treat(problem.domain, given.partition, comm);
   Distributed_mesh_2 given_mesh = treat.triangulate(given.bubbles);
   if (treat.smallest_quality(given_mesh) <= treat.smallest_quality(mesh) ||
-      (may_operate && treat.number_of_misfits(given_mesh) > treat.number_of_misfits(mesh)))
+      (may_operate && treat.count_misfits(given_mesh).is_worse_than(treat.count_misfits(mesh))))
     return;
   counts = treat(given_mesh, may_operate);
   mesh = std::move(given_mesh);
