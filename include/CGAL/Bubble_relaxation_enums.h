@@ -42,6 +42,17 @@ enum class Bubble_population
   DELAUNAY        ///< the default: insert at large circumcircles, delete crowded and ill-connected bubbles
 };
 
+/// The parts of a relaxation, in their order.
+enum class Bubble_phase
+{
+  READING,    ///< the domain, the mesh that is there, and the sizes that the outline allows
+  PLACEMENT,  ///< of the first bubbles
+  SIMULATION, ///< rounds of steps, with changes of the population between them
+  TREATMENT,  ///< triangulation, treatment of the last defects, refinement of small angles
+  EVALUATION, ///< statistics
+  WRITING     ///< of the triangulation. From here on no callback stops anything
+};
+
 /// Why a relaxation ended.
 enum class Bubble_stop_reason
 {

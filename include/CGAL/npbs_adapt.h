@@ -110,14 +110,19 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     using FT = typename Quality_number<typename CDT::Geom_traits>::type;
 
     const Relaxation_options options = read_local_options(pack);
+    const Progress_scope scope(*options.progress);
     const Is_in_domain<CDT> is_in_domain{cdt};
     const auto pins = is_pinned<CDT>(pack);
     const std::optional<Sizes_2> sizes = given_sizes<CDT>(pack);
     const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt)(faces, is_in_domain);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
-    Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes}.remesh(
-      part, unwrapped(visitor), report);
+    try {
+      Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes}.remesh(
+        part, unwrapped(visitor), report);
+    } catch (const Stopped_by_callback&) {
+      tell_that_it_was_stopped(report);
+    }
     return Bubble_relaxation_report_2<FT>(report);
   });
 }
@@ -185,6 +190,7 @@ std::vector<typename CDT::Face_handle> npbs_misfit_faces(const CDT& cdt, const N
   using namespace Bubble_relaxation_2::internal;
   return call_checked<CDT, std::vector<typename CDT::Face_handle>>(np, [&cdt](const auto& pack) {
     const Relaxation_options options = read_local_options(pack);
+    const Progress_scope scope(*options.progress);
     return find_misfits(cdt, domain_of(cdt, pack), options, pack).faces;
   });
 }
@@ -221,6 +227,7 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
     using FT = typename Quality_number<typename CDT::Geom_traits>::type;
 
     const Relaxation_options options = read_local_options(pack);
+    const Progress_scope scope(*options.progress);
     const auto is_in_domain = domain_of(cdt, pack);
     const auto pins = is_pinned<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);

@@ -50,14 +50,19 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
   return call_checked<CDT, Nodes>(np, [&cdt](const auto& pack) {
     Nodes nodes;
     Phase_timer reading_time(nodes.report.seconds.reading);
-    const Input_2<CDT> input(cdt, pack);
-    const Problem_2 problem = input.problem();
-    reading_time.stop();
-    Progress progress(input.options.callback, input.options.number_of_rounds);
-    const Bubbles_2 bubbles = make_nodes(problem, progress, nodes.report);
-    write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
-    nodes.report.number_of_vertices = nodes.size();
-    progress.report(1);
+    const auto progress = read_progress(pack);
+    const Progress_scope scope(*progress);
+    try {
+      const Input_2<CDT> input(cdt, pack, progress);
+      const Problem_2 problem = input.problem();
+      reading_time.stop();
+      const Bubbles_2 bubbles = make_nodes(problem, nodes.report);
+      write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
+      nodes.report.number_of_vertices = nodes.size();
+      progress->report(1);
+    } catch (const Stopped_by_callback&) {
+      tell_that_it_was_stopped(nodes.report);
+    }
     return nodes;
   });
 }

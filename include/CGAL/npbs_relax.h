@@ -249,16 +249,22 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     using FT = typename Quality_number<typename CDT::Geom_traits>::type;
     Report report;
     Phase_timer reading_time(report.seconds.reading);
-    const Input_2<CDT> input(cdt, pack);
-    const Problem_2 problem = input.problem();
-    reading_time.stop();
-    Progress progress(input.options.callback, input.options.number_of_rounds);
-    const Bubble_mesh_2 mesh = make_mesh(problem, progress, report);
-    progress.report(1);
-    // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
-    Restore_on_throw<CDT> guard(cdt);
-    write_mesh(cdt, input.reading, mesh, report);
-    guard.all_went_well();
+    const auto progress = read_progress(pack);
+    const Progress_scope scope(*progress);
+    try {
+      const Input_2<CDT> input(cdt, pack, progress);
+      const Problem_2 problem = input.problem();
+      reading_time.stop();
+      const Bubble_mesh_2 mesh = make_mesh(problem, report);
+      progress->start_phase(Bubble_phase::WRITING);
+      progress->report(1);
+      // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
+      Restore_on_throw<CDT> guard(cdt);
+      write_mesh(cdt, input.reading, mesh, report);
+      guard.all_went_well();
+    } catch (const Stopped_by_callback&) {
+      tell_that_it_was_stopped(report);
+    }
     return Bubble_relaxation_report_2<FT>(report);
   });
 }

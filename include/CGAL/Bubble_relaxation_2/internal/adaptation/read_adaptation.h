@@ -19,6 +19,7 @@
 #include <CGAL/Default_adaptation_visitor_2.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -28,7 +29,9 @@ template <class NamedParameters>
 Relaxation_options read_local_options(const NamedParameters& np)
 {
   Relaxation_options options = read_options(np);
+  options.progress = std::make_shared<Progress>(read_callback(np));
   options.threads = threads_of<Concurrency<NamedParameters>>();
+  options.progress->start_phase(Bubble_phase::READING);
   return options;
 }
 
@@ -60,19 +63,6 @@ std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
       checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
   else
     return std::nullopt;
-}
-
-/// what a visitor refers to if it is a reference
-template <class Visitor>
-Visitor& unwrapped(Visitor& visitor)
-{
-  return visitor;
-}
-
-template <class Visitor>
-Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
-{
-  return visitor.get();
 }
 
 /// a copy of the user's visitor, or a reference to it if that was given

@@ -119,9 +119,8 @@ struct Part_task_2
   void remesh(const Part& part, Visitor& visitor, Report& report) const
   {
     const Part_input_2<Cdt> input = read(part, report);
-    Progress progress(options.callback, options.number_of_rounds);
-    Bubble_mesh_2 mesh = make_mesh(input.problem(), progress, report);
-    progress.report(1);
+    Bubble_mesh_2 mesh = make_mesh(input.problem(), report);
+    options.progress->report(1);
     write_part(cdt, part, input, std::move(mesh), visitor, report);
   }
 
@@ -130,16 +129,15 @@ struct Part_task_2
   void adapt(Part part, Visitor& visitor, Report& report) const
   {
     constexpr int most_tries = 4;
-    Progress progress(options.callback, options.number_of_rounds);
     for (int tries = 1;; ++tries) {
       const Part_input_2<Cdt> input = read(part, report);
       Report of_this_try;
       of_this_try.seconds = report.seconds;
-      Bubble_mesh_2 mesh = make_mesh(input.problem(), progress, of_this_try);
+      Bubble_mesh_2 mesh = make_mesh(input.problem(), of_this_try);
       report = of_this_try;
       Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
       if (larger.size() == part.size()) {
-        progress.report(1);
+        options.progress->report(1);
         write_part(cdt, part, input, std::move(mesh), visitor, report);
         return;
       }

@@ -9,14 +9,25 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PROGRESS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PROGRESS_H
 
+#include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <utility>
 
-namespace CGAL::Bubble_relaxation_2::internal {
+namespace CGAL {
+
+template <class FT_>
+struct Bubble_relaxation_report_2;
+
+namespace Bubble_relaxation_2 {
+namespace internal {
+
+struct Bubbles_2;
 
 /// Adds the time of its life to a phase of the report.
 class Phase_timer
@@ -41,41 +52,141 @@ private:
   Real_timer m_timer;
 };
 
-/// Passes progress in [0, 1], never falling, to the user's callback and remembers when it says stop.
+/// is thrown where the user's callback wants all to stop, and caught at the door
+struct Stopped_by_callback {};
+
+template <class Report>
+void tell_that_it_was_stopped(Report& report)
+{
+  report.stop_reason = Bubble_stop_reason::STOPPED_BY_CALLBACK;
+  report.converged = false;
+}
+
+/// A visitor of the user's, without its type.
+class Observer
+{
+public:
+  virtual ~Observer() = default;
+  virtual void phase_begins(Bubble_phase) = 0;
+  virtual void step_ends(const Bubbles_2&) = 0;
+  virtual void round_ends(const Bubble_relaxation_report_2<double>&) = 0;
+};
+
+/// Passes progress in [0, 1], never falling, to the user's callback, and stops all when it says so.
 class Progress
 {
 public:
-  Progress(std::function<bool(double)> callback, std::size_t number_of_rounds)
-    : m_callback(std::move(callback)), m_number_of_rounds((std::max)(number_of_rounds, std::size_t(1)))
+  explicit Progress(std::function<bool(double)> callback = nullptr, std::unique_ptr<Observer> observer = nullptr)
+    : m_callback(std::move(callback)), m_observer(std::move(observer)), m_start(Clock::now()), m_last(m_start)
   {}
 
-  void start_round(std::size_t round) { m_round = round; }
+  /// whether there is a callback
+  bool is_heard() const { return static_cast<bool>(m_callback); }
 
-  /// returns false if the user wants to stop
-  bool report_step(std::size_t step, std::size_t number_of_steps)
+  /// to tell a visitor of steps and rounds
+  Observer* observer() const { return m_observer.get(); }
+
+  void start_phase(Bubble_phase phase)
   {
-    // the bubbles' simulation is all but the last hundredth, which is left to the triangulation
-    const double rounds = static_cast<double>(m_round) +
-                          static_cast<double>(step) / static_cast<double>(number_of_steps);
-    return report(0.99 * rounds / static_cast<double>(m_number_of_rounds));
+    constexpr double begins[] = {0, 0.05, 0.25, 0.75, 0.93, 0.95, 1}; // by experience, as shares of the time of all
+    m_begin = begins[static_cast<int>(phase)];
+    m_end = begins[static_cast<int>(phase) + 1];
+    m_start_of_phase = Clock::now();
+    m_is_measured = false;
+    if (m_observer)
+      m_observer->phase_begins(phase);
+    report(m_begin);
+  }
+
+  /// `share` of the phase is done
+  /// \returns false if the user wants to stop
+  bool report_share(double share)
+  {
+    m_is_measured = true;
+    return report(m_begin + share * (m_end - m_begin));
   }
 
   bool report(double fraction)
   {
     m_fraction = (std::max)(m_fraction, (std::min)(fraction, 1.));
-    if (m_callback && !m_is_cancelled && !m_callback(m_fraction))
-      m_is_cancelled = true;
-    return !m_is_cancelled;
+    if (m_callback && !m_is_stopped) {
+      m_last = Clock::now();
+      m_is_stopped = !m_callback(m_fraction);
+      if (m_is_stopped && m_throws)
+        throw Stopped_by_callback();
+    }
+    return !m_is_stopped;
   }
 
+  /// Time has gone by: calls the callback if it was not called in the last twenty-fifth of a second.
+  void tick()
+  {
+    if (m_callback && !m_is_stopped && Clock::now() - m_last >= std::chrono::milliseconds(40))
+      report(m_is_measured ? m_fraction : m_begin + expected_share() * (m_end - m_begin));
+  }
+
+  bool is_stopped() const { return m_is_stopped; }
+
+  /// From here on a stop is not thrown, but remembered for those who ask.
+  void remember_stop() { m_throws = false; }
+
 private:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  /// How much of the phase is over if it goes on at the pace so far; from the half on less and less, since it may take
+  /// longer.
+  double expected_share() const
+  {
+    constexpr double first_guess = 10; // of the seconds that all takes
+    const Clock::time_point now = Clock::now();
+    const double of_all = m_begin > 0 ? Seconds(m_start_of_phase - m_start).count() / m_begin : first_guess;
+    const double share = Seconds(now - m_start_of_phase).count() / (of_all * (m_end - m_begin));
+    return share <= 0.5 ? share : 1 - 1 / (4 * share);
+  }
+
   std::function<bool(double)> m_callback;
-  std::size_t m_number_of_rounds;
-  std::size_t m_round = 0;
-  double m_fraction = 0;
-  bool m_is_cancelled = false;
+  std::unique_ptr<Observer> m_observer;
+  Clock::time_point m_start, m_last, m_start_of_phase;
+  double m_begin = 0, m_end = 0, m_fraction = 0;
+  bool m_is_measured = false, m_is_stopped = false, m_throws = true;
 };
 
-} // namespace CGAL::Bubble_relaxation_2::internal
+/// whom the loops of this thread tell that they go on; other threads that help it tell nobody
+inline thread_local Progress* progress_of_thread = nullptr;
+
+/// Makes loops of this thread tell somebody, for as long as it lives.
+class Progress_scope
+{
+public:
+  explicit Progress_scope(Progress& progress) : m_before(std::exchange(progress_of_thread, &progress)) {}
+  ~Progress_scope() { progress_of_thread = m_before; }
+  Progress_scope(const Progress_scope&) = delete;
+  Progress_scope& operator=(const Progress_scope&) = delete;
+
+private:
+  Progress* m_before; // what calls the package within a callback has one of its own
+};
+
+/// A loop goes on: to be called at least every few milliseconds of it.
+inline void tick()
+{
+  if (progress_of_thread != nullptr)
+    progress_of_thread->tick();
+}
+
+/// the same for the i-th turn of a loop whose turns take microseconds
+inline void tick(std::size_t i)
+{
+  if (i % 256 == 0)
+    tick();
+}
+
+/// whether the user wants all to stop, so that what need not be done may be left
+inline bool is_stop_wanted() { return progress_of_thread != nullptr && progress_of_thread->is_stopped(); }
+
+} // namespace internal
+} // namespace Bubble_relaxation_2
+} // namespace CGAL
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PROGRESS_H

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_RELAXATION_OPTIONS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_RELAXATION_OPTIONS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 
@@ -16,7 +17,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -51,7 +52,8 @@ struct Relaxation_options
   double minimum_angle = default_minimum_angle; ///< in degrees
   double displacement_tolerance = default_displacement_tolerance;
   std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
-  std::function<bool(double)> callback;
+  bool restore_when_stopped = false;
+  std::shared_ptr<Progress> progress = std::make_shared<Progress>(); ///< copies of the options tell the same
   Threads threads;
   std::size_t exchange_interval = 0;
   std::string checkpoint_path;           ///< empty: none is written

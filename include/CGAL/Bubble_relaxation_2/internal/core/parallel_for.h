@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PARALLEL_FOR_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PARALLEL_FOR_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -41,13 +43,19 @@ public:
   /// calls `part(first, last)` for parts of [0, n), of about `grain` each
   using Run = void (*)(std::size_t n, std::size_t grain, const Part& part);
 
-  Threads() : m_run([](std::size_t n, std::size_t, const Part& part) { part(0, n); }), m_are_several(false) {}
+  Threads() : m_run(&run_in_turn), m_are_several(false) {}
   explicit Threads(Run runs) : m_run(runs), m_are_several(true) {}
 
   bool are_several() const { return m_are_several; }
   void run(std::size_t n, std::size_t grain, const Part& part) const { m_run(n, grain, part); }
 
 private:
+  static void run_in_turn(std::size_t n, std::size_t grain, const Part& part)
+  {
+    for (std::size_t first = 0; first < n; first += grain)
+      part(first, (std::min)(first + grain, n));
+  }
+
   Run m_run;
   bool m_are_several;
 };
@@ -80,11 +88,16 @@ Threads threads_of()
 template <class Function>
 void parallel_for(const Threads& threads, std::size_t n, const Function& f, std::size_t grain = 1024)
 {
-  const auto call = [](const void* function, std::size_t first, std::size_t last) {
+  const auto part = [&f](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i != last; ++i)
-      (*static_cast<const Function*>(function))(i);
+      f(i);
+    tick();
   };
-  threads.run(n, grain, Threads::Part{&f, call});
+  using Part = decltype(part);
+  const auto call = [](const void* function, std::size_t first, std::size_t last) {
+    (*static_cast<Part*>(function))(first, last);
+  };
+  threads.run(n, grain, Threads::Part{&part, call});
 }
 
 /// Sorts values of which none are equal, or else cannot be told apart: so the result does not depend on the

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_READ_OPTIONS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_READ_OPTIONS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -101,6 +103,28 @@ inline void check_options(const Relaxation_options& o)
                             "greater than 1.5, where the force ends, and at most " + in_words(largest_neighbor_radius));
 }
 
+/// what a visitor refers to if it is a reference
+template <class Visitor>
+Visitor& unwrapped(Visitor& visitor)
+{
+  return visitor;
+}
+
+template <class Visitor>
+Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
+{
+  return visitor.get();
+}
+
+/// the user's callback, if there is any
+template <class NamedParameters>
+std::function<bool(double)> read_callback(const NamedParameters& np)
+{
+  std::function<bool(double)> callback;
+  take(np, internal_np::callback, callback);
+  return callback;
+}
+
 /// Reads the named parameters that steer the simulation. Defaults of the time step and the damping
 /// depend on the integrator: the paper's are in length units, those of the default in units of d.
 /// \throws std::invalid_argument naming the parameter and its value
@@ -132,7 +156,7 @@ Relaxation_options read_options(const NamedParameters& np)
   take(np, internal_np::displacement_tolerance, o.displacement_tolerance);
   take_count(np, internal_np::maximum_number_of_bubbles, "maximum_number_of_bubbles", o.maximum_number_of_bubbles,
              1, static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
-  take(np, internal_np::callback, o.callback);
+  take(np, internal_np::restore_when_stopped, o.restore_when_stopped);
   take_count(np, internal_np::exchange_interval, "exchange_interval", o.exchange_interval, 0);
   read_checkpoint_options(np, o);
   check_options(o);

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_REMOVE_COINCIDENT_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
@@ -110,6 +111,7 @@ inline std::vector<Index> perhaps_in_one_place(const Bubbles_2& b)
   std::vector<bool> is_taken(std::size_t(1) << bits), is_taken_twice(is_taken.size());
   const auto hash = [&](std::size_t i) { return hash_of_place(b.x[i], b.y[i]) >> (64 - bits); };
   for (std::size_t i = 0; i < b.size(); ++i) {
+    tick(i);
     if (is_taken[hash(i)])
       is_taken_twice[hash(i)] = true;
     is_taken[hash(i)] = true;

@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ENGINE_ENGINE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
@@ -52,11 +51,11 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
 
 /// the bubbles after placement, simulation and treatment
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& report);
+Bubbles_2 make_nodes(const Problem_2& problem, Report& report);
 
 /// the same with their triangulation, whose statistics are in the report
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& report);
+Bubble_mesh_2 make_mesh(const Problem_2& problem, Report& report);
 
 /// deletes bubbles of such a mesh, and makes it anew
 CGAL_BUBBLE_RELAXATION_2_INLINE

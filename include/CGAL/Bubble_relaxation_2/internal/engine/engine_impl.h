@@ -59,10 +59,10 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& report)
+Bubbles_2 make_nodes(const Problem_2& problem, Report& report)
 {
   tell_wanted_number(problem, report);
-  Bubbles_2 bubbles = relax_bubbles(problem, progress, report);
+  Bubbles_2 bubbles = relax_bubbles(problem, report);
   if (is_treatment_due(problem.options, report))
     bubbles = triangulate_and_treat(problem, std::move(bubbles), report).bubbles;
   // the simulation does not ask d again for every little displacement
@@ -74,11 +74,14 @@ Bubbles_2 make_nodes(const Problem_2& problem, Progress& progress, Report& repor
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Bubble_mesh_2 make_mesh(const Problem_2& problem, Progress& progress, Report& report)
+Bubble_mesh_2 make_mesh(const Problem_2& problem, Report& report)
 {
-  Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, progress, report), report);
+  Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, report), report);
   if (problem.cut != nullptr)
     problem.cut->join(mesh);
+  if (problem.options.progress->is_stopped())
+    tell_that_it_was_stopped(report);
+  problem.options.progress->start_phase(Bubble_phase::EVALUATION);
   evaluate(mesh, problem, report);
   return mesh;
 }

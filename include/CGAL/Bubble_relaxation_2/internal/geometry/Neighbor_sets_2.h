@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_NEIGHBOR_SETS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
@@ -77,8 +78,10 @@ public:
     if (n == 0)
       return;
     m_buckets = std::make_unique<Bubble_buckets_2>(m_radius, m_d[0], m_x[0], m_y[0], n + n / 8);
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n; ++i) {
+      tick(i);
       m_buckets->insert(static_cast<Index>(i), m_x[i], m_y[i], m_d[i]);
+    }
     for (std::size_t i = 0; i < n; ++i)
       if (bubbles.is_gone(i))
         m_buckets->erase(i);

@@ -68,6 +68,7 @@ private:
       v->info() = static_cast<Index>(m_handles.size());
       m_handles.push_back(v);
       near = v->face();
+      tick(m_handles.size());
     }
     try {
       for (const auto& e : m_edges)
@@ -90,11 +91,13 @@ private:
     Index number = 0;
     for (Face_handle f : m_cdt.all_face_handles())
       f->info() = m_cdt.is_infinite(f) ? no_index : number++;
-    for (Face_handle f : m_cdt.finite_face_handles())
+    for (Face_handle f : m_cdt.finite_face_handles()) {
       for (int i = 0; i < 3; ++i) {
         m_result.vertices[f->info()][i] = f->vertex(i)->info();
         m_result.neighbors[f->info()][i] = f->neighbor(i)->info();
       }
+      tick(static_cast<std::size_t>(f->info()));
+    }
   }
 
   Marking_error enter_edge(const Domain_edge_2& e, Index edge_index)

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_DELAUNAY_POPULATION_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
@@ -161,8 +162,11 @@ private:
   {
     constexpr double apart = 0.9; // new bubbles, in units of their mean size
     std::vector<Hole_2> holes;
-    for (const Triangle& t : mesh.triangles())
+    std::size_t number = 0;
+    for (const Triangle& t : mesh.triangles()) {
+      tick(number++);
       add_hole(b, t, holes);
+    }
     Bubbles_2 result;
     internal::fill_holes(
       holes, apart, m_team, m_threads, [](const Hole_2&) { return true; }, result);

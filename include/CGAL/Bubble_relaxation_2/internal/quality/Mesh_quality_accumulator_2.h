@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_MESH_QUALITY_ACCUMULATOR_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
@@ -284,6 +285,7 @@ void add_vertices(const Triangles_2& tr, std::size_t number_of_vertices, const I
   std::vector<char> is_in_domain(number_of_vertices, 0), is_interior(number_of_vertices, 1);
   std::vector<std::size_t> degrees(number_of_vertices, 0);
   for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+    tick(t);
     const std::array<Index, 3>& v = tr.vertices[t];
     for (int i = 0; i < 3; ++i) {
       ++degrees[v[i]];

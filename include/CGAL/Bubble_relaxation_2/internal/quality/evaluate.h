@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_QUALITY_EVALUATE_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
@@ -38,6 +39,7 @@ inline std::vector<double> sizes_at_vertices(const Bubble_mesh_2& mesh, const Si
   const Bubbles_2& b = mesh.bubbles;
   std::vector<char> is_needed(b.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {
+    tick(t);
     const std::array<Index, 3>& v = mesh.triangles.vertices[t];
     if (mesh.triangles.inside[t] && (b.is_ours(v[0]) || b.is_ours(v[1]) || b.is_ours(v[2])))
       is_needed[v[0]] = is_needed[v[1]] = is_needed[v[2]] = 1;
@@ -148,6 +150,7 @@ public:
   {
     const Bubbles_2& b = mesh.bubbles;
     for (std::size_t k = 0; k < mesh.triangles.number_of_triangles(); ++k) {
+      tick(k);
       const Index t = static_cast<Index>(k);
       const std::array<Index, 3>& v = mesh.triangles.vertices[k];
       if (!mesh.triangles.inside[k] || !b.is_ours(*std::min_element(v.begin(), v.end())))
@@ -257,8 +260,10 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Report
   small.tell(report);
   Mesh_quality_accumulator_2 all;
   add_vertices(mesh, all);
-  for (const Mesh_quality_accumulator_2& block : blocks)
+  for (const Mesh_quality_accumulator_2& block : blocks) {
+    tick();
     all.add(block);
+  }
   report.quality = Mesh_quality_2<double>(all.statistics());
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();

@@ -20,8 +20,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Default_relaxation_visitor_2.h>
 #include <CGAL/property_map.h>
 
+#include <memory>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -55,6 +59,33 @@ Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks
   }
 }
 
+/// A visitor of the user's, or a reference to one.
+template <class Visitor>
+class Observer_of : public Observer
+{
+public:
+  explicit Observer_of(const Visitor& visitor) : m_visitor(visitor) {}
+
+  void phase_begins(Bubble_phase phase) override { unwrapped(m_visitor).phase_begins(phase); }
+  void step_ends(const Bubbles_2& b) override { unwrapped(m_visitor).step_ends(Bubble_view_2(b)); }
+  void round_ends(const Bubble_relaxation_report_2<double>& r) override { unwrapped(m_visitor).round_ends(r); }
+
+private:
+  Visitor m_visitor;
+};
+
+/// whom a relaxation tells how far it is: the user's callback and visitor
+template <class NamedParameters>
+std::shared_ptr<Progress> read_progress(const NamedParameters& np)
+{
+  std::unique_ptr<Observer> observer;
+  if constexpr (Is_given<NamedParameters, internal_np::visitor_t>::value) {
+    const auto& visitor = parameters::get_parameter_reference(np, internal_np::visitor);
+    observer = std::make_unique<Observer_of<std::decay_t<decltype(visitor)>>>(visitor);
+  }
+  return std::make_shared<Progress>(read_callback(np), std::move(observer));
+}
+
 /// What all entry points begin with. It refers to the user's vertices and parameters.
 template <class Cdt>
 struct Input_2
@@ -64,9 +95,11 @@ struct Input_2
   Sizes_2 wanted; ///< by the user
   Limits_of_outline_2 limits;
 
+  /// `progress`: whom the stages shall tell how far they are
   // in braces, since options are to be checked before the triangulation
   template <class NamedParameters>
-  Input_2(const Cdt& cdt, const NamedParameters& np) : Input_2{np, cdt, read_options(np), Domain_marks_2<Cdt>(cdt, np)}
+  Input_2(const Cdt& cdt, const NamedParameters& np, const std::shared_ptr<Progress>& progress)
+    : Input_2{np, cdt, telling(progress, read_options(np)), Domain_marks_2<Cdt>(cdt, np)}
   {}
 
   Problem_2 problem() const
@@ -78,6 +111,13 @@ struct Input_2
 private:
   template <class NamedParameters>
   static constexpr bool has_sizing_function = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
+
+  static Relaxation_options telling(const std::shared_ptr<Progress>& progress, Relaxation_options options)
+  {
+    options.progress = progress;
+    progress->start_phase(Bubble_phase::READING);
+    return options;
+  }
 
   template <class NamedParameters>
   Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)

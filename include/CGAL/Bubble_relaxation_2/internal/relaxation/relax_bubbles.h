@@ -27,7 +27,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-inline void add_to_report(const Round_result& result, unsigned evaluations_per_step, Report& report)
+inline void add_to_report(const Round_result& result, unsigned evaluations_per_step, Observer* observer,
+                          Report& report)
 {
   ++report.number_of_rounds;
   report.number_of_steps += result.steps;
@@ -35,6 +36,8 @@ inline void add_to_report(const Round_result& result, unsigned evaluations_per_s
   report.number_of_moves += result.moves;
   report.number_of_renewals += result.renewals;
   report.number_of_returns += result.returns;
+  if (observer != nullptr)
+    observer->round_ends(report);
 }
 
 /// on other ranks others of them count
@@ -75,18 +78,19 @@ inline void change_population(const Population_change& change, const Relaxation_
 /// The flow chart of the method (Fig. 2 of the paper) after the initial placement: simulate, adjust
 /// the population, and again, until the bubbles rest and their population stays. At first a coarse rest will do, and
 /// bubbles are inserted; then it is to be as fine as is asked for, and they are deleted.
-inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Progress& progress, Report& report)
+inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Report& report)
 {
   const std::size_t number_of_rounds = problem.options.number_of_rounds;
+  Progress& progress = *problem.options.progress;
+  progress.start_phase(Bubble_phase::SIMULATION);
   Simulation_2 simulation(problem, bubbles, team);
   simulation.rest_coarsely();
   for (std::size_t round = team.resume(simulation, bubbles, report); round < number_of_rounds; ++round) {
     choose_step(round, problem.options, simulation);
-    progress.start_round(round);
-    const Round_result result = simulation.run_round(progress, report.seconds);
-    add_to_report(result, simulation.evaluations_per_step(), report);
+    const Round_result result = simulation.run_round(report.seconds);
+    add_to_report(result, simulation.evaluations_per_step(), progress.observer(), report);
     if (result.is_cancelled) {
-      report.stop_reason = Bubble_stop_reason::STOPPED_BY_CALLBACK;
+      tell_that_it_was_stopped(report);
       break;
     }
     const bool is_last = round + 1 == number_of_rounds;
@@ -111,16 +115,26 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Prog
 }
 
 /// The whole method without the triangulation: initial bubbles, simulation, population.
-inline Bubbles_2 relax_bubbles(const Problem_2& problem, Progress& progress, Report& report)
+inline Bubbles_2 relax_bubbles(const Problem_2& problem, Report& report)
 {
+  Progress& progress = *problem.options.progress;
   Bubbles_2 bubbles;
   {
     const Phase_timer timer(report.seconds.placement);
+    progress.start_phase(Bubble_phase::PLACEMENT);
     bubbles = place_bubbles(problem);
     report.number_of_initial_bubbles = bubbles.size();
   }
   Team alone;
-  relax(problem, bubbles, alone, progress, report);
+  try {
+    relax(problem, bubbles, alone, report);
+  } catch (const Stopped_by_callback&) { // each bubble is somewhere in the domain, so there is a mesh
+    if (problem.options.restore_when_stopped)
+      throw;
+    tell_that_it_was_stopped(report);
+  }
+  if (!problem.options.restore_when_stopped)
+    progress.remember_stop();
   bubbles.forget_gone();
   remove_coincident(problem.domain, bubbles);
   return bubbles;

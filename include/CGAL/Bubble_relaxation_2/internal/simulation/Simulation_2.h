@@ -206,7 +206,7 @@ public:
   std::vector<Index> touched() const { return m_active.touched(); }
 
   /// One round of Fig. 2 of the paper: steps until the bubbles rest, `number_of_iterations` at most.
-  Round_result run_round(Progress& progress, Bubble_relaxation_seconds& seconds)
+  Round_result run_round(Bubble_relaxation_seconds& seconds)
   {
     Round_result result;
     m_active.forget_touched();
@@ -216,7 +216,7 @@ public:
     }
     m_number_of_outrun = m_team.sum(Step_sums{0, count_outrun()}).outrun;
     while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
-      if (!m_team.goes_on(progress.report_step(result.steps, m_options.number_of_iterations))) {
+      if (!m_team.goes_on(report_progress())) {
         result.is_cancelled = true;
         break;
       }
@@ -226,8 +226,12 @@ public:
           m_team.look_for_ghosts_anew(*this, m_bubbles);
         result.renewals += renew_neighbors(result.steps);
       }
-      const Phase_timer timer(seconds.motion);
-      step(result);
+      {
+        const Phase_timer timer(seconds.motion);
+        step(result);
+      }
+      if (Observer* observer = m_options.progress->observer())
+        observer->step_ends(m_bubbles);
     }
     m_team.end_steps(*this, m_bubbles);
     if (!keeps_references()) { // as in the paper before each round, and for the control of the population
@@ -284,6 +288,17 @@ public:
 private:
   static constexpr double coarse_tolerance = 4; // times that of the end
 
+  /// Tells which share of the simulation is over. Bubbles that may sleep need 3 to 30 moves, as the sizes have it: each
+  /// counts less than the one before.
+  bool report_progress() const
+  {
+    constexpr double half_way = 4;
+    const double moves = static_cast<double>(m_number_of_moves) / static_cast<double>(m_bubbles.size() + 1);
+    const double most = static_cast<double>(m_options.number_of_rounds * m_options.number_of_iterations);
+    return m_options.progress->report_share(m_integrator->lets_bubbles_sleep() ? moves / (moves + half_way)
+                                                                               : moves / (most + 1));
+  }
+
   /// makes the neighbour sets before the first round
   bool build_neighbors_if_first()
   {
@@ -330,6 +345,7 @@ private:
     move_all_of(active, false);
     ++result.steps;
     result.moves += active.size();
+    m_number_of_moves += active.size();
     Step_sums sums{0, 0};
     for (std::size_t k = 0; k < active.size(); ++k) {
       result.returns += m_flags.returned[k] != 0;
@@ -387,6 +403,7 @@ private:
   const Relaxation_options& m_options;
   bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
   bool m_rests_coarsely = false;
+  std::size_t m_number_of_moves = 0;
   double m_tolerance; // a displacement of less, in units of the size, is rest
   const Boundary_2 m_boundary;
   std::unique_ptr<Integrator> m_integrator;

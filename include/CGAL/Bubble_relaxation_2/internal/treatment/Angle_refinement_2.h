@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_ANGLE_REFINEMENT_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
@@ -196,9 +197,11 @@ inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bu
 {
   std::vector<Index> result;
   const double sine = std::sin(problem.options.minimum_angle * CGAL_PI / 180);
-  for (std::size_t t = 0; t < is_counted.size(); ++t)
+  for (std::size_t t = 0; t < is_counted.size(); ++t) {
+    tick(t);
     if (is_counted[t] && smallest_free_sine(mesh, static_cast<Index>(t)) < sine)
       result.push_back(static_cast<Index>(t));
+  }
   return result;
 }
 
@@ -242,7 +245,7 @@ inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& 
       return 0;
     const std::vector<Steiner_point_2> points = Angle_refinement_2::independent(wanted_points(problem, last, bad));
     Bubble_mesh_2 next{last.bubbles, {}};
-    if (points.empty() || !insert_points(problem, points, next)) {
+    if (points.empty() || is_stop_wanted() || !insert_points(problem, points, next)) {
       if (result == 0 || smallest_free_sine(refined, refined.triangles.inside) < smallest_free_sine(mesh, mesh.triangles.inside))
         return 0;
       mesh = std::move(refined);

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_DEFECT_SURGERY_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Patch_operation_2.h>
@@ -70,6 +71,7 @@ inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, doub
   const Marked_triangles_2& m = mesh.triangles;
   std::vector<Bad_triangle_2> result;
   for (std::size_t k = 0; k < m.inside.size(); ++k) {
+    tick(k);
     const Index t = static_cast<Index>(k);
     const double q = m.inside[k] ? quality(mesh, t) : 1.;
     if (!(q < bad_quality && q < 0.9 * best_quality(mesh, t)))

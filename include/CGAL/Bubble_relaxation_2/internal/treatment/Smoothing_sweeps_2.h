@@ -71,7 +71,7 @@ public:
     std::optional<Editable_triangulation_2> mesh(std::in_place, m_mesh, &m_log);
     std::vector<char> was_moved(m_bubbles.size(), 0);
     std::vector<Index> candidates = vertices_of_bad_triangles();
-    for (int sweep = 0; sweep < most_sweeps && m_team.any(!candidates.empty()); ++sweep) {
+    for (int sweep = 0; sweep < most_sweeps && m_team.any(!candidates.empty() && !is_stop_wanted()); ++sweep) {
       std::vector<Index> moved = move(*mesh, candidates);
       mesh->restore_delaunay(moved);
       for (Index v : moved)

@@ -156,7 +156,7 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
   Bubble_mesh_2 changed = mesh;
   Defect_surgery_2 surgery(domain, changed);
   for (double bad_quality : bad_qualities)
-    if (!surgery(bad_quality))
+    if (is_stop_wanted() || !surgery(bad_quality))
       break;
   const double smallest_now = smallest_quality(changed, threads);
   // rounding can make a mess of a change; then what was there is good
@@ -242,6 +242,7 @@ inline bool is_treatment_due(const Relaxation_options& options, const Report& re
 inline Bubble_mesh_2 triangulate_and_treat(const Problem_2& problem, Bubbles_2 bubbles, Report& report)
 {
   const Phase_timer timer(report.seconds.treatment);
+  problem.options.progress->start_phase(Bubble_phase::TREATMENT);
   Bubble_mesh_2 mesh{std::move(bubbles), {}};
   triangulate(problem.domain, mesh);
   if (!is_treatment_due(problem.options, report))

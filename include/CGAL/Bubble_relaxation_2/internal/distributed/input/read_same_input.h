@@ -241,7 +241,7 @@ std::unique_ptr<Input_2<Cdt>> read_same_input(const Cdt& cdt, const NamedParamet
   std::unique_ptr<Input_2<Cdt>> input;
   comm.agree_after([&] {
     try {
-      input = std::make_unique<Input_2<Cdt>>(cdt, np);
+      input = std::make_unique<Input_2<Cdt>>(cdt, np, std::make_shared<Progress>());
     } catch (const std::invalid_argument& e) {
       throw std::invalid_argument(std::string(e.what()) + " (on rank " + std::to_string(comm.rank()) + ")");
     }
@@ -250,7 +250,11 @@ std::unique_ptr<Input_2<Cdt>> read_same_input(const Cdt& cdt, const NamedParamet
   check_same_domain(comm, input->reading.domain);
   check_same_vertices(comm, input->reading.given);
   check_same_sizes(comm, input->limits.sizes.expected_number);
-  comm.agree_after([&] { input->options.callback = agreed_callback(input->options.callback, comm); });
+  comm.agree_after([&] { // no rank can stop alone, so all is told from here on only, and stops are remembered
+    Progress& progress = *input->options.progress;
+    progress = Progress(agreed_callback(read_callback(np), comm));
+    progress.remember_stop();
+  });
   return input;
 }
 

@@ -40,7 +40,7 @@ public:
       m_interval(options.exchange_interval), m_migration(comm, m_traffic),
       m_halo(comm, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
       m_population(comm, m_halo),
-      m_may_be_stopped(comm.any(static_cast<bool>(options.callback))),
+      m_may_be_stopped(comm.any(options.progress->is_heard())),
       m_has_population(options.population != Bubble_population::NONE)
   {}
 

@@ -31,12 +31,13 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// `traffic`: what this rank sent and held, if it is asked for.
 /// \pre sizes of `problem` keep what they throw until ranks agree on it
 inline Placed_part_2 simulate_distributed(Communicator& comm,
-                                          const Problem_2& problem, Progress& progress, Report& report,
+                                          const Problem_2& problem, Report& report,
                                           const Bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
   Checkpoints_2 checkpoints(comm, hash_of_places(problem.domain, problem.given), problem.options);
   Simulation_team_2 team(comm, checkpoints, problem.options);
   Phase_timer placement_time(report.seconds.placement);
+  problem.options.progress->start_phase(Bubble_phase::PLACEMENT);
   Placed_part_2 part = checkpoints.is_restart() ? checkpoints.read(hilbert_curve(problem.domain), problem.sizes)
                                                 : place_distributed(comm, problem, points);
   Bubbles_2& bubbles = part.bubbles;
@@ -47,7 +48,7 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
   report.number_of_initial_bubbles = static_cast<std::size_t>(number); // a restart will know better
   team.start(part.partition, number);
   placement_time.stop();
-  relax(problem, bubbles, team, progress, report);
+  relax(problem, bubbles, team, report);
   if (traffic)
     *traffic = team.traffic();
   remove_confusing_of_ours(comm, problem.domain, bubbles);

@@ -316,6 +316,7 @@ inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubb
 {
   const Relaxation_options& options = problem.options;
   const Phase_timer timer(report.seconds.treatment);
+  options.progress->start_phase(Bubble_phase::TREATMENT);
   const Distributed_treatment_2 treat(problem.domain, part.partition, comm);
   Distributed_mesh_2 mesh = treat.triangulate(part.bubbles);
   if (!is_treatment_due(options, report))

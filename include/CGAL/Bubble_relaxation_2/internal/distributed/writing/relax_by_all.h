@@ -76,6 +76,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   Report report;
   Phase_timer reading_time(report.seconds.reading);
   const auto input = read_same_input(domain, np, ranks);
+  const Progress_scope scope(*input->options.progress);
   const Domain_2& read_domain = input->reading.domain;
   check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value,
                      input->options);
@@ -84,15 +85,16 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   Problem_2 problem = input->problem();
   problem.sizes = agreed_sizes(input->limits.sizes, ranks, Hilbert_curve_2(read_domain.bbox()).side());
   reading_time.stop();
-  Progress progress(input->options.callback, input->options.number_of_rounds);
-  const Placed_part_2 part = simulate_distributed(ranks, problem, progress, report, given);
+  const Placed_part_2 part = simulate_distributed(ranks, problem, report, given);
   ranks.agree(); // the callback may have thrown, or d after the last step
   reduce<std::int64_t>(ranks, counts_of_rank(report), MPI_SUM);
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK) {
     Distributed_mesh_2 mesh = treat_distributed(problem, given, part, ranks, report);
     if (problem.cut != nullptr)
       mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
+    input->options.progress->start_phase(Bubble_phase::EVALUATION);
     evaluate_distributed(mesh, problem, ranks, report);
+    input->options.progress->start_phase(Bubble_phase::WRITING);
     const Phase_timer writing_time(report.seconds.writing);
     Point_replacement_2<PointSet> replacement(points);
     Bubbles_2 bubbles;
@@ -103,7 +105,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->limits.sizes, report);
     ranks.agree_after([&] {
       replacement.prepare(bubbles);
-      progress.report(1);
+      input->options.progress->report(1);
     });
     replacement.finish(); // nothing can fail on any rank from here on
   }
