@@ -79,8 +79,9 @@ struct Bubble_relaxation_report_2
   Mesh_quality_2<FT> quality;                  ///< statistics of the mesh, q = 2 r_in / r_out (eq. 11)
 
   /// \name Small Angles
-  /// Triangles with an angle of less than `minimum_angle`. At a corner in which two edges of the domain meet in less
-  /// than 45 degrees they are forced: no mesh has others there. Zero in the report of `npbs_place_nodes()`.
+  /// Triangles with an angle of less than `minimum_angle`. At a corner in which two edges of the domain meet in less than
+  /// that they are forced: between the edges no mesh has others, and beside them angles grow from there. Zero in the
+  /// report of `npbs_place_nodes()`.
   /// @{
   std::size_t number_of_forced_triangles = 0; ///< those with a vertex in such a corner
   FT forced_x = FT(0);                        ///< the x coordinate of the vertex with the smallest of their angles

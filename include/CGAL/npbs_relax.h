@@ -196,9 +196,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNBegin{minimum_angle}
     \cgalParamDescription{where `defect_treatment` leaves a triangle with a smaller angle, in degrees, which is not
                           that between two edges of the domain, vertices are inserted as by Ruppert's refinement.
-                          That ends by proof up to 20.7 degrees if edges meet in 60 degrees or more; if it would
-                          take more than n/50 + 100 vertices for the n that there are, nothing is inserted. Where
-                          smaller angles stay is told in \ref BR2_outlines}
+                          That ends by proof up to 20.7 degrees if edges meet in 60 degrees or more; if
+                          triangles ask for more than n/50 + 100 vertices, for the n that there are, nothing is
+                          inserted. Where smaller angles stay is told in \ref BR2_outlines}
     \cgalParamType{a number, 0 to 33; 0: none are inserted}
     \cgalParamDefault{30}
   \cgalParamNEnd

@@ -75,7 +75,7 @@ public:
   std::optional<double> size;
   bool limits, treats, keeps;
   int rounds;
-  double growth = 0.2, angle = 28;
+  double growth = 0.2, angle = 30;
 
 private:
   double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(m_random); }

@@ -70,6 +70,16 @@ std::set<Point> sharp_corners(const CDT& cdt)
   return result;
 }
 
+bool is_free(const domains::K::Triangle_2& t, const std::set<Point>& sharp)
+{
+  return sharp.count(t[0]) + sharp.count(t[1]) + sharp.count(t[2]) == 0;
+}
+
+double smallest_angle_of(const domains::K::Triangle_2& t)
+{
+  return (std::min)({angle(t[0], t[1], t[2]), angle(t[1], t[2], t[0]), angle(t[2], t[0], t[1])});
+}
+
 /// of the triangles without a vertex in a sharp corner
 struct Free_triangles
 {
@@ -80,10 +90,9 @@ struct Free_triangles
     int number = 0;
     for (auto f : cdt.finite_face_handles()) {
       const auto t = cdt.triangle(f);
-      if (!f->is_in_domain() || sharp.count(t[0]) + sharp.count(t[1]) + sharp.count(t[2]) > 0)
+      if (!f->is_in_domain() || !is_free(t, sharp))
         continue;
-      for (int i = 0; i < 3; ++i)
-        smallest_angle = (std::min)(smallest_angle, angle(t[i], t[i + 1], t[i + 2]));
+      smallest_angle = (std::min)(smallest_angle, smallest_angle_of(t));
       mean_quality += CGAL::radius_ratio_2(t[0], t[1], t[2]);
       ++number;
     }
@@ -209,7 +218,7 @@ protected:
     validation::expect_constraints_kept(before, validation::snapshot(cdt));
     validation::expect_vertices_kept(fixed, validation::snapshot(cdt));
     const Free_triangles free(cdt, sharp);
-    EXPECT_GE(free.smallest_angle, 28);
+    EXPECT_GE(free.smallest_angle, 30);
     EXPECT_GE(free.mean_quality, least_mean_quality);
     EXPECT_EQ(report.number_of_small_angles, 0u);
     EXPECT_LE(report.number_of_forced_triangles, 20 * sharp.size());
@@ -295,6 +304,47 @@ TEST_F(Outlines, one_circle_that_cannot_be_cut_off_spoils_no_other)
         EXPECT_NEAR(CGAL::squared_distance(t[i], t[i + 1]), CGAL::squared_distance(t[i], t[i + 2]), 1e-14);
       }
   EXPECT_EQ(number, 1);
+}
+
+TEST_F(Outlines, a_crack_keeps_no_other_place_from_refinement)
+{
+  int number_without = 0, number_with = 0, number_beside_crack = 0; // of free triangles under 33 degrees
+  for (unsigned k = 0; k < 20; ++k) {
+    std::set<Point> places;
+    CDT without = graph(random_seeds::seed(k), 40, 0.3, places), with(without), beside_crack(without);
+    const std::set<Point> sharp = sharp_corners(without);
+    const auto count = [&](CDT& cdt, double angle) {
+      const Pins pins = pins_at(cdt, places);
+      CGAL::npbs_relax(cdt, CGAL::Bubble_relaxation_parameters::number_of_rounds(1).minimum_angle(angle)
+                              .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}));
+      int number = 0;
+      for (auto f : cdt.finite_face_handles())
+        number += f->is_in_domain() && f->vertex(0)->point().x() < 2 && is_free(cdt.triangle(f), sharp) &&
+                  smallest_angle_of(cdt.triangle(f)) < 33;
+      return number;
+    };
+    domains::insert(beside_crack, {{3, 0}, {3.3, 0}, {3.3, 0.3}, {3, 0.3}}, true);
+    domains::insert(beside_crack, {{3.05, 0.1}, {3.25, 0.1}}, false);
+    domains::insert(beside_crack, {{3.05, 0.100000000001}, {3.25, 0.100000000001}}, false);
+    number_without += count(without, 0);
+    number_with += count(with, 33);
+    number_beside_crack += count(beside_crack, 33);
+  }
+  EXPECT_LT(number_with, number_without);
+  EXPECT_LT(number_beside_crack, number_without);
+}
+
+TEST_F(Outlines, corners_that_are_not_so_sharp_force_nothing)
+{
+  for (double opening : {30.5, 35., 40., 44.})
+    for (double beside : {35., 58., 61., 65., 100.}) {
+      const double a = opening / degrees, b = (opening + beside) / degrees;
+      CDT cdt = domains::make({{{0, 0}, {1, 0}, {std::cos(a), std::sin(a)}, {std::cos(b), std::sin(b)}}});
+      domains::insert(cdt, {{0, 0}, {std::cos(a), std::sin(a)}}, false);
+      const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(0.05));
+      EXPECT_EQ(report.number_of_forced_triangles, 0u) << opening << ' ' << beside;
+      EXPECT_EQ(report.number_of_small_angles, 0u) << opening << ' ' << beside;
+    }
 }
 
 TEST_F(Outlines, what_a_corner_forces_is_told)

@@ -183,12 +183,13 @@ private:
 
 /// A domain without the circles around its sharp corners. Where one of them meets what is near by a rounding, or comes
 /// between a pinned vertex and the edge that it lies beside by a rounding, that corner gets none: halves are tried, and
-/// halves of those that cannot be cut off, so few bad ones among many cost few tries. Null if no circle is left.
+/// halves of those that cannot be cut off, so few bad ones among many cost few tries; where there are more than some
+/// dozens, others may get none either. Null if no circle is left.
 /// `sizes`: how large circles may be; `growth`: by which they grow; `pinned`: vertices that have to stay in the domain
 inline std::shared_ptr<const Cut_domain_2> cut_corners(const Domain_2& whole, const Sizes_2& sizes, double growth,
                                                        const std::vector<Point>& pinned)
 {
-  constexpr int most_tries = 100; // each takes as long as reading the domain
+  constexpr int most_tries = 400; // each takes as long as reading the domain
   std::vector<Sharp_corner_2> sharp = sharp_corners(whole, growth), good;
   find_circles(whole, sizes, sharp);
   std::shared_ptr<const Cut_domain_2> result;

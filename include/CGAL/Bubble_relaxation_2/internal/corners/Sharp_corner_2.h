@@ -77,7 +77,8 @@ public:
   /// those that belong to the domain
   const std::vector<Sector>& sectors() const { return m_sectors; }
 
-  /// Nodes on the circle in a sector: their angles from its first arm. Spacings grow away from the arms.
+  /// Nodes on the circle in a sector: their angles from its first arm. Spacings grow away from the arms. They make no angle
+  /// under 30 degrees if no sector has one.
   std::vector<double> nodes(const Sector& s) const
   {
     const double first = m_arms[s.first].spacing, second = m_arms[s.second].spacing;
@@ -92,9 +93,11 @@ public:
       a = next;
     }
     std::vector<double> result;
-    const double parts = (std::max)(std::ceil(s.angle / widest_angle), std::round(integral.total()));
+    const bool is_good = m_sharpest >= good_angle;
+    const double most = is_good ? std::floor(s.angle / good_angle) : integral.total(),
+                 parts = (std::max)(std::ceil(s.angle / widest_angle), std::round((std::min)(integral.total(), most)));
     for (double k = 1; k < parts; ++k)
-      result.push_back(integral.invert(k / parts * integral.total()));
+      result.push_back(is_good ? k / parts * s.angle : integral.invert(k / parts * integral.total()));
     return result;
   }
 
@@ -102,7 +105,7 @@ private:
   static constexpr double pi = CGAL_PI;
   static constexpr double sharp = pi / 4, needle = 1e-6; // angles
   static constexpr double widest = 0.9;                  // spacing, in radii
-  static constexpr double widest_angle = 1.4;            // between two nodes
+  static constexpr double good_angle = pi / 6, widest_angle = 1.4; // between two nodes
 
   void add_sector(const Domain_2& domain, std::size_t k, std::size_t next)
   {

@@ -133,8 +133,8 @@ inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& s
   return gradient;
 }
 
-/// The triangles whose smallest angle is smaller than one that is asked for: those at sharp corners of the domain have
-/// to be so.
+/// The triangles whose smallest angle is smaller than one that is asked for: those at corners of the domain that are sharper
+/// have to be so, between the edges, or beside them, where angles grow from there.
 class Small_angles_2
 {
 public:
@@ -142,7 +142,7 @@ public:
     : m_sine(std::sin(minimum_angle * CGAL_PI / 180)), m_is_sharp(domain.corners().size(), 0)
   {
     for (const Sharp_corner_2& c : sharp_corners(domain, default_size_growth))
-      m_is_sharp[c.corner] = 1;
+      m_is_sharp[c.corner] = c.sharpest_angle() < minimum_angle * CGAL_PI / 180;
   }
 
   /// adds the triangles of this rank

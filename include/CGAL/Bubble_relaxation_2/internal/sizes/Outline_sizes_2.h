@@ -101,6 +101,9 @@ private:
 class Outline_sizes_2
 {
 public:
+  /// A crack that is narrower than this share of what is wanted has no room for triangles: its sides count as touching.
+  static constexpr double narrowest = 1e-6;
+
   /// `maximum`: of bubbles; `limited`: the sizes that are followed, which are made smaller
   Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, std::size_t maximum, Limited_sizes_2& limited)
     : m_domain(domain), m_given(given), m_maximum(maximum), m_limited(limited)
@@ -131,9 +134,6 @@ private:
 
   /// Sizes that differ by less are left alone: else each turn would find many that are a little smaller.
   static constexpr double notable = 0.9;
-
-  /// A crack that is narrower than this share of what is wanted has no room for triangles: its sides count as touching.
-  static constexpr double narrowest = 1e-6;
 
   void limit_by_width(const Point& p, double width)
   {

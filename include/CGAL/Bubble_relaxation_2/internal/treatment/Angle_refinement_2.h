@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/number_type_config.h>
@@ -78,11 +79,11 @@ public:
     : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh), m_on_edge(bubbles_on_edges(m_domain, mesh.bubbles))
   {}
 
-  /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there: that is in a crack.
+  /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there.
   std::optional<Steiner_point_2> operator()(Index t)
   {
     constexpr double least_radius = 0.1;
-    const std::optional<Steiner_point_2> point = find(t);
+    const std::optional<Steiner_point_2> point = is_in_crack(t) ? std::nullopt : find(t);
     return point && point->radius > least_radius * m_sizes(point->x, point->y) ? point : std::nullopt;
   }
 
@@ -100,6 +101,16 @@ public:
   }
 
 private:
+  /// whether a triangle is so flat that the sides around it count as touching, for which no size is small enough
+  bool is_in_crack(Index t) const
+  {
+    const Point p = m_mesh.point(t, 0), q = m_mesh.point(t, 1), r = m_mesh.point(t, 2);
+    const double longest = std::sqrt((std::max)(
+      {CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)}));
+    const Point middle = CGAL::centroid(p, q, r);
+    return 2 * std::abs(CGAL::area(p, q, r)) <= Outline_sizes_2::narrowest * m_sizes(middle.x(), middle.y()) * longest;
+  }
+
   std::optional<Steiner_point_2> find(Index t)
   {
     const auto [i, j, k] = corners_in_order(m_mesh.triangles, t);
@@ -217,7 +228,7 @@ inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, cons
   return result;
 }
 
-/// Whether refinement that has taken, or asks for, so many vertices will hardly come to an end: in a crack, for one.
+/// Whether refinement that has taken, and asks for, so many vertices will hardly come to an end.
 inline bool is_endless(std::size_t number_of_new_vertices, std::size_t number_of_vertices)
 {
   return number_of_new_vertices > 100 + number_of_vertices / 50;
@@ -240,10 +251,11 @@ inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& 
   Bubble_mesh_2 refined;
   for (std::size_t result = 0;;) {
     const Bubble_mesh_2& last = result == 0 ? mesh : refined;
-    const std::vector<Index> bad = triangles_to_refine(problem, last, last.triangles.inside);
-    if (is_endless(result + bad.size(), mesh.bubbles.size()))
+    std::vector<Steiner_point_2> points =
+      wanted_points(problem, last, triangles_to_refine(problem, last, last.triangles.inside));
+    if (is_endless(result + points.size(), mesh.bubbles.size()))
       return 0;
-    const std::vector<Steiner_point_2> points = Angle_refinement_2::independent(wanted_points(problem, last, bad));
+    points = Angle_refinement_2::independent(std::move(points));
     Bubble_mesh_2 next{last.bubbles, {}};
     if (points.empty() || is_stop_wanted() || !insert_points(problem, points, next)) {
       if (result == 0 || smallest_free_sine(refined, refined.triangles.inside) < smallest_free_sine(mesh, mesh.triangles.inside))

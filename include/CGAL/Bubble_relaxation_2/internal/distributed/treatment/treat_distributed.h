@@ -278,17 +278,16 @@ inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hi
       comm.agree_after([&] { bad = triangles_to_refine(problem, m, m.is_owned); });
       return number_of_all(bad.size());
     };
-    const std::size_t number_of_bad = find_bad(result == 0 ? mesh : refined);
-    if (number_of_bad == 0)
+    if (find_bad(result == 0 ? mesh : refined) == 0)
       break;
-    if (is_endless(result + number_of_bad, number_of_vertices))
-      return 0;
     if (result == 0) { // after treatment a rank does not know where others' bubbles on edges are
       refined = insert_points(problem, partition, comm, {}, mesh);
       find_bad(refined);
     }
     std::vector<Steiner_point_2> points;
     comm.agree_after([&] { points = wanted_points(problem, refined, bad); });
+    if (is_endless(result + number_of_all(points.size()), number_of_vertices))
+      return 0;
     points = Angle_refinement_2::independent(gather_records(comm, points));
     if (points.empty())
       break;
