@@ -117,12 +117,11 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt)(faces, is_in_domain);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
-    try {
+    do_unless_stopped(report, [&] {
+      options.progress->start_phase(Bubble_phase::READING);
       Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes}.remesh(
         part, unwrapped(visitor), report);
-    } catch (const Stopped_by_callback&) {
-      tell_that_it_was_stopped(report);
-    }
+    });
     return Bubble_relaxation_report_2<FT>(report);
   });
 }
@@ -232,15 +231,17 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
     const auto pins = is_pinned<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
-    Phase_timer reading_time(report.seconds.reading);
-    Misfits_2<CDT> misfits = find_misfits(cdt, is_in_domain, options, pack);
-    reading_time.stop();
-    if (misfits.faces.empty()) {
-      tell_that_all_fits(report);
-      return Bubble_relaxation_report_2<FT>(report);
-    }
-    Part_task_2<CDT, decltype(is_in_domain), decltype(pins)>{cdt, is_in_domain, pins, options, misfits.sizes}.adapt(
-      std::move(misfits.faces), unwrapped(visitor), report);
+    do_unless_stopped(report, [&] {
+      options.progress->start_phase(Bubble_phase::READING);
+      Phase_timer reading_time(report.seconds.reading);
+      Misfits_2<CDT> misfits = find_misfits(cdt, is_in_domain, options, pack);
+      reading_time.stop();
+      if (misfits.faces.empty())
+        tell_that_all_fits(report);
+      else
+        Part_task_2<CDT, decltype(is_in_domain), decltype(pins)>{cdt, is_in_domain, pins, options, misfits.sizes}.adapt(
+          std::move(misfits.faces), unwrapped(visitor), report);
+    });
     return Bubble_relaxation_report_2<FT>(report);
   });
 }

@@ -52,7 +52,7 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
     Phase_timer reading_time(nodes.report.seconds.reading);
     const auto progress = read_progress(pack);
     const Progress_scope scope(*progress);
-    try {
+    do_unless_stopped(nodes.report, [&] {
       const Input_2<CDT> input(cdt, pack, progress);
       const Problem_2 problem = input.problem();
       reading_time.stop();
@@ -60,9 +60,7 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
       write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
       nodes.report.number_of_vertices = nodes.size();
       progress->report(1);
-    } catch (const Stopped_by_callback&) {
-      tell_that_it_was_stopped(nodes.report);
-    }
+    });
     return nodes;
   });
 }

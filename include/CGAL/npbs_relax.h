@@ -251,7 +251,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     Phase_timer reading_time(report.seconds.reading);
     const auto progress = read_progress(pack);
     const Progress_scope scope(*progress);
-    try {
+    do_unless_stopped(report, [&] {
       const Input_2<CDT> input(cdt, pack, progress);
       const Problem_2 problem = input.problem();
       reading_time.stop();
@@ -262,9 +262,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       Restore_on_throw<CDT> guard(cdt);
       write_mesh(cdt, input.reading, mesh, report);
       guard.all_went_well();
-    } catch (const Stopped_by_callback&) {
-      tell_that_it_was_stopped(report);
-    }
+    });
     return Bubble_relaxation_report_2<FT>(report);
   });
 }

@@ -31,7 +31,6 @@ Relaxation_options read_local_options(const NamedParameters& np)
   Relaxation_options options = read_options(np);
   options.progress = std::make_shared<Progress>(read_callback(np));
   options.threads = threads_of<Concurrency<NamedParameters>>();
-  options.progress->start_phase(Bubble_phase::READING);
   return options;
 }
 

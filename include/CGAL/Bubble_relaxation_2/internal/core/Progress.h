@@ -72,6 +72,17 @@ public:
   virtual void round_ends(const Bubble_relaxation_report_2<double>&) = 0;
 };
 
+/// Does what a callback may stop.
+template <class Report, class Work>
+void do_unless_stopped(Report& report, const Work& work)
+{
+  try {
+    work();
+  } catch (const Stopped_by_callback&) {
+    tell_that_it_was_stopped(report);
+  }
+}
+
 /// Passes progress in [0, 1], never falling, to the user's callback, and stops all when it says so.
 class Progress
 {

@@ -89,9 +89,11 @@ template <class Function>
 void parallel_for(const Threads& threads, std::size_t n, const Function& f, std::size_t grain = 1024)
 {
   const auto part = [&f](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i != last; ++i)
+    for (std::size_t i = first; i != last; ++i) {
       f(i);
-    tick();
+      if (i % 64 == 0 || i + 1 == last)
+        tick();
+    }
   };
   using Part = decltype(part);
   const auto call = [](const void* function, std::size_t first, std::size_t last) {

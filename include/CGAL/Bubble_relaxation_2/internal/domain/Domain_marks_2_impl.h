@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_IMPL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_IMPL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
@@ -64,9 +65,11 @@ void Marked_copy_2::check_domain() const
   if (m_number_of_faces == 0)
     throw std::invalid_argument("Bubble_relaxation_2: no face lies in the domain: the constraints close no "
                                 "region, or all regions are holes");
-  for (std::size_t t = 0; t < tr.inside.size(); ++t)
+  for (std::size_t t = 0; t < tr.inside.size(); ++t) {
+    tick(t);
     for (int i = 0; i < 3 && tr.inside[t]; ++i)
       check_side(static_cast<Index>(t), i);
+  }
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
@@ -150,10 +153,12 @@ void Marked_copy_2::reach_from_beyond_hull(std::vector<char>& is_reached, std::v
 CGAL_BUBBLE_RELAXATION_2_INLINE
 void Marked_copy_2::flood(std::vector<char>& is_reached, std::vector<Index>& reached) const
 {
-  for (std::size_t k = 0; k < reached.size(); ++k)
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    tick(k);
     for (int i = 0; i < 3; ++i)
       if (!is_constrained(reached[k], i))
         reach(tr.neighbors[reached[k]][i], is_reached, reached);
+  }
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

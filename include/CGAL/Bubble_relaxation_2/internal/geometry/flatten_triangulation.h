@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
@@ -158,12 +159,14 @@ private:
   {
     vertices.add(vertex);
     tr.points.push_back(p);
+    tick(tr.points.size());
   }
 
   void add_triangle(const Addresses& v, const Addresses& n)
   {
     tr.vertices.push_back({vertices(v[0]), vertices(v[1]), vertices(v[2])});
     tr.neighbors.push_back({faces(n[0]), faces(n[1]), faces(n[2])});
+    tick(tr.neighbors.size());
   }
 };
 

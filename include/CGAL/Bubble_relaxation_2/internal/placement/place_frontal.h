@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_FRONTAL_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
@@ -75,6 +76,7 @@ public:
   void operator()()
   {
     for (;;) {
+      tick();
       add_late();
       const double smallest = m_team.start_generation(m_front.smallest_key());
       if (smallest == std::numeric_limits<double>::infinity())

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_IMPL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_IMPL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
@@ -40,12 +41,15 @@ void Read_domain_2::look_around(const Marked_copy_2& copy)
 {
   const Flat_triangulation_2& tr = copy.tr;
   std::vector<Index> triangle(m_vertices.number.size(), no_index); // one around each vertex
-  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+    tick(t);
     for (Index v : tr.vertices[t])
       triangle[m_vertices.number[v]] = static_cast<Index>(t);
+  }
   std::vector<Index> ring;
   std::vector<Point> points;
   for (Index v : free) {
+    tick(given.around.size());
     find_ring(tr, triangle[v], v, ring);
     points.clear();
     for (Index u : ring)
@@ -60,6 +64,7 @@ Read_domain_2::Read_domain_2(const Marked_copy_2& copy, Is_before is_before)
     m_is_given(m_is_of_domain)
 {
   for (std::size_t t = 0; t < copy.tr.number_of_triangles(); ++t) {
+    tick(t);
     const Index f = static_cast<Index>(t);
     for (int i = 0; i < 3; ++i) {
       const Index v = m_vertices.number[copy.tr.vertices[t][i]];

@@ -24,7 +24,6 @@
 #include <CGAL/property_map.h>
 
 #include <memory>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -80,8 +79,8 @@ std::shared_ptr<Progress> read_progress(const NamedParameters& np)
 {
   std::unique_ptr<Observer> observer;
   if constexpr (Is_given<NamedParameters, internal_np::visitor_t>::value) {
-    const auto& visitor = parameters::get_parameter_reference(np, internal_np::visitor);
-    observer = std::make_unique<Observer_of<std::decay_t<decltype(visitor)>>>(visitor);
+    auto visitor = parameters::get_parameter(np, internal_np::visitor); // a copy of it, or of a reference to it
+    observer = std::make_unique<Observer_of<decltype(visitor)>>(visitor);
   }
   return std::make_shared<Progress>(read_callback(np), std::move(observer));
 }
