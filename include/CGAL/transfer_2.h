@@ -141,23 +141,19 @@ Transfer_report_2 transfer_vertex_values_2(const SourceTriangulation& source, co
   using namespace Bubble_relaxation_2::internal;
   double seconds = 0;
   Phase_timer time(seconds);
-  const Face_reading_2<SourceTriangulation> from(source, "source", np, internal_np::source_faces,
-                                                 internal_np::source_in_domain_map);
-  const Face_reading_2<TargetTriangulation> to(target, "target", np, internal_np::target_faces,
-                                               internal_np::target_in_domain_map);
-  Transfer_problem_2 problem = read_transfer(from.faces(), to.faces(), np);
-  problem.values = read_values(from.vertices(), source_values,
-                               [&](std::size_t k) { return from.faces().points[k]; });
+  const Transfer_reading_2<SourceTriangulation, TargetTriangulation> read(source, target, np);
+  Transfer_problem_2 problem = read_transfer(read.source.faces(), read.target.faces(), np);
+  problem.values = read_values(read.source.vertices(), source_values,
+                               [&](std::size_t k) { return read.source.faces().points[k]; });
   if constexpr (Is_given<NamedParameters, internal_np::vertex_is_constrained_t>::value) {
     const auto is_fixed = parameters::get_parameter(np, internal_np::vertex_is_constrained);
-    for (auto v : to.vertices())
+    for (auto v : read.target.vertices())
       problem.is_fixed.push_back(get(is_fixed, v) ? 1 : 0);
   }
   const Vertex_transfer method = read_transfer_method(np, Vertex_transfer::PROJECTION);
   Transferred_values_2 result =
     transfer_vertex_values(std::move(problem), method, threads_of<Concurrency<NamedParameters>>());
-  for (std::size_t k = 0; k < result.values.size(); ++k)
-    put(target_values, to.vertices()[k], result.values[k]);
+  write_values(result.values, read.target.vertices(), target_values);
   time.stop();
   result.report.seconds = seconds;
   return result.report;
@@ -227,18 +223,14 @@ Transfer_report_2 transfer_face_values_2(const SourceTriangulation& source, cons
   using namespace Bubble_relaxation_2::internal;
   double seconds = 0;
   Phase_timer time(seconds);
-  const Face_reading_2<SourceTriangulation> from(source, "source", np, internal_np::source_faces,
-                                                 internal_np::source_in_domain_map);
-  const Face_reading_2<TargetTriangulation> to(target, "target", np, internal_np::target_faces,
-                                               internal_np::target_in_domain_map);
-  Transfer_problem_2 problem = read_transfer(from.faces(), to.faces(), np);
-  problem.values = read_values(from.handles(), source_values,
-                               [&](std::size_t k) { return from.faces().point(static_cast<Index>(k), 0); });
+  const Transfer_reading_2<SourceTriangulation, TargetTriangulation> read(source, target, np);
+  Transfer_problem_2 problem = read_transfer(read.source.faces(), read.target.faces(), np);
+  problem.values = read_values(read.source.handles(), source_values,
+                               [&](std::size_t k) { return read.source.faces().point(static_cast<Index>(k), 0); });
   const Face_transfer method = read_transfer_method(np, Face_transfer::MONOTONE_RECONSTRUCTION);
   Transferred_values_2 result =
     transfer_face_values(std::move(problem), method, threads_of<Concurrency<NamedParameters>>());
-  for (std::size_t k = 0; k < result.values.size(); ++k)
-    put(target_values, to.handles()[k], result.values[k]);
+  write_values(result.values, read.target.handles(), target_values);
   time.stop();
   result.report.seconds = seconds;
   return result.report;

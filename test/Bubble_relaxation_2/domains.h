@@ -68,6 +68,17 @@ inline Outline square(double x, double y, double side)
   return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
+/// constraints inside of the domain, of all kinds
+template <class Cdt>
+Cdt square_with_inner_constraints()
+{
+  Cdt cdt = make<Cdt>({square(0, 0, 1)});
+  insert(cdt, {{0.2, 0.2}, {0.8, 0.3}}, false);                       // inside, free ends
+  insert(cdt, {{0.5, 1}, {0.55, 0.6}}, false);                        // dangling from the boundary
+  insert(cdt, {{0, 0.5}, {0.3, 0.45}, {0.25, 0.8}, {0, 0.8}}, false); // cuts a region off
+  return cdt;
+}
+
 inline Outline polygon(double x, double y, double radius, int n)
 {
   Outline o;

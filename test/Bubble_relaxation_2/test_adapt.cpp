@@ -103,10 +103,7 @@ TYPED_TEST(Adapt, leaves_all_outside_as_it_is)
 TYPED_TEST(Adapt, inner_constraints_and_pins_stay)
 {
   using Point = typename TypeParam::Point;
-  TypeParam cdt = domains::make<TypeParam>({domains::square(0, 0, 1)});
-  domains::insert(cdt, {{0.2, 0.2}, {0.8, 0.3}}, false);  // inside, free ends
-  domains::insert(cdt, {{0.5, 1}, {0.55, 0.6}}, false);   // dangling from the boundary
-  domains::insert(cdt, {{0, 0.5}, {0.3, 0.45}, {0.25, 0.8}, {0, 0.8}}, false); // cuts a region off
+  TypeParam cdt = domains::square_with_inner_constraints<TypeParam>();
   std::set<typename TypeParam::Vertex_handle> pins;
   for (const Point& p : {Point(0.7, 0.7), Point(0.71, 0.12), Point(0.35, 0)})
     pins.insert(cdt.insert(p));

@@ -104,10 +104,7 @@ TYPED_TEST(Write_back, handles_of_corners_stay_valid)
 TYPED_TEST(Write_back, inner_constraints_and_pinned_vertices_are_kept)
 {
   using Point = typename TypeParam::Point;
-  TypeParam cdt = domains::make<TypeParam>({domains::square(0, 0, 1)});
-  domains::insert(cdt, {{0.2, 0.2}, {0.8, 0.3}}, false);  // inside, free ends
-  domains::insert(cdt, {{0.5, 1}, {0.55, 0.6}}, false);   // dangling from the boundary
-  domains::insert(cdt, {{0, 0.5}, {0.3, 0.45}, {0.25, 0.8}, {0, 0.8}}, false); // cuts a region off
+  TypeParam cdt = domains::square_with_inner_constraints<TypeParam>();
   std::set<typename TypeParam::Vertex_handle> pins;
   pins.insert(cdt.insert(Point(0.7, 0.7)));
   pins.insert(cdt.insert(Point(0.71, 0.12)));

@@ -42,7 +42,7 @@ public:
         old[place(v)] = v;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (bubbles.is_corner(i))
-        set(i, corner(i));
+        set(i, vertex_of_corner(reading, bubbles, i));
       else
         keep(i, old);
     for (const auto& [where, v] : old)
@@ -54,7 +54,7 @@ public:
   {
     const std::size_t i = static_cast<std::size_t>(bubble);
     if (!m_is_known[i])
-      set(i, m_exchange.add_vertex(bubbles_point(i)));
+      set(i, m_exchange.add_vertex(point_of_vertex<Point_2>(m_reading, m_bubbles, i)));
     return m_of_bubble[i];
   }
 
@@ -74,12 +74,6 @@ private:
   {
     const Point p = point_in_double(m_reading.vertex(v)->point());
     return {p.x(), p.y()};
-  }
-
-  Vertex_handle corner(std::size_t i) const
-  {
-    return m_reading.vertex(m_bubbles.host[i] != no_index ? m_reading.graph->corners()[m_bubbles.host[i]]
-                                                          : m_reading.pinned[m_bubbles.pin[i]]);
   }
 
   void set(std::size_t i, Vertex_handle v)
@@ -102,21 +96,6 @@ private:
       return; // in an exact kernel it is near by
     set(i, v);
     old.erase(found);
-  }
-
-  /// with exact constructions a bubble lies on its edge exactly, with others up to rounding
-  Point_2 bubbles_point(std::size_t i) const
-  {
-    using Ft = typename Cdt::Geom_traits::FT;
-    if constexpr (!std::is_floating_point<Ft>::value)
-      if (m_bubbles.is_on_edge(i)) {
-        const auto& chain = m_reading.graph->chains()[m_bubbles.host[i]];
-        const Point_2 &a = m_reading.vertex(m_reading.graph->corners()[chain.source])->point(),
-                      &b = m_reading.vertex(m_reading.graph->corners()[chain.target])->point();
-        const Ft s(m_bubbles.s[i]);
-        return Point_2(a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y()));
-      }
-    return Point_2(m_bubbles.x[i], m_bubbles.y[i]);
   }
 
   const Part_reading_2<Cdt>& m_reading;

@@ -9,12 +9,14 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/Constraint_graph_2.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -144,6 +146,31 @@ private:
         e.is_of_one_constraint = cdt.number_of_enclosing_constraints(vertex(e.source), vertex(e.target)) == 1;
   }
 };
+
+/// the vertex that a bubble of a corner, or of a pinned vertex, stands for
+template <class Reading>
+typename Reading::Vertex_handle vertex_of_corner(const Reading& reading, const Bubbles_2& bubbles, std::size_t i)
+{
+  return reading.vertex(bubbles.host[i] != no_index ? reading.graph->corners()[bubbles.host[i]]
+                                                    : reading.pinned[bubbles.pin[i]]);
+}
+
+/// Where the vertex of another bubble is to be: with exact constructions one on an edge lies there exactly, with others
+/// up to rounding.
+template <class Point_2, class Reading>
+Point_2 point_of_vertex(const Reading& reading, const Bubbles_2& bubbles, std::size_t i)
+{
+  using Ft = typename Kernel_traits<Point_2>::Kernel::FT;
+  if constexpr (!std::is_floating_point<Ft>::value)
+    if (bubbles.is_on_edge(i)) {
+      const Constraint_graph_2::Chain& chain = reading.graph->chains()[bubbles.host[i]];
+      const Point_2 &a = reading.vertex(reading.graph->corners()[chain.source])->point(),
+                    &b = reading.vertex(reading.graph->corners()[chain.target])->point();
+      const Ft s(bubbles.s[i]);
+      return Point_2(a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y()));
+    }
+  return Point_2(bubbles.x[i], bubbles.y[i]);
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

@@ -132,6 +132,20 @@ private:
   std::vector<Face_handle> m_face_handles;
 };
 
+/// What is read of both triangulations of a transfer.
+template <class Source_triangulation, class Target_triangulation>
+struct Transfer_reading_2
+{
+  Face_reading_2<Source_triangulation> source;
+  Face_reading_2<Target_triangulation> target;
+
+  template <class NamedParameters>
+  Transfer_reading_2(const Source_triangulation& from, const Target_triangulation& to, const NamedParameters& np)
+    : source(from, "source", np, internal_np::source_faces, internal_np::source_in_domain_map),
+      target(to, "target", np, internal_np::target_faces, internal_np::target_in_domain_map)
+  {}
+};
+
 /// The values of vertices or faces. `place(k)` is where the k-th lies, for messages.
 /// \throws std::invalid_argument if one is not finite
 template <class Handle, class Value_map, class Place>
@@ -147,6 +161,14 @@ std::vector<double> read_values(const std::vector<Handle>& handles, const Value_
                                 " at " + in_words(p.x(), p.y()) + " must be finite");
   }
   return values;
+}
+
+/// Writes the values of vertices or faces.
+template <class Handle, class Value_map>
+void write_values(const std::vector<double>& values, const std::vector<Handle>& handles, Value_map& map)
+{
+  for (std::size_t k = 0; k < values.size(); ++k)
+    put(map, handles[k], values[k]);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -203,15 +203,16 @@ struct Misfit_counts
   bool is_worse_than(const Misfit_counts& other) const { return misfits * other.all > other.misfits * all; }
 };
 
-inline Misfit_counts count_misfits(const Bubble_mesh_2& mesh)
+/// \param counts of each triangle whether it counts
+template <class Mesh>
+Misfit_counts count_misfits(const Mesh& mesh, const std::vector<char>& counts)
 {
-  Misfit_counts counts;
-  for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
-    if (mesh.triangles.inside[t]) {
-      ++counts.all;
-      counts.misfits += is_misfit(mesh, static_cast<Index>(t));
-    }
-  return counts;
+  Misfit_counts result;
+  for (Index t : marked(counts)) {
+    ++result.all;
+    result.misfits += is_misfit(mesh, t);
+  }
+  return result;
 }
 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is larger, treated
@@ -224,7 +225,7 @@ inline void keep_the_better(const Problem_2& problem, Bubble_mesh_2& mesh, Treat
   triangulate(problem.domain, given);
   if (smallest_quality(given, threads) <= smallest_quality(mesh, threads) ||
       (problem.options.population != Bubble_population::NONE &&
-       count_misfits(given).is_worse_than(count_misfits(mesh))))
+       count_misfits(given, given.triangles.inside).is_worse_than(count_misfits(mesh, mesh.triangles.inside))))
     return;
   counts = treat_defects(problem.domain, problem.options, given);
   mesh = std::move(given);

@@ -81,8 +81,7 @@ private:
     for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
       Vertex_handle v;
       if (m_bubbles.is_corner(i)) {
-        v = m_reading.vertex(m_bubbles.host[i] != no_index ? m_reading.graph->corners()[m_bubbles.host[i]]
-                                                            : m_reading.pinned[m_bubbles.pin[i]]);
+        v = vertex_of_corner(m_reading, m_bubbles, i);
       } else {
         v = m_cdt.tds().create_vertex();
         v->set_point(typename Cdt::Point(m_bubbles.x[i], m_bubbles.y[i]));

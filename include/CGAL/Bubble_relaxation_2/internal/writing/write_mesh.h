@@ -104,23 +104,9 @@ private:
       m_path = &m_paths[e];
       add_to_path(corner(chain.source));
       for (Index i : on_edge[e])
-        split(corner(chain.target), point_on_edge(static_cast<Index>(e), i));
+        split(corner(chain.target), point_of_vertex<Cdt_point>(m_reading, m_bubbles, static_cast<std::size_t>(i)));
       while (end_of_path() != corner(chain.target))
         add_to_path(next_towards(end_of_path(), corner(chain.target)).second);
-    }
-  }
-
-  /// with exact constructions a bubble lies on its edge exactly, with others up to rounding
-  Cdt_point point_on_edge(Index e, Index i) const
-  {
-    using Ft = typename Cdt::Geom_traits::FT;
-    if constexpr (std::is_floating_point<Ft>::value) {
-      return Cdt_point(m_bubbles.x[i], m_bubbles.y[i]);
-    } else {
-      const Chain& chain = m_reading.graph->chains()[e];
-      const Cdt_point &a = corner(chain.source)->point(), &b = corner(chain.target)->point();
-      const Ft s(m_bubbles.s[i]);
-      return Cdt_point(a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y()));
     }
   }
 

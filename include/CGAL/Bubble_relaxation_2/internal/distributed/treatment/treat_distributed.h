@@ -60,12 +60,7 @@ public:
   /// Collective.
   Misfit_counts count_misfits(const Distributed_mesh_2& mesh) const
   {
-    Misfit_counts counts;
-    for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
-      if (mesh.is_owned[t]) {
-        ++counts.all;
-        counts.misfits += is_misfit(mesh, static_cast<Index>(t));
-      }
+    const Misfit_counts counts = internal::count_misfits(mesh, mesh.is_owned);
     return {m_comm.sum(counts.misfits), m_comm.sum(counts.all)};
   }
 
