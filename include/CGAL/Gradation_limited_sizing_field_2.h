@@ -71,8 +71,9 @@ class Gradation_limited_sizing_field_2
 
 public:
   using CDT = CDT_;
-  using FT = double;                               ///< the number type of sizes
-  using Point_2 = typename CDT::Geom_traits::Point_2; ///< the point type
+  using FT = double; ///< the number type of sizes
+  /// the point type: of a terrain, that of its plane
+  using Point_2 = Bubble_relaxation_2::internal::Place_2<CDT>;
 
   /*!
   limits the sizes that are given, or by default those that `npbs_relax()` would use. What `npbs_relax()` does by its

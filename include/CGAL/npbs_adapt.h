@@ -114,9 +114,10 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     const auto pins = is_pinned<CDT>(pack);
     const std::optional<Sizes_2> sizes = given_sizes<CDT>(pack);
     const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt)(faces, is_in_domain);
+    const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
-    Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes}.remesh(
+    Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes, elevation}.remesh(
       part, unwrapped(visitor), report);
     return Bubble_relaxation_report_2<FT>(report);
   });
@@ -223,6 +224,7 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
     const Relaxation_options options = read_local_options(pack);
     const auto is_in_domain = domain_of(cdt, pack);
     const auto pins = is_pinned<CDT>(pack);
+    const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
     Phase_timer reading_time(report.seconds.reading);
@@ -232,8 +234,9 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
       tell_that_all_fits(report);
       return Bubble_relaxation_report_2<FT>(report);
     }
-    Part_task_2<CDT, decltype(is_in_domain), decltype(pins)>{cdt, is_in_domain, pins, options, misfits.sizes}.adapt(
-      std::move(misfits.faces), unwrapped(visitor), report);
+    const Part_task_2<CDT, decltype(is_in_domain), decltype(pins)> task{cdt,     is_in_domain,  pins,
+                                                                        options, misfits.sizes, elevation};
+    task.adapt(std::move(misfits.faces), unwrapped(visitor), report);
     return Bubble_relaxation_report_2<FT>(report);
   });
 }

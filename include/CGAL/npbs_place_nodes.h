@@ -55,7 +55,8 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
     reading_time.stop();
     Progress progress(input.options.callback, input.options.number_of_rounds);
     const Bubbles_2 bubbles = make_nodes(problem, progress, nodes.report);
-    write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
+    write_nodes<CDT>(bubbles, find_elevations(cdt, input.reading, bubbles, input.elevation),
+                     input.options.neighbor_radius, input.options.threads, nodes);
     nodes.report.number_of_vertices = nodes.size();
     progress.report(1);
     return nodes;

@@ -254,10 +254,11 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     reading_time.stop();
     Progress progress(input.options.callback, input.options.number_of_rounds);
     const Bubble_mesh_2 mesh = make_mesh(problem, progress, report);
+    const Elevations<CDT> elevations = find_elevations(cdt, input.reading, mesh.bubbles, input.elevation);
     progress.report(1);
     // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
     Restore_on_throw<CDT> guard(cdt);
-    write_mesh(cdt, input.reading, mesh, report);
+    write_mesh(cdt, input.reading, mesh, elevations, report);
     guard.all_went_well();
     return Bubble_relaxation_report_2<FT>(report);
   });

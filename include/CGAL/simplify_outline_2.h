@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/simplify_outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -142,15 +143,19 @@ auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::defaul
   using namespace Bubble_relaxation_2::internal;
 
   Outline_simplification_report_2 report;
-  Phase_timer time(report.seconds);
-  const Outline_reading_2<CDT> reading(cdt, np);
-  Simplified_outline_2 outline = simplify_outline(reading.problem);
-  Restore_on_throw<CDT> guard(cdt);
-  Outline_writing_2<CDT>(cdt, reading, outline)();
-  guard.all_went_well();
-  time.stop();
-  outline.report.seconds = report.seconds;
-  return std::move(outline.report);
+  if constexpr (check_flat<CDT>()) {
+    Phase_timer time(report.seconds);
+    const Outline_reading_2<CDT> reading(cdt, np);
+    Simplified_outline_2 outline = simplify_outline(reading.problem);
+    Restore_on_throw<CDT> guard(cdt);
+    Outline_writing_2<CDT>(cdt, reading, outline)();
+    guard.all_went_well();
+    time.stop();
+    outline.report.seconds = report.seconds;
+    return std::move(outline.report);
+  } else {
+    return report;
+  }
 }
 
 } // namespace CGAL
