@@ -61,7 +61,7 @@ whatever order its vertices and constraints were inserted. Only the order of the
 | | works | does not work, and what the compiler says in one sentence |
 | :-- | :-- | :-- |
 | class | `Constrained_Delaunay_triangulation_2`, `Constrained_triangulation_plus_2` of one | `Delaunay_triangulation_2`: it has no constraints; a `const` one |
-| kernel | any with points in the plane, exact or not, such as `Epick`, `Epeck`, `Cartesian<double>` | `Projection_traits_xy_3` and the like: mesh the projection, then give vertices heights |
+| traits | any kernel, exact or not, such as `Epick`, `Epeck`, `Cartesian<double>`; and terrains: `Projection_traits_xy_3`, `Projection_traits_yz_3`, `Projection_traits_xz_3` of such a kernel, see \ref BR2_terrain | other points in space, such as those of `Projection_traits_3`: rotate them so that the direction becomes an axis |
 | intersection tag | all: whether constraints that cross are cut or refused when the user inserts them | |
 | vertex base, face base | any; what they carry stays with vertices that stay | |
 
@@ -114,6 +114,13 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDescription{how the number of bubbles is adjusted between two rounds}
     \cgalParamType{`Bubble_population`}
     \cgalParamDefault{`DELAUNAY`; the paper: `OVERLAP_RATIO`}
+  \cgalParamNEnd
+  \cgalParamNBegin{elevation_function}
+    \cgalParamDescription{the third coordinate of new vertices, where `CDT` is a terrain}
+    \cgalParamType{a function object, called as a constant with a `Point_2` of the kernel, the place in the plane of the
+                   projection, that returns a number which converts to the kernel's `FT`}
+    \cgalParamDefault{that of the surface that was there: linear along constraints, and in the faces, as
+                      `Interpolated_elevation_2` is}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
     \cgalParamDescription{rounds of simulation at most; between two the population is adjusted}
@@ -224,7 +231,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
 \returns what was done, and the statistics of the mesh
 
 \throws std::invalid_argument if a parameter is out of its range, if a coordinate, a size or the length of an edge is
-not finite or beyond its bounds (see \ref BR2_magnitudes), if a size is not positive, if a seed lies on a constraint
+not finite or beyond its bounds (see \ref BR2_magnitudes), if an elevation is not finite, if a size is not positive, if a seed lies on a constraint
 between two regions, if there is no domain with constraints all around it, or if constraints of an exact kernel cross,
 or its vertices coincide, when they are rounded to `double`
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
@@ -232,7 +239,7 @@ or its vertices coincide, when they are rounded to `double`
 on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is
 too flat for the numbers of the kernel
 
-Exceptions of the sizing function and of the callback pass through. All calls of them, of the property map
+Exceptions of the sizing function, of the elevation function and of the callback pass through. All calls of them, of the property map
 and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
 above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the identifiers
 of its constraints. After `std::bad_alloc`, an exception of CGAL, or a `std::runtime_error` while the mesh is
