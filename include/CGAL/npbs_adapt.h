@@ -94,8 +94,8 @@ handle, not marked as one of the domain, or of another triangulation
 \throws std::runtime_error if edges lie nearer to each other than the rounding of the bubbles on them, or if the
 triangulation beside a constraint is too flat to change it there
 
-Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After any exception,
-`std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions from that:
+Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After any
+exception, `std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions from that:
 `after_change()` of the visitor is called when all is done; and where memory ends while a
 `Constrained_triangulation_plus_2` enters new vertices into its constraints, these are not restored.
 

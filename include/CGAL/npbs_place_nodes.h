@@ -30,8 +30,8 @@ namespace CGAL {
 
 \brief places nodes in the domain of a constrained Delaunay triangulation by bubble simulation, and returns
 them with their neighbour sets. The triangulation is not changed, and no mesh is kept; one is made on the way
-for the population control `DELAUNAY` and for `defect_treatment`, both of which are defaults. Nodes of a terrain are points
-in space.
+for the population control `DELAUNAY` and for `defect_treatment`, both of which are defaults. Nodes of a terrain are
+points in space.
 
 \tparam CDT as in `npbs_relax()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -231,16 +231,16 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
 \returns what was done, and the statistics of the mesh
 
 \throws std::invalid_argument if a parameter is out of its range, if a coordinate, a size or the length of an edge is
-not finite or beyond its bounds (see \ref BR2_magnitudes), if an elevation is not finite, if a size is not positive, if a seed lies on a constraint
-between two regions, if there is no domain with constraints all around it, or if constraints of an exact kernel cross,
-or its vertices coincide, when they are rounded to `double`
+not finite or beyond its bounds (see \ref BR2_magnitudes), if an elevation is not finite, if a size is not positive, if
+a seed lies on a constraint between two regions, if there is no domain with constraints all around it, or if
+constraints of an exact kernel cross, or its vertices coincide, when they are rounded to `double`
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error if edges of the domain lie nearer to each other than the rounding of the bubbles
 on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is
 too flat for the numbers of the kernel
 
-Exceptions of the sizing function, of the elevation function and of the callback pass through. All calls of them, of the property map
-and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
+Exceptions of the sizing function, of the elevation function and of the callback pass through. All calls of them, of
+the property map and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
 above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the identifiers
 of its constraints. After `std::bad_alloc`, an exception of CGAL, or a `std::runtime_error` while the mesh is
 written, `cdt` has the content that it had, but all handles and identifiers of constraints are invalid.

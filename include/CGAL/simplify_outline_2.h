@@ -59,8 +59,8 @@ marked if the face base has marks, so `npbs_relax()` needs no seeds afterwards; 
 gone would mislead it.
 
 \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, with points in the
-plane: no terrain. Its face base
-may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertices have coordinates in `double`.
+plane: no terrain. Its face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new
+vertices have coordinates in `double`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param cdt the triangulation whose constraints are replaced

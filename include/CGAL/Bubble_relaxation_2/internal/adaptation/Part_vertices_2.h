@@ -32,8 +32,8 @@ class Part_vertices_2
 public:
   Part_vertices_2(const Part_reading_2<Cdt>& reading, const Bubbles_2& bubbles, const Elevations<Cdt>& elevations,
                   Face_exchange_2<Cdt>& exchange)
-    : m_reading(reading), m_bubbles(bubbles), m_elevations(elevations), m_exchange(exchange), m_of_bubble(bubbles.size()),
-      m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
+    : m_reading(reading), m_bubbles(bubbles), m_elevations(elevations), m_exchange(exchange),
+      m_of_bubble(bubbles.size()), m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
   {
     std::map<Place, Index> old;
     for (Index v : reading.free)

@@ -55,7 +55,7 @@ struct Flat_plane_2
   }
 };
 
-/// Where points in space are seen along an axis. On that they have an elevation, of which a triangulation knows nothing.
+/// Where points in space are seen along an axis. On it they have an elevation, which a triangulation does not look at.
 template <class R, int axis>
 struct Terrain_plane_2
 {

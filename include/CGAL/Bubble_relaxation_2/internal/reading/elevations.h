@@ -32,7 +32,9 @@ template <class Cdt, class NamedParameters>
 Elevation_function<Cdt> given_elevation([[maybe_unused]] const NamedParameters& np)
 {
   if constexpr (Is_given<NamedParameters, internal_np::elevation_function_t>::value) {
-    return [f = parameters::get_parameter(np, internal_np::elevation_function)](const Place_2<Cdt>& p) { return static_cast<typename Cdt::Geom_traits::FT>(f(p)); };
+    return [f = parameters::get_parameter(np, internal_np::elevation_function)](const Place_2<Cdt>& p) {
+      return static_cast<typename Cdt::Geom_traits::FT>(f(p));
+    };
   } else {
     return nullptr;
   }
