@@ -350,6 +350,39 @@ TEST(Terrain, walls_do_not_matter_to_constraints)
     }
 }
 
+TEST(Terrain, surface_of_a_copy_outlives_many_calls)
+{
+  const auto before = make_terrain<Xy>(hill);
+  auto terrain = before;
+  const CGAL::Interpolated_elevation_2<Terrain> surface(before);
+  CGAL::npbs_relax(terrain, P::sizing_function(0.15));
+  for (double at : {-0.5, 0., 0.5}) {
+    const auto d = [at](const K::Point_2& p) { return 0.05 + 0.1 * std::abs(p.x() - at); };
+    CGAL::npbs_adapt(terrain, P::elevation_function(surface).sizing_function(d));
+  }
+  EXPECT_LE(largest_error<Xy>(terrain, [&](double x, double y) { return surface({x, y}); }), 1e-14);
+}
+
+// where all is domain, triangles are written as they are
+TEST(Terrain, with_nothing_outside)
+{
+  auto flat = domains::make<domains::CDT>({domains::square(0, 0, 1)});
+  Terrain cdt;
+  for (const auto& e : flat.finite_edges())
+    if (flat.is_constrained(e)) {
+      const auto point = [&](int i) {
+        const auto& p = e.first->vertex(i)->point();
+        return Terrain::Point(p.x(), p.y(), plane(p.x(), p.y()));
+      };
+      cdt.insert_constraint(point(flat.cw(e.second)), point(flat.ccw(e.second)));
+    }
+  CGAL::npbs_relax(cdt, P::sizing_function(growing));
+  CGAL::npbs_relax(flat, P::sizing_function(growing));
+  EXPECT_EQ(mesh_of<Xy>(cdt), mesh_of_flat(flat));
+  EXPECT_LE(largest_error<Xy>(cdt, plane), 2e-15);
+  EXPECT_TRUE(cdt.is_valid());
+}
+
 TEST(Terrain, does_not_depend_on_the_order_of_insertion)
 {
   const auto there = make_terrain<Xy>(hill);
