@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/find_misfits.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/read_adaptation.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/remesh_part.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
