@@ -54,12 +54,10 @@ Rank_counts count_of_ranks(MPI_Comm ranks, const paper::Domain& domain, const Na
   Communicator comm(ranks);
   const paper::CDT cdt = paper::triangulate(domain);
   const auto np = parameters.sizing_function(domain.d);
-  const Input_2<paper::CDT> input(cdt, np);
-  Progress progress(input.options.callback, input.options.number_of_rounds);
+  const Input_2<paper::CDT> input(cdt, np, std::make_shared<Progress>());
   Report report;
   Traffic_2 traffic;
-  const Placed_part_2 part =
-    simulate_distributed(comm, input.problem(), progress, report, {}, &traffic);
+  const Placed_part_2 part = simulate_distributed(comm, input.problem(), report, {}, &traffic);
   const auto in_a_step = [&](std::int64_t count) {
     return mean_and_most(double(count) / double(report.number_of_steps), ranks);
   };

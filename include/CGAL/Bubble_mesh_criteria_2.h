@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 
 #include <CGAL/Mesh_2/Face_badness.h>
@@ -41,7 +42,8 @@ if the square of the sine of its smallest angle is less than the shape bound.
 template <class CDT, class SizingField_>
 class Bubble_mesh_criteria_2
 {
-  using Point_2 = typename CDT::Geom_traits::Point_2;
+  using Plane = Bubble_relaxation_2::internal::Plane_2<CDT>;
+  using Point_2 = typename Plane::Place;
   using Checked_sizing =
     Bubble_relaxation_2::internal::Checked_sizing_field_2<Point_2, const SizingField_&>;
 
@@ -89,8 +91,8 @@ public:
     {
       double x[3], y[3], squared[3];
       for (int i = 0; i < 3; ++i) {
-        x[i] = CGAL::to_double(f->vertex(i)->point().x());
-        y[i] = CGAL::to_double(f->vertex(i)->point().y());
+        x[i] = CGAL::to_double(Plane::x(f->vertex(i)->point()));
+        y[i] = CGAL::to_double(Plane::y(f->vertex(i)->point()));
       }
       for (int i = 0; i < 3; ++i) {
         const double dx = x[(i + 2) % 3] - x[(i + 1) % 3], dy = y[(i + 2) % 3] - y[(i + 1) % 3];

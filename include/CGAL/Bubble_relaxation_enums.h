@@ -49,8 +49,8 @@ enum class Bubble_phase
   PLACEMENT,  ///< of the first bubbles
   SIMULATION, ///< rounds of steps, with changes of the population between them
   TREATMENT,  ///< triangulation, treatment of the last defects, refinement of small angles
-  EVALUATION, ///< statistics
-  WRITING     ///< of the triangulation. From here on no callback stops anything
+  EVALUATION, ///< statistics; a callback that stops them now has a complete mesh, unless it is to be restored
+  WRITING     ///< of the triangulation. From here on nothing of the user's is called
 };
 
 /// Why a relaxation ended.

@@ -124,7 +124,8 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 
 #endif // DOXYGEN_RUNNING
 
-/// All names, CGAL's and the package's, to start a pack with: from here any order of setters works.
+/// All names, CGAL's and the package's, to start a pack with: from here any order of setters works, see
+/// \ref bgl_namedparameters.
 namespace Bubble_relaxation_parameters {
 
 #ifndef DOXYGEN_RUNNING
@@ -204,15 +205,60 @@ namespace parameters {
 
 using Bubble_relaxation_parameters::npbs_paper_parameters;
 
-#if CGAL_VERSION_NR >= 1060000000
-// CGAL has the name, with a class that lacks the package's setters; this overload is the better match
-// for all arguments but named constants
-template <class K>
-auto sizing_function(K&& k)
-{
-  return Bubble_relaxation_parameters::sizing_function(k);
-}
+// CGAL's own names that functions of the package read: they start packs of CGAL's class, which lacks the package's
+// setters, so there are better matches here. They are better for all arguments but constants, to which CGAL's `const K&`
+// is the closest. Constants need a constraint or, in C++17, overloads for what they are: numbers, and objects of class
+// templates.
+#if defined(__cpp_concepts) && __cpp_concepts >= 201907L
+#define CGAL_bubble_relaxation_constants(Z)                                                          \
+  template <class K>                                                                                 \
+    requires true                                                                                    \
+  auto Z(const K& k)                                                                                 \
+  {                                                                                                  \
+    return Bubble_relaxation_parameters::Z(k);                                                       \
+  }
+#else
+#define CGAL_bubble_relaxation_constant(K, Z)                                                        \
+  inline auto Z(const K& k) { return Bubble_relaxation_parameters::Z(k); }
+#define CGAL_bubble_relaxation_constants(Z)                                                          \
+  template <template <class...> class C, class... A>                                                 \
+  auto Z(const C<A...>& k)                                                                           \
+  {                                                                                                  \
+    return Bubble_relaxation_parameters::Z(k);                                                       \
+  }                                                                                                  \
+  CGAL_bubble_relaxation_constant(bool, Z)                                                           \
+  CGAL_bubble_relaxation_constant(short, Z)                                                          \
+  CGAL_bubble_relaxation_constant(unsigned short, Z)                                                 \
+  CGAL_bubble_relaxation_constant(int, Z)                                                            \
+  CGAL_bubble_relaxation_constant(unsigned int, Z)                                                   \
+  CGAL_bubble_relaxation_constant(long, Z)                                                           \
+  CGAL_bubble_relaxation_constant(unsigned long, Z)                                                  \
+  CGAL_bubble_relaxation_constant(long long, Z)                                                      \
+  CGAL_bubble_relaxation_constant(unsigned long long, Z)                                             \
+  CGAL_bubble_relaxation_constant(float, Z)                                                          \
+  CGAL_bubble_relaxation_constant(double, Z)
 #endif
+#define CGAL_bubble_relaxation_start(Z)                                                              \
+  template <class K>                                                                                 \
+  auto Z(K&& k)                                                                                      \
+  {                                                                                                  \
+    return Bubble_relaxation_parameters::Z(k);                                                       \
+  }                                                                                                  \
+  CGAL_bubble_relaxation_constants(Z)
+
+CGAL_bubble_relaxation_start(callback)
+CGAL_bubble_relaxation_start(neighbor_radius)
+CGAL_bubble_relaxation_start(number_of_iterations)
+CGAL_bubble_relaxation_start(vertex_is_constrained_map)
+CGAL_bubble_relaxation_start(visitor)
+#if CGAL_VERSION_NR >= 1060000000
+CGAL_bubble_relaxation_start(sizing_function)
+CGAL_bubble_relaxation_start(concurrency_tag)
+#endif
+
+#undef CGAL_bubble_relaxation_start
+#undef CGAL_bubble_relaxation_constants
+#undef CGAL_bubble_relaxation_constant
 
 } // namespace parameters
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Background_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
@@ -71,8 +72,9 @@ class Gradation_limited_sizing_field_2
 
 public:
   using CDT = CDT_;
-  using FT = double;                               ///< the number type of sizes
-  using Point_2 = typename CDT::Geom_traits::Point_2; ///< the point type
+  using FT = double; ///< the number type of sizes
+  /// the point type: of a terrain, that of its plane
+  using Point_2 = Bubble_relaxation_2::internal::Place_2<CDT>;
 
   /*!
   limits the sizes that are given, or by default those that `npbs_relax()` would use. What `npbs_relax()` does by its

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
@@ -63,8 +64,9 @@ class Interpolated_sizing_field_2
 
 public:
   using Triangulation = Triangulation_;
-  using FT = double;                                            ///< the number type of sizes
-  using Point_2 = typename Triangulation::Geom_traits::Point_2; ///< the point type
+  using FT = double; ///< the number type of sizes
+  /// the point type: of a terrain, that of its plane
+  using Point_2 = Bubble_relaxation_2::internal::Place_2<Triangulation>;
 
   /*!
   reads the sizes.

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
@@ -192,7 +193,7 @@ auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::defa
     [](std::size_t) { return true; }, accumulator);
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
     const auto& f = parameters::get_parameter_reference(np, internal_np::sizing_function);
-    const auto sizing = checked_sizing_field<typename CDT::Geom_traits::Point_2>(f);
+    const auto sizing = checked_sizing_field<Place_2<CDT>>(f);
     for_each_edge(tr, 0, tr.number_of_triangles(), [&](Index t, int i) {
       add_length(tr.point(t, ccw(i)), tr.point(t, cw(i)), sizing, accumulator);
     });

@@ -98,7 +98,7 @@ auto node_set_2(const CDT& mesh, const NamedParameters& np = parameters::default
   add(reading.given.free, Bubbles_2::FACE);
   sort_in_space(reading.domain, bubbles, threads);
   Node_set_2<typename CDT::Geom_traits::Point_2> nodes;
-  write_nodes(bubbles, neighbor_radius, threads, nodes);
+  write_nodes<CDT>(bubbles, surface_elevations(mesh, bubbles), neighbor_radius, threads, nodes);
   nodes.report.number_of_vertices = nodes.size();
   return nodes;
 }

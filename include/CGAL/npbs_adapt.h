@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/find_misfits.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/read_adaptation.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/remesh_part.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -94,8 +95,8 @@ handle, not marked as one of the domain, or of another triangulation
 \throws std::runtime_error if edges lie nearer to each other than the rounding of the bubbles on them, or if the
 triangulation beside a constraint is too flat to change it there
 
-Exceptions of the sizing function, of the callback and of the visitor pass through. After any exception,
-`std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions from that:
+Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After any
+exception, `std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions from that:
 `after_change()` of the visitor is called when all is done; and where memory ends while a
 `Constrained_triangulation_plus_2` enters new vertices into its constraints, these are not restored.
 
@@ -115,11 +116,12 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     const auto pins = is_pinned<CDT>(pack);
     const std::optional<Sizes_2> sizes = given_sizes<CDT>(pack);
     const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt)(faces, is_in_domain);
+    const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
     do_unless_stopped(report, [&] {
       options.progress->start_phase(Bubble_phase::READING);
-      Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes}.remesh(
+      Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes, elevation}.remesh(
         part, unwrapped(visitor), report);
     });
     return Bubble_relaxation_report_2<FT>(report);
@@ -229,6 +231,7 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
     const Progress_scope scope(*options.progress);
     const auto is_in_domain = domain_of(cdt, pack);
     const auto pins = is_pinned<CDT>(pack);
+    const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
     do_unless_stopped(report, [&] {
@@ -239,8 +242,9 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
       if (misfits.faces.empty())
         tell_that_all_fits(report);
       else
-        Part_task_2<CDT, decltype(is_in_domain), decltype(pins)>{cdt, is_in_domain, pins, options, misfits.sizes}.adapt(
-          std::move(misfits.faces), unwrapped(visitor), report);
+        Part_task_2<CDT, decltype(is_in_domain), decltype(pins)>{
+          cdt, is_in_domain, pins, options, misfits.sizes, elevation}.adapt(std::move(misfits.faces), unwrapped(visitor),
+                                                                            report);
     });
     return Bubble_relaxation_report_2<FT>(report);
   });

@@ -30,7 +30,8 @@ namespace CGAL {
 
 \brief places nodes in the domain of a constrained Delaunay triangulation by bubble simulation, and returns
 them with their neighbour sets. The triangulation is not changed, and no mesh is kept; one is made on the way
-for the population control `DELAUNAY` and for `defect_treatment`, both of which are defaults.
+for the population control `DELAUNAY` and for `defect_treatment`, both of which are defaults. Nodes of a terrain are
+points in space.
 
 \tparam CDT as in `npbs_relax()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -57,7 +58,8 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
       const Problem_2 problem = input.problem();
       reading_time.stop();
       const Bubbles_2 bubbles = make_nodes(problem, nodes.report);
-      write_nodes(bubbles, input.options.neighbor_radius, input.options.threads, nodes);
+      write_nodes<CDT>(bubbles, find_elevations(cdt, input.reading, bubbles, input.elevation),
+                       input.options.neighbor_radius, input.options.threads, nodes);
       nodes.report.number_of_vertices = nodes.size();
       progress->report(1);
     });

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
@@ -61,7 +62,7 @@ whatever order its vertices and constraints were inserted. Only the order of the
 | | works | does not work, and what the compiler says in one sentence |
 | :-- | :-- | :-- |
 | class | `Constrained_Delaunay_triangulation_2`, `Constrained_triangulation_plus_2` of one | `Delaunay_triangulation_2`: it has no constraints; a `const` one |
-| kernel | any with points in the plane, exact or not, such as `Epick`, `Epeck`, `Cartesian<double>` | `Projection_traits_xy_3` and the like: mesh the projection, then give vertices heights |
+| traits | any kernel, exact or not, such as `Epick`, `Epeck`, `Cartesian<double>`; and terrains: `Projection_traits_xy_3`, `Projection_traits_yz_3`, `Projection_traits_xz_3` of such a kernel, see \ref BR2_terrain | other points in space, such as those of `Projection_traits_3`: rotate them so that the direction becomes an axis |
 | intersection tag | all: whether constraints that cross are cut or refused when the user inserts them | |
 | vertex base, face base | any; what they carry stays with vertices that stay | |
 
@@ -114,6 +115,13 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDescription{how the number of bubbles is adjusted between two rounds}
     \cgalParamType{`Bubble_population`}
     \cgalParamDefault{`DELAUNAY`; the paper: `OVERLAP_RATIO`}
+  \cgalParamNEnd
+  \cgalParamNBegin{elevation_function}
+    \cgalParamDescription{the third coordinate of new vertices, where `CDT` is a terrain}
+    \cgalParamType{a function object, called as a constant with a `Point_2` of the kernel, the place in the plane of the
+                   projection, that returns a number which converts to the kernel's `FT`}
+    \cgalParamDefault{that of the surface that was there: linear along constraints, and in the faces, as
+                      `Interpolated_elevation_2` is}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rounds}
     \cgalParamDescription{rounds of simulation at most; between two the population is adjusted}
@@ -208,11 +216,25 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{100 000 000}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{is called with the progress, between 0 and 1, at every step; when it returns
-                          `false` the simulation stops, and `cdt` becomes the mesh of the bubbles as
-                          they are. The last call, with 1, comes just before `cdt` is changed}
+    \cgalParamDescription{is called by this thread with the progress, between 0 and 1 and about proportional to time,
+                          ten times a second or more often, and at each step. When it returns `false` all stops:
+                          before there are bubbles `cdt` stays as it is, later it becomes the mesh of the bubbles as
+                          they are, without what is left of simulation and treatment. The last call, with 1, comes
+                          just before `cdt` is changed}
     \cgalParamType{an object that converts to `std::function<bool(double)>`}
     \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{restore_when_stopped}
+    \cgalParamDescription{whether `cdt` stays as it is whenever the callback returns `false`. Then that takes effect at
+                          once, else the bubbles are still triangulated and the mesh is written}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{sees phases and rounds begin and end, and the bubbles after each step}
+    \cgalParamType{a model of `BubbleRelaxationVisitor_2`, of which a copy is called, or a `std::reference_wrapper` of
+                   one}
+    \cgalParamDefault{`Default_relaxation_visitor_2`}
   \cgalParamNEnd
   \cgalParamNBegin{concurrency_tag}
     \cgalParamDescription{whether threads are used; the sizing function is then called by several at once}
@@ -224,16 +246,16 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
 \returns what was done, and the statistics of the mesh
 
 \throws std::invalid_argument if a parameter is out of its range, if a coordinate, a size or the length of an edge is
-not finite or beyond its bounds (see \ref BR2_magnitudes), if a size is not positive, if a seed lies on a constraint
-between two regions, if there is no domain with constraints all around it, or if constraints of an exact kernel cross,
-or its vertices coincide, when they are rounded to `double`
+not finite or beyond its bounds (see \ref BR2_magnitudes), if an elevation is not finite, if a size is not positive, if
+a seed lies on a constraint between two regions, if there is no domain with constraints all around it, or if
+constraints of an exact kernel cross, or its vertices coincide, when they are rounded to `double`
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error if edges of the domain lie nearer to each other than the rounding of the bubbles
 on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is
 too flat for the numbers of the kernel
 
-Exceptions of the sizing function and of the callback pass through. All calls of them, of the property map
-and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
+Exceptions of the sizing function, of the elevation function and of the callback pass through. All calls of them, of
+the property map and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
 above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the identifiers
 of its constraints. After `std::bad_alloc`, an exception of CGAL, or a `std::runtime_error` while the mesh is
 written, `cdt` has the content that it had, but all handles and identifiers of constraints are invalid.
@@ -256,11 +278,12 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       const Problem_2 problem = input.problem();
       reading_time.stop();
       const Bubble_mesh_2 mesh = make_mesh(problem, report);
+      const Elevations<CDT> elevations = find_elevations(cdt, input.reading, mesh.bubbles, input.elevation);
       progress->start_phase(Bubble_phase::WRITING);
       progress->report(1);
       // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
       Restore_on_throw<CDT> guard(cdt);
-      write_mesh(cdt, input.reading, mesh, report);
+      write_mesh(cdt, input.reading, mesh, elevations, report);
       guard.all_went_well();
     });
     return Bubble_relaxation_report_2<FT>(report);

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/simplify_outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -57,8 +58,9 @@ Vertices without constraints that are not pinned, such as those of a mesh, are r
 marked if the face base has marks, so `npbs_relax()` needs no seeds afterwards; with a rule, seeds of regions that are
 gone would mislead it.
 
-\tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose face base
-may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new vertices have coordinates in `double`.
+\tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, with points in the
+plane: no terrain. Its face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new
+vertices have coordinates in `double`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param cdt the triangulation whose constraints are replaced
@@ -142,15 +144,19 @@ auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::defaul
   using namespace Bubble_relaxation_2::internal;
 
   Outline_simplification_report_2 report;
-  Phase_timer time(report.seconds);
-  const Outline_reading_2<CDT> reading(cdt, np);
-  Simplified_outline_2 outline = simplify_outline(reading.problem);
-  Restore_on_throw<CDT> guard(cdt);
-  Outline_writing_2<CDT>(cdt, reading, outline)();
-  guard.all_went_well();
-  time.stop();
-  outline.report.seconds = report.seconds;
-  return std::move(outline.report);
+  if constexpr (check_flat<CDT>()) {
+    Phase_timer time(report.seconds);
+    const Outline_reading_2<CDT> reading(cdt, np);
+    Simplified_outline_2 outline = simplify_outline(reading.problem);
+    Restore_on_throw<CDT> guard(cdt);
+    Outline_writing_2<CDT>(cdt, reading, outline)();
+    guard.all_went_well();
+    time.stop();
+    outline.report.seconds = report.seconds;
+    return std::move(outline.report);
+  } else {
+    return report;
+  }
 }
 
 } // namespace CGAL

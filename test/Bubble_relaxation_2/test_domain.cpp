@@ -46,7 +46,8 @@ double marked_area(const CDT& cdt, const Parameters& parameters)
 /// what is read of a triangulation, whatever d
 struct Reading
 {
-  explicit Reading(const CDT& cdt) : input(cdt, P::sizing_function(1.).limit_by_outline(false)) {}
+  explicit Reading(const CDT& cdt) : input(cdt, P::sizing_function(1.).limit_by_outline(false), std::make_shared<Progress>())
+  {}
 
   const Input_2<CDT> input;
   const Domain_2& domain = input.problem().domain;

@@ -65,6 +65,22 @@ TEST(Reference, tells_numbers_as_they_are)
   EXPECT_EQ(o.maximum_number_of_bubbles, 100000000u);
 }
 
+// the page of named parameters has a row for each of them
+TEST(Reference, lists_all_names)
+{
+  const auto text_of = [](const char* path) {
+    std::ifstream file(std::string(BUBBLE_RELAXATION_2_INCLUDE_DIR) + path);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  const std::string list = text_of("/CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h"),
+                    page = text_of("/../doc/Bubble_relaxation_2/standalone/named_parameters.txt");
+  const std::regex name("CGAL_add_named_parameter\\([a-z_]+, [a-z_]+, ([a-z_]+)\\)");
+  std::size_t n = 0;
+  for (auto found = std::sregex_iterator(list.begin(), list.end(), name); found != std::sregex_iterator(); ++found, ++n)
+    EXPECT_NE(page.find("`" + (*found)[1].str() + "`"), std::string::npos) << (*found)[1];
+  EXPECT_GE(n, 50u);
+}
+
 TEST(Reference, tells_numbers_of_the_papers_integrator)
 {
   const Relaxation_options o =

@@ -37,7 +37,7 @@ public:
   /// the number type of the kernel, or another that converts to `double`
   typedef unspecified_type FT;
 
-  /// the point type of the triangulation's traits
+  /// the point type of the triangulation's traits; for a terrain the kernel's `Point_2`
   typedef unspecified_type Point_2;
 
   /// returns the wanted distance at `p`, in the units of the coordinates.

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
@@ -110,6 +111,7 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
                  const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
+  check_flat<CDT>();
   Communicator ranks(comm);
 
   std::unique_ptr<Domain_reading_2<CDT>> reading;

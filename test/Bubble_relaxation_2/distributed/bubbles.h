@@ -45,7 +45,8 @@ struct Case
   template <class NamedParameters>
   void read(const NamedParameters& np)
   {
-    input = std::make_unique<Input>(cdt, np);
+    input = std::make_unique<Input>(cdt, np, std::make_shared<Progress>());
+    *input->options.progress = Progress(read_callback(np)); // nothing is told of the reading
   }
 
   const Domain_2& domain() const { return input->problem().domain; }
@@ -76,8 +77,7 @@ inline Case relaxed(const paper::Domain& domain, int rounds = 2, int iterations 
     CGAL::parameters::sizing_function(domain.d).number_of_rounds(rounds).number_of_iterations(iterations);
   c.read(np);
   Report report;
-  Progress progress({}, static_cast<std::size_t>(rounds));
-  c.bubbles = relax_bubbles(c.input->problem(), progress, report);
+  c.bubbles = relax_bubbles(c.input->problem(), report);
   return c;
 }
 

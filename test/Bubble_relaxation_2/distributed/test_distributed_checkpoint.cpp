@@ -21,6 +21,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -119,8 +120,24 @@ struct Result
   Report report; // of one rank
 };
 
+/// stops in the round after so many
+Progress stop_after(std::size_t rounds)
+{
+  struct Round_counter : Observer
+  {
+    std::size_t number = 0;
+    void phase_begins(CGAL::Bubble_phase) override {}
+    void step_ends(const Bubbles_2&) override {}
+    void round_ends(const Report&) override { ++number; }
+  };
+  auto counter = std::make_unique<Round_counter>();
+  const Round_counter& counted = *counter;
+  return Progress([&counted, rounds](double) { return counted.number < rounds; }, std::move(counter));
+}
+
 template <class Size, class NamedParameters>
-Result simulate(Communicator& ranks, const paper::Domain& domain, const Size& size, const NamedParameters& parameters)
+Result simulate(Communicator& ranks, const paper::Domain& domain, const Size& size, const NamedParameters& parameters,
+                Progress progress = Progress())
 {
   const auto np = parameters.sizing_function(size);
   Case c{paper::triangulate(domain), nullptr, {}};
@@ -128,10 +145,11 @@ Result simulate(Communicator& ranks, const paper::Domain& domain, const Size& si
   Relaxation_options& options = c.input->options;
   if (options.number_of_rounds == default_number_of_rounds)
     options.number_of_rounds = most_rounds;
+  if (progress.is_heard())
+    *options.progress = std::move(progress);
+  options.progress->remember_stop();
   Report report;
-  Progress progress(options.callback, options.number_of_rounds);
-  Placed_part_2 part =
-    simulate_distributed(ranks, c.input->problem(), progress, report);
+  Placed_part_2 part = simulate_distributed(ranks, c.input->problem(), report);
   return Result{std::move(part), report};
 }
 
@@ -161,14 +179,6 @@ std::uint64_t fingerprint(Communicator& comm, const Result& result)
   return hash.value();
 }
 
-/// a callback that stops in the round after so many
-auto stop_after(std::size_t rounds, std::size_t most = most_rounds)
-{
-  return [rounds, most](double progress) {
-    return progress < 0.99 * (static_cast<double>(rounds) + 0.01) / static_cast<double>(most);
-  };
-}
-
 paper::Domain domain(int k) { return paper::all_domains(1)[static_cast<std::size_t>(k)]; }
 
 template <class Exception, class Function>
@@ -191,7 +201,7 @@ void write_by_first_ranks(int n, const paper::Domain& d, const std::string& path
   if (!first.has_this())
     return;
   Communicator some(first.handle());
-  const Report stopped = simulate(some, d, d.d, P::checkpoint(path, rounds).callback(stop_after(rounds))).report;
+  const Report stopped = simulate(some, d, d.d, P::checkpoint(path, rounds), stop_after(rounds)).report;
   EXPECT_EQ(stopped.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
   EXPECT_EQ(stopped.number_of_rounds, rounds + 1);
 }
@@ -240,7 +250,7 @@ TEST(Checkpoint, of_the_paper)
     const First_ranks one(1);
     if (one.has_this()) {
       Communicator alone(one.handle());
-      simulate(alone, d, d.d, np.checkpoint(path, 2).callback(stop_after(2, 4)));
+      simulate(alone, d, d.d, np.checkpoint(path, 2), stop_after(2));
     }
   }
   EXPECT_EQ(fingerprint(ranks, simulate(ranks, d, d.d, np.restart_from(path))), expected);

@@ -131,8 +131,7 @@ Traffic_2 traffic(Communicator& ranks, const paper::Domain& domain, const NamedP
   const Problem_2 problem = c.input->problem();
   Report report;
   Traffic_2 result;
-  Progress progress(problem.options.callback, problem.options.number_of_rounds);
-  simulate_distributed(ranks, problem, progress, report, {}, &result);
+  simulate_distributed(ranks, problem, report, {}, &result);
   EXPECT_EQ(result.steps, static_cast<std::int64_t>(report.number_of_steps));
   return result;
 }

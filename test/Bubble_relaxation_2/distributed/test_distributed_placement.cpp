@@ -103,10 +103,8 @@ void expect_parts_make_the_whole(Communicator& ranks, const Placed_part_2& place
 void expect_same(Communicator& ranks, const Problem_2& of_one, const Problem_2& of_all, const Bubbles_2& points = {})
 {
   Report first, second;
-  Progress of_first(of_one.options.callback, 1), of_second(of_all.options.callback, 1);
-  const Bubbles_2 all = relax_bubbles(of_one, of_first, first);
-  const Placed_part_2 part =
-    simulate_distributed(ranks, of_all, of_second, second, points);
+  const Bubbles_2 all = relax_bubbles(of_one, first);
+  const Placed_part_2 part = simulate_distributed(ranks, of_all, second, points);
   EXPECT_EQ(second.number_of_initial_bubbles, first.number_of_initial_bubbles);
   EXPECT_EQ(second.number_of_steps, first.number_of_steps);
   EXPECT_GT(all.size(), 500u);

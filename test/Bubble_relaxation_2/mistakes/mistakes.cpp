@@ -12,23 +12,29 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Projection_traits_3.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/npbs_relax.h>
+#include <CGAL/simplify_outline_2.h>
 
 #include <string>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CDT = CGAL::Constrained_Delaunay_triangulation_2<K>;
+using Terrain = CGAL::Constrained_Delaunay_triangulation_2<CGAL::Projection_traits_xy_3<K>>;
 namespace P = CGAL::parameters;
 
 int main()
 {
   CDT cdt;
+  Terrain terrain;
 #if MISTAKE == 0 // none
   CGAL::npbs_relax(cdt);
   CGAL::npbs_relax(cdt, 0.1);
   CGAL::npbs_relax(cdt, [](const K::Point_2& p) { return 0.1 + p.x(); });
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback([](double) { return true; }));
+  CGAL::npbs_relax(terrain, [](const K::Point_2& p) { return 0.1 + p.x(); });
+  CGAL::npbs_relax(terrain, P::elevation_function([](const K::Point_2&) { return 1; }));
 #elif MISTAKE == 1 // what has no constraints has no domain
   CGAL::Delaunay_triangulation_2<K> unconstrained;
   CGAL::npbs_relax(unconstrained);
@@ -36,8 +42,9 @@ int main()
   const CDT fixed = cdt;
   CGAL::npbs_relax(fixed, 0.1);
 #elif MISTAKE == 3 // points in the plane
-  CGAL::Constrained_Delaunay_triangulation_2<CGAL::Projection_traits_xy_3<K>> terrain;
-  CGAL::npbs_relax(terrain);
+  CGAL::Constrained_Delaunay_triangulation_2<CGAL::Projection_traits_3<K>> slanted(
+    CGAL::Projection_traits_3<K>(K::Vector_3(1, 1, 1)));
+  CGAL::npbs_relax(slanted);
 #elif MISTAKE == 4 // return a bool
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback([](double) {}));
 #elif MISTAKE == 5 // Parallel_tag needs a program linked with TBB
@@ -48,5 +55,11 @@ int main()
   CGAL::npbs_relax(cdt, [](const K::Point_2&) { return std::string("fine"); });
 #elif MISTAKE == 8 // sizing_function must be callable
   CGAL::npbs_relax(cdt, "fine");
+#elif MISTAKE == 9 // elevation_function is for a terrain
+  CGAL::npbs_relax(cdt, P::elevation_function([](const K::Point_2&) { return 1; }));
+#elif MISTAKE == 10 // elevation_function must be callable
+  CGAL::npbs_relax(terrain, P::elevation_function([](const K::Point_3& p) { return p.z(); }));
+#elif MISTAKE == 11 // it takes no terrain
+  CGAL::simplify_outline_2(terrain);
 #endif
 }

@@ -122,8 +122,8 @@ private:
     if (m_cdt.is_infinite(s.face))
       return true;
     const Vertex_handle p = sliver->vertex(i), q = s.face->vertex(s.index);
-    return !is_sliver(s.face) && is_counterclockwise(p, sliver->vertex(Cdt::ccw(i)), q) &&
-           is_counterclockwise(p, q, sliver->vertex(Cdt::cw(i)));
+    return !is_sliver(s.face) && is_counterclockwise<Cdt>(p, sliver->vertex(Cdt::ccw(i)), q) &&
+           is_counterclockwise<Cdt>(p, q, sliver->vertex(Cdt::cw(i)));
   }
 
   /// whether a face is finite and flat up to some roundings
@@ -132,8 +132,8 @@ private:
     constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
     if (m_cdt.is_infinite(f))
       return false;
-    const Point p = point_in_double(f->vertex(0)->point()), q = point_in_double(f->vertex(1)->point()),
-                r = point_in_double(f->vertex(2)->point());
+    const Point p = point_in_double<Cdt>(f->vertex(0)->point()), q = point_in_double<Cdt>(f->vertex(1)->point()),
+                r = point_in_double<Cdt>(f->vertex(2)->point());
     const Kernel::Vector_2 u = q - p, v = r - p;
     const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(q.x()), std::abs(q.y())}),
                  length = std::abs(u.x()) + std::abs(u.y()) + std::abs(v.x()) + std::abs(v.y());
@@ -164,7 +164,7 @@ private:
     while (m_corners.size() > 3)
       if (!cut_ear())
         return false;
-    if (!is_counterclockwise(m_corners[0], m_corners[1], m_corners[2]))
+    if (!is_counterclockwise<Cdt>(m_corners[0], m_corners[1], m_corners[2]))
       return false;
     const Face_handle f = m_exchange.add_face(m_corners[0], m_corners[1], m_corners[2]);
     for (int k = 0; k < 3; ++k)
@@ -210,11 +210,11 @@ private:
   bool is_ear(std::size_t k, std::size_t next, std::size_t last) const
   {
     const Vertex_handle a = m_corners[k], b = m_corners[next], c = m_corners[last];
-    if (!is_counterclockwise(a, b, c))
+    if (!is_counterclockwise<Cdt>(a, b, c))
       return false;
     return std::none_of(m_corners.begin(), m_corners.end(), [&](Vertex_handle v) {
-      return v != a && v != b && v != c && !is_counterclockwise(b, a, v) && !is_counterclockwise(c, b, v) &&
-             !is_counterclockwise(a, c, v);
+      return v != a && v != b && v != c && !is_counterclockwise<Cdt>(b, a, v) && !is_counterclockwise<Cdt>(c, b, v) &&
+             !is_counterclockwise<Cdt>(a, c, v);
     });
   }
 

@@ -59,7 +59,7 @@ public:
     for (std::size_t k = first; k < m_exchange.new_faces().size(); ++k) {
       const Face_handle f = m_exchange.new_faces()[k];
       if (!m_exchange.is_dropped(f) && !m_cdt.is_infinite(f) &&
-          !is_counterclockwise(f->vertex(0), f->vertex(1), f->vertex(2)))
+          !is_counterclockwise<Cdt>(f->vertex(0), f->vertex(1), f->vertex(2)))
         result.push_back(f);
     }
     return result;
@@ -92,7 +92,7 @@ public:
   {
     const Face_handle n = f->neighbor(i);
     return !m_cdt.is_infinite(f) && !m_cdt.is_infinite(n) &&
-           is_in_circle(n->vertex(0), n->vertex(1), n->vertex(2), f->vertex(i));
+           is_in_circle<Cdt>(n->vertex(0), n->vertex(1), n->vertex(2), f->vertex(i));
   }
 
 private:
@@ -104,9 +104,9 @@ private:
     const Face_handle next = f->neighbor(Cdt::ccw(i)), last = f->neighbor(Cdt::cw(i));
     const Vertex_handle after = next->vertex(Cdt::cw(next->index(m_cdt.infinite_vertex()))),
                         before = last->vertex(Cdt::ccw(last->index(m_cdt.infinite_vertex())));
-    if (is_counterclockwise(a, b, after))
+    if (is_counterclockwise<Cdt>(a, b, after))
       return Cdt::ccw(i);
-    return is_counterclockwise(before, a, b) ? Cdt::cw(i) : -1;
+    return is_counterclockwise<Cdt>(before, a, b) ? Cdt::cw(i) : -1;
   }
 
   const Cdt& m_cdt;

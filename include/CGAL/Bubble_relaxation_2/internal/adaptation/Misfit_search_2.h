@@ -87,7 +87,7 @@ private:
   /// \pre called for misfits only, of which there are few
   bool is_forced(Face_handle f) const
   {
-    const Point p = point_in_double(f->vertex(0)->point());
+    const Point p = point_in_double<Cdt>(f->vertex(0)->point());
     return std::any_of(m_forced.begin(), m_forced.end(), [&p](const Forced_place_2& forced) {
       return CGAL::squared_distance(p, forced.center) < forced.radius * forced.radius;
     });
@@ -111,7 +111,7 @@ private:
     std::array<Point, 3> p;
     std::array<double, 3> length; // of the sides opposite to the corners
     for (int i = 0; i < 3; ++i)
-      p[i] = point_in_double(f->vertex(i)->point());
+      p[i] = point_in_double<Cdt>(f->vertex(i)->point());
     for (int i = 0; i < 3; ++i)
       length[i] = std::sqrt(CGAL::squared_distance(p[ccw(i)], p[cw(i)]));
     const double twice_area = std::abs((p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) -

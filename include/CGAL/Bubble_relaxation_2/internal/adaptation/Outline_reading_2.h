@@ -77,7 +77,7 @@ private:
     pins.clear();
     for (auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v)
       if (is_pinned(v) && !cdt.are_there_incident_constraints(v) && is_in_domain(v->face()))
-        pins.push_back(point_in_double(v->point()));
+        pins.push_back(point_in_double<Cdt>(v->point()));
     std::sort(pins.begin(), pins.end());
   }
 

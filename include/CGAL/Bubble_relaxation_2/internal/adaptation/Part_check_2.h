@@ -80,7 +80,7 @@ private:
       throw_faces("has an infinite face");
     if (is_in_domain(f))
       return;
-    const Point p = point_in_double(f->vertex(0)->point());
+    const Point p = point_in_double<Cdt>(f->vertex(0)->point());
     throw_faces("has a face that is not marked as one of the domain, with a vertex at " + in_words(p.x(), p.y()));
   }
 

@@ -27,12 +27,13 @@ template <class Cdt>
 class Part_vertices_2
 {
   using Vertex_handle = typename Cdt::Vertex_handle;
-  using Point_2 = typename Cdt::Point;
+  using Plane = Plane_2<Cdt>;
 
 public:
-  Part_vertices_2(const Part_reading_2<Cdt>& reading, const Bubbles_2& bubbles, Face_exchange_2<Cdt>& exchange)
-    : m_reading(reading), m_bubbles(bubbles), m_exchange(exchange), m_of_bubble(bubbles.size()),
-      m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
+  Part_vertices_2(const Part_reading_2<Cdt>& reading, const Bubbles_2& bubbles, const Elevations<Cdt>& elevations,
+                  Face_exchange_2<Cdt>& exchange)
+    : m_reading(reading), m_bubbles(bubbles), m_elevations(elevations), m_exchange(exchange),
+      m_of_bubble(bubbles.size()), m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
   {
     std::map<Place, Index> old;
     for (Index v : reading.free)
@@ -54,7 +55,7 @@ public:
   {
     const std::size_t i = static_cast<std::size_t>(bubble);
     if (!m_is_known[i])
-      set(i, m_exchange.add_vertex(point_of_vertex<Point_2>(m_reading, m_bubbles, i)));
+      set(i, m_exchange.add_vertex(point_of_vertex<Cdt>(m_reading, m_bubbles, m_elevations, i)));
     return m_of_bubble[i];
   }
 
@@ -72,7 +73,7 @@ private:
 
   Place place(Index v) const
   {
-    const Point p = point_in_double(m_reading.vertex(v)->point());
+    const Point p = point_in_double<Cdt>(m_reading.vertex(v)->point());
     return {p.x(), p.y()};
   }
 
@@ -92,7 +93,7 @@ private:
       return;
     const Vertex_handle v = m_reading.vertex(found->second);
     if (m_bubbles.is_on_edge(i) != m_reading.graph->contains(found->second) ||
-        (m_bubbles.is_in_face(i) && v->point() != Point_2(m_bubbles.x[i], m_bubbles.y[i])))
+        (m_bubbles.is_in_face(i) && Plane::place(v->point()) != Place_2<Cdt>(m_bubbles.x[i], m_bubbles.y[i])))
       return; // in an exact kernel it is near by
     set(i, v);
     old.erase(found);
@@ -100,6 +101,7 @@ private:
 
   const Part_reading_2<Cdt>& m_reading;
   const Bubbles_2& m_bubbles;
+  const Elevations<Cdt>& m_elevations;
   Face_exchange_2<Cdt>& m_exchange;
   std::vector<Vertex_handle> m_of_bubble;
   Address_numbers m_bubble_numbers; // of vertices in the order in which they became known

@@ -39,9 +39,9 @@ class Part_write_2
 
 public:
   Part_write_2(Cdt& cdt, const std::vector<Face_handle>& part, const Part_reading_2<Cdt>& reading,
-               const Bubble_mesh_2& mesh)
+               const Bubble_mesh_2& mesh, const Elevations<Cdt>& elevations)
     : m_cdt(cdt), m_part(part), m_reading(reading), m_mesh(mesh), m_exchange(cdt),
-      m_vertices(reading, mesh.bubbles, m_exchange), m_repair(cdt, m_exchange), m_paths(reading)
+      m_vertices(reading, mesh.bubbles, elevations, m_exchange), m_repair(cdt, m_exchange), m_paths(reading)
   {}
 
   /// Makes the new faces. Returns the bubbles that have to go before that can be done: those that an edge of the rim

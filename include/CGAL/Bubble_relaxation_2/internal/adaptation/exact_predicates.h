@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_EXACT_PREDICATES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_EXACT_PREDICATES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
@@ -17,30 +18,30 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// the points of a user's triangulation for exact predicates: those of an inexact kernel become points of ours
-template <class Point_2>
-decltype(auto) for_predicates(const Point_2& p)
+/// the places of a user's vertices for exact predicates: those of an inexact kernel become points of ours
+template <class Cdt>
+decltype(auto) for_predicates(typename Cdt::Vertex_handle v)
 {
-  if constexpr (std::is_floating_point<std::decay_t<decltype(p.x())>>::value)
-    return Point(p.x(), p.y());
+  using Plane = Plane_2<Cdt>;
+  if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value)
+    return Point(Plane::x(v->point()), Plane::y(v->point()));
   else
-    return p;
+    return Plane::place(v->point());
 }
 
 /// whether three finite vertices are counterclockwise
-template <class Vertex_handle>
+template <class Cdt, class Vertex_handle = typename Cdt::Vertex_handle>
 bool is_counterclockwise(Vertex_handle a, Vertex_handle b, Vertex_handle c)
 {
-  return CGAL::orientation(for_predicates(a->point()), for_predicates(b->point()), for_predicates(c->point())) ==
-         LEFT_TURN;
+  return CGAL::orientation(for_predicates<Cdt>(a), for_predicates<Cdt>(b), for_predicates<Cdt>(c)) == LEFT_TURN;
 }
 
 /// whether a vertex is in the circle of three others, which are counterclockwise
-template <class Vertex_handle>
+template <class Cdt, class Vertex_handle = typename Cdt::Vertex_handle>
 bool is_in_circle(Vertex_handle a, Vertex_handle b, Vertex_handle c, Vertex_handle v)
 {
-  return CGAL::side_of_oriented_circle(for_predicates(a->point()), for_predicates(b->point()),
-                                       for_predicates(c->point()), for_predicates(v->point())) == ON_POSITIVE_SIDE;
+  return CGAL::side_of_oriented_circle(for_predicates<Cdt>(a), for_predicates<Cdt>(b), for_predicates<Cdt>(c),
+                                       for_predicates<Cdt>(v)) == ON_POSITIVE_SIDE;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

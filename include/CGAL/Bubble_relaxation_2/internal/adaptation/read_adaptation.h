@@ -56,10 +56,9 @@ Misfit_criteria read_misfit_criteria(const NamedParameters& np)
 template <class Cdt, class NamedParameters>
 std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
 {
-  using Point_2 = typename Cdt::Geom_traits::Point_2;
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value)
     return Sizes_2(
-      checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
+      checked_sizing_field<Place_2<Cdt>>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
   else
     return std::nullopt;
 }

@@ -75,7 +75,7 @@ void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
                    const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
 {
   for (;;) {
-    const std::vector<Index> those = Part_write_2<Cdt>(cdt, part, reading, mesh).build();
+    const std::vector<Index> those = Part_write_2<Cdt>(cdt, part, reading, mesh, Elevations<Cdt>()).build();
     if (those.empty())
       return;
     make_mesh_without(those, problem, mesh, report);
@@ -85,14 +85,15 @@ void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
 /// Puts the mesh of a part into the triangulation, and tells the visitor.
 template <class Cdt, class Visitor>
 void write_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
-                Bubble_mesh_2 mesh, Visitor& visitor, Report& report)
+                Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation, Visitor& visitor, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
   make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
   using Vertices = std::vector<typename Cdt::Vertex_handle>;
-  const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh).removed_vertices();
+  const Elevations<Cdt> elevations = find_elevations(cdt, input.reading(), mesh.bubbles, elevation);
+  const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh, elevations).removed_vertices();
   visitor.before_change(part, removed);
-  Part_write_2<Cdt> write(cdt, part, input.reading(), mesh);
+  Part_write_2<Cdt> write(cdt, part, input.reading(), mesh, elevations);
   write.build();
   const Vertices new_vertices = write.new_vertices();
   const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
@@ -113,6 +114,7 @@ struct Part_task_2
   const Is_pinned& is_pinned;
   const Relaxation_options& options;
   const std::optional<Sizes_2>& sizes;
+  const Elevation_function<Cdt>& elevation;
 
   /// Meshes a part anew.
   template <class Visitor>
@@ -121,7 +123,7 @@ struct Part_task_2
     const Part_input_2<Cdt> input = read(part, report);
     Bubble_mesh_2 mesh = make_mesh(input.problem(), report);
     options.progress->report(1);
-    write_part(cdt, part, input, std::move(mesh), visitor, report);
+    write_part(cdt, part, input, std::move(mesh), elevation, visitor, report);
   }
 
   /// The same. Where bad triangles are left at the rim, the part grows, and all is done once more.
@@ -138,7 +140,7 @@ struct Part_task_2
       Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
       if (larger.size() == part.size()) {
         options.progress->report(1);
-        write_part(cdt, part, input, std::move(mesh), visitor, report);
+        write_part(cdt, part, input, std::move(mesh), elevation, visitor, report);
         return;
       }
       part.swap(larger);

@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_CHECK_CALL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_CHECK_CALL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
+
 #include <CGAL/Bubble_relaxation_parameters.h>
 
 #include <functional>
@@ -97,16 +99,36 @@ constexpr bool check_triangulation()
                 "Bubble_relaxation_2 needs a Constrained_Delaunay_triangulation_2 or a "
                 "Constrained_triangulation_plus_2: what has no constraints has no domain");
   if constexpr (Has_constraints<Cdt>::value) {
-    static_assert(!Has_height<typename Cdt::Point>::value,
-                  "Bubble_relaxation_2 needs points in the plane: of a triangulation of points in space, such as one "
-                  "with Projection_traits_xy_3, mesh the projection and give its vertices heights afterwards");
-    return !Has_height<typename Cdt::Point>::value && !std::is_const<Cdt>::value;
+    constexpr bool has_plane = !Has_height<typename Cdt::Point>::value || Plane_2<Cdt>::has_elevation;
+    static_assert(has_plane,
+                  "Bubble_relaxation_2 needs points in the plane, or those of a terrain with Projection_traits_xy_3, "
+                  "Projection_traits_yz_3 or Projection_traits_xz_3; along other directions, rotate the points");
+    return has_plane && !std::is_const<Cdt>::value;
   }
   return false;
 }
 
+/// Whether points lie in the plane; for what has no use for elevations.
+template <class Cdt>
+constexpr bool check_flat()
+{
+  static_assert(!Has_height<typename Cdt::Point>::value,
+                "this function of Bubble_relaxation_2 needs points in the plane: it takes no terrain");
+  return !Has_height<typename Cdt::Point>::value;
+}
+
+/// whether a function of places returns what can be an elevation
+template <class Elevation, class Cdt>
+constexpr bool returns_elevation()
+{
+  if constexpr (std::is_invocable<const Elevation&, const Place_2<Cdt>&>::value)
+    return std::is_convertible<std::invoke_result_t<const Elevation&, const Place_2<Cdt>&>,
+                               typename Cdt::Geom_traits::FT>::value;
+  return is_missing<Elevation>;
+}
+
 /// Whether the values of parameters are of types that can be meant.
-template <class Point, class NamedParameters>
+template <class Cdt, class NamedParameters>
 constexpr bool check_values()
 {
   using Callback = Value_of<NamedParameters, internal_np::callback_t>;
@@ -115,9 +137,16 @@ constexpr bool check_values()
   using Seeds = Value_of<NamedParameters, internal_np::seeds_t>;
   constexpr bool has_seeds = is_missing<Seeds> || Is_range<Seeds>::value;
   static_assert(has_seeds, "seeds must be a range of points, such as std::vector<Point>; one point alone is none");
-  constexpr bool has_size = returns_size<Value_of<NamedParameters, internal_np::sizing_function_t>, Point>();
+  constexpr bool has_size = returns_size<Value_of<NamedParameters, internal_np::sizing_function_t>, Place_2<Cdt>>();
   static_assert(has_size, "sizing_function must return a number, the wanted length of edges at the point");
-  return has_callback && has_seeds && has_size;
+  using Elevation = Value_of<NamedParameters, internal_np::elevation_function_t>;
+  constexpr bool is_for_terrain = is_missing<Elevation> || Plane_2<Cdt>::has_elevation;
+  static_assert(is_for_terrain, "elevation_function is for a terrain, a triangulation with Projection_traits_xy_3, "
+                                "Projection_traits_yz_3 or Projection_traits_xz_3");
+  constexpr bool has_elevation = !is_for_terrain || returns_elevation<Elevation, Cdt>();
+  static_assert(has_elevation, "elevation_function must be callable, as a constant, with a Point_2, the place in the "
+                               "plane of the projection, and return a number");
+  return has_callback && has_seeds && has_size && is_for_terrain && has_elevation;
 }
 
 /// Calls `body` with a pack of named parameters, for a triangulation and parameters that can be meant; a size alone, a
@@ -130,7 +159,7 @@ auto call_checked(const NamedParameters& np, const Body& body)
     return call_checked<Cdt, Result>(Bubble_relaxation_parameters::sizing_function(np), body);
   else if constexpr (!check_triangulation<Cdt>())
     return Result();
-  else if constexpr (!check_values<typename Cdt::Point, NamedParameters>())
+  else if constexpr (!check_values<Cdt, NamedParameters>())
     return Result();
   else
     return body(np);

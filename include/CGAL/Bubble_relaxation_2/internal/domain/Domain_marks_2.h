@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
@@ -169,15 +170,26 @@ private:
   {
     std::vector<Index> located;
     for (const auto& seed : seeds) {
-      const Point p = point_in_double(seed);
+      const typename Cdt::Point q = as_point(seed);
+      const Point p = point_in_double<Cdt>(q);
       check_seed(p);
-      const std::vector<Index> around = triangles_around(cdt, seed);
+      const std::vector<Index> around = triangles_around(cdt, q);
       check_region(p, around);
       located.push_back(around.front());
       if (located.back() == no_index && seeds_are_in_domain)
         throw_seed(p, "lies outside of all outlines and cannot be in the domain");
     }
     return located;
+  }
+
+  /// a seed of a terrain may be given by its place alone
+  template <class Seed>
+  static typename Cdt::Point as_point(const Seed& seed)
+  {
+    if constexpr (std::is_convertible<const Seed&, typename Cdt::Point>::value)
+      return seed;
+    else
+      return Plane_2<Cdt>::point(seed.x(), seed.y(), 0);
   }
 
   /// the triangles that a point lies in, or on the boundary of, `no_index` for what is beyond the hull

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLATTEN_TRIANGULATION_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
@@ -92,12 +93,13 @@ template <class Point_2>
 void evaluate_lazy(const Point_2&, long)
 {}
 
-/// the coordinates of a user's point in double
-template <class Point_2>
-Point point_in_double(const Point_2& p)
+/// where a point of a user's triangulation lies in its plane, in double
+template <class Triangulation, class User_point>
+Point point_in_double(const User_point& p)
 {
+  using Plane = Plane_2<Triangulation>;
   evaluate_lazy(p, 0);
-  return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  return Point(CGAL::to_double(Plane::x(p)), CGAL::to_double(Plane::y(p)));
 }
 
 /// A user's triangulation in arrays: its finite vertices and faces in the order in which it lists them.
@@ -113,7 +115,7 @@ struct Triangulation_copy_2
   {
     reserve(t.number_of_vertices(), t.number_of_faces());
     for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
-      add_vertex(&*v, point_in_double(v->point()));
+      add_vertex(&*v, point_in_double<Triangulation>(v->point()));
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
       faces.add(&*f);
     add_triangles<Triangulation>();
@@ -130,7 +132,7 @@ struct Triangulation_copy_2
       faces.add(&*f);
       for (int i = 0; i < 3; ++i)
         if (vertices(&*f->vertex(i)) == no_index)
-          add_vertex(&*f->vertex(i), point_in_double(f->vertex(i)->point()));
+          add_vertex(&*f->vertex(i), point_in_double<Triangulation>(f->vertex(i)->point()));
     }
     add_triangles<Triangulation>();
   }

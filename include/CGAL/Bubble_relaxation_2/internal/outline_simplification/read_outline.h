@@ -119,7 +119,7 @@ private:
       fix_ends_of_constraints(cdt);
     if constexpr (Is_given<NamedParameters, internal_np::seeds_t>::value)
       for (const auto& seed : parameters::get_parameter(np, internal_np::seeds))
-        problem.seeds.push_back(point_in_double(seed));
+        problem.seeds.push_back(point_in_double<Cdt>(seed));
     problem.seeds_are_in_domain =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::seeds_are_in_domain), false);
   }

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_READ_DOMAIN_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
@@ -97,9 +98,11 @@ struct Vertex_order
       return nullptr;
     else
       return [](const void* u, const void* v) {
-        using Vertex = typename Cdt::Vertex;
-        return CGAL::lexicographically_xy_smaller(static_cast<const Vertex*>(u)->point(),
-                                                  static_cast<const Vertex*>(v)->point()) == true;
+        const auto &p = static_cast<const typename Cdt::Vertex*>(u)->point(),
+                   &q = static_cast<const typename Cdt::Vertex*>(v)->point();
+        const typename Cdt::Geom_traits traits; // that of a projection knows which coordinates count
+        const Comparison_result in_x = traits.compare_x_2_object()(p, q);
+        return in_x == SMALLER || (in_x == EQUAL && traits.compare_y_2_object()(p, q) == SMALLER);
       };
   }
 };
@@ -156,20 +159,23 @@ typename Reading::Vertex_handle vertex_of_corner(const Reading& reading, const B
 }
 
 /// Where the vertex of another bubble is to be: with exact constructions one on an edge lies there exactly, with others
-/// up to rounding.
-template <class Point_2, class Reading>
-Point_2 point_of_vertex(const Reading& reading, const Bubbles_2& bubbles, std::size_t i)
+/// up to rounding. Where points have elevations, it is 0 as long as those are not known.
+template <class Cdt, class Reading>
+typename Cdt::Point point_of_vertex(const Reading& reading, const Bubbles_2& bubbles, const Elevations<Cdt>& elevations,
+                                    std::size_t i)
 {
-  using Ft = typename Kernel_traits<Point_2>::Kernel::FT;
+  using Plane = Plane_2<Cdt>;
+  using Ft = typename Cdt::Geom_traits::FT;
+  const Ft elevation = elevations.empty() ? Ft(0) : elevations[i];
   if constexpr (!std::is_floating_point<Ft>::value)
     if (bubbles.is_on_edge(i)) {
       const Constraint_graph_2::Chain& chain = reading.graph->chains()[bubbles.host[i]];
-      const Point_2 &a = reading.vertex(reading.graph->corners()[chain.source])->point(),
-                    &b = reading.vertex(reading.graph->corners()[chain.target])->point();
-      const Ft s(bubbles.s[i]);
-      return Point_2(a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y()));
+      const auto &a = reading.vertex(reading.graph->corners()[chain.source])->point(),
+                 &b = reading.vertex(reading.graph->corners()[chain.target])->point();
+      const Ft s(bubbles.s[i]), ax(Plane::x(a)), ay(Plane::y(a));
+      return Plane::point(Ft(ax + s * (Plane::x(b) - ax)), Ft(ay + s * (Plane::y(b) - ay)), elevation);
     }
-  return Point_2(bubbles.x[i], bubbles.y[i]);
+  return Plane::point(bubbles.x[i], bubbles.y[i], elevation);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/elevations.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -46,9 +47,8 @@ Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks
                      const Domain_reading_2<Cdt>& reading)
 {
   if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
-    using Point_2 = typename Cdt::Geom_traits::Point_2;
     return Sizes_2(
-      checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
+      checked_sizing_field<Place_2<Cdt>>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
   } else if (reading.free.empty()) { // no mesh yet
     double growth = default_size_growth;
     take(np, internal_np::size_growth, growth);
@@ -93,6 +93,7 @@ struct Input_2
   Domain_reading_2<Cdt> reading;
   Sizes_2 wanted; ///< by the user
   Limits_of_outline_2 limits;
+  Elevation_function<Cdt> elevation; ///< by the user
 
   /// `progress`: whom the stages shall tell how far they are
   // in braces, since options are to be checked before the triangulation
@@ -123,7 +124,8 @@ private:
     : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
       limits(limit_by_outline(reading.domain, reading.given, wanted, options,
                               options.limit_by_outline &&
-                                (reading.free.empty() || has_sizing_function<NamedParameters>)))
+                                (reading.free.empty() || has_sizing_function<NamedParameters>))),
+      elevation(given_elevation<Cdt>(np))
   {
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept

@@ -101,7 +101,7 @@ private:
   {
     if (m_vertices(&*v) == no_index) {
       m_vertices.add(&*v);
-      m_unsorted.points.push_back(point_in_double(v->point()));
+      m_unsorted.points.push_back(point_in_double<Triangulation>(v->point()));
     }
     return m_vertices(&*v);
   }

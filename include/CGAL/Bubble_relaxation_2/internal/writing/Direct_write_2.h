@@ -48,8 +48,8 @@ class Direct_write_2
   using Reading = Domain_reading_2<Cdt>;
 
 public:
-  Direct_write_2(Cdt& cdt, const Reading& reading, const Bubble_mesh_2& mesh)
-    : m_cdt(cdt), m_reading(reading), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles)
+  Direct_write_2(Cdt& cdt, const Reading& reading, const Bubble_mesh_2& mesh, const Elevations<Cdt>& elevations)
+    : m_cdt(cdt), m_reading(reading), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles), m_elevations(elevations)
   {}
 
   /// whether the triangulation holds nothing but the domain
@@ -84,7 +84,7 @@ private:
         v = vertex_of_corner(m_reading, m_bubbles, i);
       } else {
         v = m_cdt.tds().create_vertex();
-        v->set_point(typename Cdt::Point(m_bubbles.x[i], m_bubbles.y[i]));
+        v->set_point(point_of_vertex<Cdt>(m_reading, m_bubbles, m_elevations, i));
       }
       m_vertices.push_back(&*v);
     }
@@ -148,6 +148,7 @@ private:
   const Reading& m_reading;
   const Bubbles_2& m_bubbles;
   const Marked_triangles_2& m_mesh;
+  const Elevations<Cdt>& m_elevations;
   std::vector<void*> m_vertices; // of the bubbles
   std::vector<void*> m_faces;    // of the triangles
 };

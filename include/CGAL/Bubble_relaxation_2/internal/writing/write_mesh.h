@@ -38,12 +38,13 @@ class Write_back_2
   using Face_handle = typename Cdt::Face_handle;
   using Edge = typename Cdt::Edge;
   using Cdt_point = typename Cdt::Point;
+  using Plane = Plane_2<Cdt>;
   using Reading = Domain_reading_2<Cdt>;
   using Chain = Constraint_graph_2::Chain;
 
 public:
-  Write_back_2(Cdt& cdt, const Reading& reading, const Bubbles_2& bubbles)
-    : m_cdt(cdt), m_reading(reading), m_bubbles(bubbles)
+  Write_back_2(Cdt& cdt, const Reading& reading, const Bubbles_2& bubbles, const Elevations<Cdt>& elevations)
+    : m_cdt(cdt), m_reading(reading), m_bubbles(bubbles), m_elevations(elevations)
   {}
 
   void operator()()
@@ -60,6 +61,7 @@ public:
 
 private:
   Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
+  Cdt_point point_of(std::size_t i) const { return point_of_vertex<Cdt>(m_reading, m_bubbles, m_elevations, i); }
 
   /// removes the vertices that only split the chain
   void straighten(const Chain& chain)
@@ -104,7 +106,7 @@ private:
       m_path = &m_paths[e];
       add_to_path(corner(chain.source));
       for (Index i : on_edge[e])
-        split(corner(chain.target), point_of_vertex<Cdt_point>(m_reading, m_bubbles, static_cast<std::size_t>(i)));
+        split(corner(chain.target), point_of(static_cast<std::size_t>(i)));
       while (end_of_path() != corner(chain.target))
         add_to_path(next_towards(end_of_path(), corner(chain.target)).second);
     }
@@ -128,13 +130,19 @@ private:
   void add_to_path(Vertex_handle v) { m_path->push_back(&*v); }
 
   /// whether `p` comes before `q` on the way from `from` to `to`, which are not in one place
-  static bool comes_before(const Cdt_point& p, const Cdt_point& q, const Cdt_point& from, const Cdt_point& to)
+  bool comes_before(const Cdt_point& p, const Cdt_point& q, const Cdt_point& from, const Cdt_point& to) const
   {
-    const double dx = CGAL::to_double(to.x()) - CGAL::to_double(from.x()),
-                 dy = CGAL::to_double(to.y()) - CGAL::to_double(from.y());
+    const double dx = CGAL::to_double(Plane::x(to)) - CGAL::to_double(Plane::x(from)),
+                 dy = CGAL::to_double(Plane::y(to)) - CGAL::to_double(Plane::y(from));
     // in the larger coordinate, where roundings across the way do not show
-    return std::abs(dx) > std::abs(dy) ? CGAL::compare_x(p, q) == (dx > 0 ? SMALLER : LARGER)
-                                       : CGAL::compare_y(p, q) == (dy > 0 ? SMALLER : LARGER);
+    const auto& traits = m_cdt.geom_traits();
+    return std::abs(dx) > std::abs(dy) ? traits.compare_x_2_object()(p, q) == (dx > 0 ? SMALLER : LARGER)
+                                       : traits.compare_y_2_object()(p, q) == (dy > 0 ? SMALLER : LARGER);
+  }
+
+  bool is_left_turn(const Cdt_point& p, const Cdt_point& q, const Cdt_point& r) const
+  {
+    return m_cdt.geom_traits().orientation_2_object()(p, q, r) == LEFT_TURN;
   }
 
   /// splits the last part of the path to `target` at `p`
@@ -205,17 +213,27 @@ private:
       for (int reach = 1; reach <= 4; ++reach)
         for (int k = 0; k < 8; ++k) {
           constexpr int sx[] = {1, -1, 0, 0, 1, 1, -1, -1}, sy[] = {0, 0, 1, -1, 1, -1, 1, -1};
-          double x = p.x(), y = p.y();
+          double x = Plane::x(p), y = Plane::y(p);
           for (int r = 0; r < reach; ++r) {
             x = sx[k] == 0 ? x : std::nextafter(x, sx[k] * infinity);
             y = sy[k] == 0 ? y : std::nextafter(y, sy[k] * infinity);
           }
-          if (splits_validly(Cdt_point(x, y), f, i))
-            return Cdt_point(x, y);
+          const Cdt_point near = moved(p, x, y);
+          if (splits_validly(near, f, i))
+            return near;
         }
     }
     throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to "
                              "split it there");
+  }
+
+  /// a point at another place; of a terrain, with the same elevation
+  static Cdt_point moved([[maybe_unused]] const Cdt_point& p, double x, double y)
+  {
+    if constexpr (Plane::has_elevation)
+      return Plane::point(x, y, Plane::elevation(p));
+    else
+      return Cdt_point(x, y);
   }
 
   bool splits_validly(const Cdt_point& p, Face_handle f, int i) const
@@ -229,8 +247,7 @@ private:
     if (m_cdt.is_infinite(f))
       return true;
     const Cdt_point& c = f->vertex(i)->point();
-    return CGAL::orientation(c, f->vertex(m_cdt.ccw(i))->point(), p) == LEFT_TURN &&
-           CGAL::orientation(c, p, f->vertex(m_cdt.cw(i))->point()) == LEFT_TURN;
+    return is_left_turn(c, f->vertex(m_cdt.ccw(i))->point(), p) && is_left_turn(c, p, f->vertex(m_cdt.cw(i))->point());
   }
 
   /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding, or outside, and then its
@@ -256,7 +273,7 @@ private:
       const Face_handle before = after->neighbor(iw);
       const Vertex_handle u = before->vertex(m_cdt.mirror_index(after, iw));
       // seen from the infinite side the hull runs u, v, w clockwise; a left turn is a dent
-      if (CGAL::orientation(u->point(), v->point(), w->point()) != LEFT_TURN)
+      if (!is_left_turn(u->point(), v->point(), w->point()))
         continue;
       Face_handle g = after;
       m_cdt.flip(g, iw);
@@ -284,7 +301,7 @@ private:
     Face_handle near; // bubbles are numbered along a curve: the next one is found from the last
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
       if (m_bubbles.is_in_face(i))
-        near = m_cdt.insert(Cdt_point(m_bubbles.x[i], m_bubbles.y[i]), near)->face();
+        near = m_cdt.insert(point_of(i), near)->face();
   }
 
   template <class Visit>
@@ -302,6 +319,7 @@ private:
   Cdt& m_cdt;
   const Reading& m_reading;
   const Bubbles_2& m_bubbles;
+  const Elevations<Cdt>& m_elevations;
   std::vector<std::vector<void*>> m_paths; // the vertices of each chain in order
   std::vector<void*>* m_path = nullptr;    // that of the chain that is split
   std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
@@ -328,15 +346,16 @@ void count_in_domain(const Cdt& cdt, Report& report)
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
 /// nothing else in it, else by insertion.
 template <class Cdt>
-void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh, Report& report)
+void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh,
+                const Elevations<Cdt>& elevations, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
   if constexpr (Is_plain<Cdt>::value)
     if (Direct_write_2<Cdt>::is_possible(cdt, reading)) {
-      Direct_write_2<Cdt>(cdt, reading, mesh)();
+      Direct_write_2<Cdt>(cdt, reading, mesh, elevations)();
       return;
     }
-  Write_back_2<Cdt>(cdt, reading, mesh.bubbles)();
+  Write_back_2<Cdt>(cdt, reading, mesh.bubbles, elevations)();
   if constexpr (Domain_marks_2<Cdt>::has_marks)
     count_in_domain(cdt, report);
 }
