@@ -217,7 +217,7 @@ TEST_P(Progress, time_goes_by_in_loops_too)
   for (const auto& [phase, seconds] : {std::pair{Bubble_phase::PLACEMENT, report.seconds.placement},
                                        std::pair{Bubble_phase::EVALUATION, report.seconds.evaluation}}) {
     EXPECT_GT(seconds, 0.1);
-    EXPECT_GE(calls[static_cast<int>(phase)], static_cast<int>(seconds / 0.1));
+    EXPECT_GE(calls[static_cast<int>(phase)], static_cast<int>(seconds / 0.25)); // ten times a second, on a machine that does other things too
   }
 }
 
