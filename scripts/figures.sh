@@ -11,12 +11,13 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXAT
 cmake --build build/release
 mkdir -p build/figures
 cd build/figures
-for example in relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values influence_domains; do
+for example in watch_the_bubbles relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values influence_domains; do
   ../release/examples/Bubble_relaxation_2/$example
 done
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe \
   ../release/demo/Bubble_relaxation_2/distributed_ring
 figures=$here/doc/Bubble_relaxation_2/fig
+cp bubbles.svg "$figures"
 ../release/demo/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/demo/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
 ../release/demo/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"

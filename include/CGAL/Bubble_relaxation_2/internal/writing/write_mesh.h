@@ -121,7 +121,8 @@ private:
       return {Edge(f, i), target};
     Vertex_handle next; // a vertex outside of the domain may lie on the constraint
     if (!m_cdt.includes_edge(u, target, next, f, i))
-      throw std::runtime_error("Bubble_relaxation_2: a constraint got lost; please report this");
+      throw std::runtime_error("Bubble_relaxation_2: a constraint cannot be found again between its new vertices, since "
+                               "others lie nearer to it than a rounding");
     return {Edge(f, i), next};
   }
 
