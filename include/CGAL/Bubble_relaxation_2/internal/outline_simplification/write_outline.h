@@ -123,10 +123,12 @@ private:
     }
   }
 
-  /// what was only of the old outline
+  /// what was only of the old outline; not where a new vertex has come into the place of one that a rule took away
   void remove_vertices()
   {
     const Outline_2& old = m_reading.problem.outline;
+    std::vector<void*> taken(m_vertices);
+    std::sort(taken.begin(), taken.end());
     std::vector<char> goes(old.points.size(), 0);
     for (const Outline_segment_2& s : old.segments)
       goes[s.source] = goes[s.target] = 1;
@@ -136,9 +138,11 @@ private:
     for (Index v : m_outline.old_vertices)
       if (v != no_index)
         goes[v] = 0;
-    for (std::size_t v = 0; v < goes.size(); ++v)
-      if (goes[v])
-        m_cdt.remove(m_reading.vertex(static_cast<Index>(v)));
+    for (std::size_t v = 0; v < goes.size(); ++v) {
+      const Vertex_handle handle = m_reading.vertex(static_cast<Index>(v));
+      if (goes[v] && !std::binary_search(taken.begin(), taken.end(), static_cast<void*>(&*handle)))
+        m_cdt.remove(handle);
+    }
   }
 
   /// \throws std::runtime_error if a segment is not there as a whole
@@ -204,6 +208,13 @@ private:
     return result;
   }
 
+  template <class Constraint_id>
+  bool is_closed(Constraint_id id) const
+  {
+    auto last = m_cdt.vertices_in_constraint_end(id);
+    return *--last == *m_cdt.vertices_in_constraint_begin(id);
+  }
+
   void take_constraints()
   {
     Bbox_2 box;
@@ -214,7 +225,7 @@ private:
     m_beside[1] = &*m_cdt.insert(Cdt_point(x, box.ymin() + size));
     std::vector<typename Cdt::Constraint_id> ids(m_cdt.constraints_begin(), m_cdt.constraints_end());
     for (auto id : ids) {
-      m_lines.emplace_back(id, line(places(id)));
+      m_lines.emplace_back(id, line(places(id), is_closed(id)));
       if (m_lines.back().second.empty()) {
         m_lines.pop_back();
         m_cdt.remove_constraint(id);
@@ -232,15 +243,19 @@ private:
     m_cdt.remove_constraint(other);
   }
 
-  /// the vertices of the new outline along places in spans
-  std::vector<Index> line(const std::vector<Place_in_span>& places) const
+  /// the vertices of the new outline along places in spans; a closed line that starts within a span comes back to it
+  std::vector<Index> line(std::vector<Place_in_span> parts, bool is_closed) const
   {
+    const auto are_same = [](const Place_in_span& p, const Place_in_span& q) {
+      return p.span == q.span && p.is_forward == q.is_forward;
+    };
+    parts.erase(std::unique(parts.begin(), parts.end(), are_same), parts.end());
+    if (is_closed && parts.size() > 1 && are_same(parts.front(), parts.back()))
+      parts.pop_back();
     std::vector<Index> result;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (k > 0 && places[k].span == places[k - 1].span && places[k].is_forward == places[k - 1].is_forward)
-        continue;
-      std::vector<Index> part = m_outline.spans[places[k].span].vertices;
-      if (!places[k].is_forward)
+    for (const Place_in_span& p : parts) {
+      std::vector<Index> part = m_outline.spans[p.span].vertices;
+      if (!p.is_forward)
         std::reverse(part.begin(), part.end());
       result.insert(result.end(), part.begin() + (result.empty() ? 0 : 1), part.end());
     }
