@@ -58,6 +58,15 @@ constexpr std::size_t head = alignof(std::max_align_t); // before each allocatio
   return p + head;
 }
 
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept // that of a sanitizer is another
+{
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 [[gnu::noinline]] void operator delete(void* p) noexcept
 {
   if (p == nullptr)
