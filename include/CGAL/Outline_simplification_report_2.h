@@ -68,13 +68,14 @@ struct Outline_simplification_report_2
 
   double share_of_fitting_pieces = 0; ///< the share of the pieces with lengths between 0.6 d and 1.5 d
   /// \name Vertices of a Mesh
-  /// What the domain asks of any mesher, without half of the vertices on the outline, which come on top. Each is 0 if d
+  /// What the domain asks of a mesher, without half of the vertices on the outline, which come on top. Each is 0 if d
   /// would have to be asked more than 20 million times for it.
   /// @{
   /// about as many as d asks for: the integral of 2 / (sqrt(3) d^2) over the domain
   double wanted_vertices = 0;
-  /// at least as many more because of islands that are smaller than d, and near to each other or to the rest of the
-  /// outline, whatever outline within the tolerance is taken; sizes grow by a fifth of the distance
+  /// At least as many more because of islands that are smaller than d, and near to each other or to the rest of the
+  /// outline, whatever outline within the tolerance is taken, with sizes that grow by 0.2, the default `size_growth` of
+  /// `npbs_relax()`. A mesher whose sizes grow faster needs fewer.
   double forced_vertices = 0;
   /// @}
 
@@ -99,7 +100,7 @@ inline std::ostream& operator<<(std::ostream& out, const Outline_simplification_
              << report.number_of_old_segments << "\n  of these .6 to 1.5 d long" << std::string(11, ' ')
              << 100 * report.share_of_fitting_pieces << " %\n  Hausdorff distance" << std::string(18, ' ')
              << report.hausdorff_distance << "\n  vertices that d asks for" << std::string(12, ' ')
-             << std::llround(report.wanted_vertices) << "\n  islands force at least" << std::string(14, ' ')
+             << std::llround(report.wanted_vertices) << "\n  islands, narrows force at least" << std::string(5, ' ')
              << std::llround(report.forced_vertices) << "\n  dropped islands, filled gaps" << std::string(8, ' ')
              << report.dropped_islands.size() << ", " << report.filled_gaps.size() << "\n  seconds"
              << std::string(29, ' ') << report.seconds << '\n';

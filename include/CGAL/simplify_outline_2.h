@@ -38,7 +38,8 @@ mesh shall have asks for many small triangles. This function, called before, giv
 - Nothing crosses, and regions stay inside of each other as they are, with as many islands and domains as there were:
   this is decided by exact predicates. Seeds and pinned vertices stay in their regions.
 - Vertices stay that are pinned, in which other than two constraints meet, which a constraint outside of the domain has,
-  or, in a `Constrained_triangulation_plus_2`, at which other constraints go on than before. Their handles stay valid.
+  or, in a `Constrained_triangulation_plus_2`, at which other constraints go on than before. Their handles stay valid;
+  of the last kind, and of junctions, some go where a rule takes their constraints away.
   So do corners: vertices with two constraints, which are straight, up to half of the tolerance, for a length of d/2,
   and form an angle under `corner_angle`.
 - Pieces are between 0.6 and 1.5 d long where the tolerance and the topology allow it. Vertices leave the old outline,
@@ -64,7 +65,8 @@ vertices have coordinates in `double`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param cdt the triangulation whose constraints are replaced
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, or a size
+alone, a number or a function of points, which is `sizing_function`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
@@ -87,15 +89,20 @@ vertices have coordinates in `double`.
   \cgalParamNEnd
   \cgalParamNBegin{minimum_island_area}
     \cgalParamDescription{islands with a smaller area become a part of the domain. An island is a region with the domain
-                          all around it and no constraint or pinned vertex but those of one ring}
+                          all around it, one ring of constraints, none of whose vertices is pinned, and no other
+                          constraint or pinned vertex}
     \cgalParamType{a number, not negative}
     \cgalParamDefault{0: none does}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_gap}
     \cgalParamDescription{where the domain is narrower, in channels and between islands, it is filled; open corners are
-                          not filled, but sharp ones are, as far as they are narrower. No vertex that is not pinned has
-                          more than two edges of the boundary then, and no part of the domain that is cut off is smaller
-                          than a disc with twice this diameter}
+                          not filled, but sharp ones are, as far as they are narrower. No vertex has more than two edges
+                          of the boundary then, and no part of the domain that is cut off is smaller than a disc with
+                          twice this diameter. Triangles are left alone that touch a vertex which is pinned or of a
+                          constraint outside of the domain, or a constraint within it: such vertices may have more
+                          edges, and so may those at which two parts of the domain meet that hold some, and such
+                          parts stay, however small. Pinned vertices and constraints in the midst of the domain make
+                          it no narrower}
     \cgalParamType{a number, not negative}
     \cgalParamDefault{0: nothing is filled}
   \cgalParamNEnd
@@ -127,10 +134,11 @@ vertices have coordinates in `double`.
 \throws std::invalid_argument if a parameter is out of its range, if a coordinate or a size is not finite, if the
 tolerance is no more than roundings of the coordinates, if two vertices are in one place when rounded to `double`, if
 there is no domain with constraints all around it (the message names an edge where it is open), or if `minimum_gap`
-fills all of it
+fills all of it, or is no more than roundings of the coordinates
 \throws std::length_error if d asks for some million pieces, or if `minimum_gap` is some millions of times smaller than
 the outline is long
-\throws std::runtime_error if the new outline cannot be written with the numbers of the kernel
+\throws std::runtime_error if the new outline cannot be written with the numbers of the kernel: its vertices coincide,
+or its segments cross, when rounded to them
 
 Exceptions of the sizing function pass through. All calls of it, of the property map and of the ranges come before the
 first change of `cdt`: after them, and after `std::invalid_argument`, it is untouched. After other exceptions `cdt` has
@@ -142,21 +150,21 @@ template <class CDT, class NamedParameters = parameters::Default_named_parameter
 auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-
-  Outline_simplification_report_2 report;
-  if constexpr (check_flat<CDT>()) {
-    Phase_timer time(report.seconds);
-    const Outline_reading_2<CDT> reading(cdt, np);
-    Simplified_outline_2 outline = simplify_outline(reading.problem);
-    Restore_on_throw<CDT> guard(cdt);
-    Outline_writing_2<CDT>(cdt, reading, outline)();
-    guard.all_went_well();
-    time.stop();
-    outline.report.seconds = report.seconds;
-    return std::move(outline.report);
-  } else {
+  return call_checked<CDT, Outline_simplification_report_2>(np, [&cdt](const auto& pack) {
+    Outline_simplification_report_2 report;
+    if constexpr (check_flat<CDT>()) {
+      Phase_timer time(report.seconds);
+      const Outline_reading_2<CDT> reading(cdt, pack);
+      Simplified_outline_2 outline = simplify_outline(reading.problem);
+      Restore_on_throw<CDT> guard(cdt);
+      Outline_writing_2<CDT>(cdt, reading, outline)();
+      guard.all_went_well();
+      time.stop();
+      outline.report.seconds = report.seconds;
+      report = std::move(outline.report);
+    }
     return report;
-  }
+  });
 }
 
 } // namespace CGAL

@@ -30,6 +30,7 @@ int main()
   Terrain terrain;
 #if MISTAKE == 0 // none
   CGAL::npbs_relax(cdt);
+  CGAL::simplify_outline_2(cdt, 0.1);
   CGAL::npbs_relax(cdt, 0.1);
   CGAL::npbs_relax(cdt, [](const K::Point_2& p) { return 0.1 + p.x(); });
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback([](double) { return true; }));
@@ -51,6 +52,18 @@ int main()
   CGAL::npbs_relax(cdt, P::number_of_rounds(2).concurrency_tag(CGAL::Parallel_tag()));
 #elif MISTAKE == 6 // seeds must be a range
   CGAL::npbs_relax(cdt, P::seeds(K::Point_2(0, 0)));
+#elif MISTAKE == 12 // what has no constraints has no domain
+  CGAL::Delaunay_triangulation_2<K> unconstrained;
+  CGAL::simplify_outline_2(unconstrained, 0.1);
+#elif MISTAKE == 13 // cannot be const
+  const CDT fixed = cdt;
+  CGAL::simplify_outline_2(fixed, 0.1);
+#elif MISTAKE == 14 // seeds must be a range
+  CGAL::simplify_outline_2(cdt, P::seeds(K::Point_2(0, 0)).sizing_function(0.1));
+#elif MISTAKE == 15 // must return a number
+  CGAL::simplify_outline_2(cdt, [](const K::Point_2&) { return std::string("fine"); });
+#elif MISTAKE == 16 // sizing_function must be callable
+  CGAL::simplify_outline_2(cdt, "fine");
 #elif MISTAKE == 7 // must return a number
   CGAL::npbs_relax(cdt, [](const K::Point_2&) { return std::string("fine"); });
 #elif MISTAKE == 8 // sizing_function must be callable

@@ -94,7 +94,7 @@ template <class Cdt>
 constexpr bool check_triangulation()
 {
   static_assert(!std::is_const<Cdt>::value,
-                "npbs_relax() changes the triangulation, so it cannot be const; npbs_place_nodes() leaves it alone");
+                "the triangulation is changed, so it cannot be const; npbs_place_nodes() leaves it alone");
   static_assert(Has_constraints<Cdt>::value,
                 "Bubble_relaxation_2 needs a Constrained_Delaunay_triangulation_2 or a "
                 "Constrained_triangulation_plus_2: what has no constraints has no domain");

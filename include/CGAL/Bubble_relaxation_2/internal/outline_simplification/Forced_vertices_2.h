@@ -25,24 +25,19 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// How many vertices a mesh has at least because of islands and narrows, whatever outline within the tolerance is
-/// taken. No piece of an island is longer than the island with the tolerance around it, and where two parts of the
-/// outline that do not hang together are near to each other, no triangle between them is higher than their distance and
-/// the tolerances of both. From there sizes grow as those of `npbs_relax()`, and the rest is an integral. Narrows
-/// between parts that do hang together are left out: some of them are bays that may go.
+/// taken, if sizes grow as those of `npbs_relax()` do by default. No piece of an island is longer than the island with
+/// the tolerance around it, and where two parts of the outline that do not hang together are near to each other, no
+/// triangle between them is higher than their distance and the tolerances of both. From there sizes grow, and the rest
+/// is an integral. Narrows between parts that do hang together are left out: some of them are bays that may go.
 class Forced_vertices_2
 {
 public:
   Forced_vertices_2(const Outline_2& outline, const Outline_demands_2& demands, const Sizes_2& wanted)
-    : m_outline(outline), m_demands(demands), m_wanted(wanted), m_order(order_along_curve(outline))
+    : m_outline(outline), m_demands(demands), m_wanted(wanted)
   {
-    const std::vector<Index> number = inverse(m_order);
-    std::vector<Point> points;
-    for (Index v : m_order)
-      points.push_back(outline.points[v]);
-    std::vector<Domain_edge_2> edges;
-    for (const Outline_segment_2& s : outline.segments)
-      edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
-    m_is_measured = m_domain.build(std::move(points), std::move(edges)) == Marking_error::NONE;
+    Ordered_outline_2 ordered = along_curve(outline);
+    m_order = std::move(ordered.order);
+    m_is_measured = m_domain.build(std::move(ordered.points), std::move(ordered.edges)) == Marking_error::NONE;
     if (!m_is_measured)
       return; // no rule has looked yet whether segments cross when rounded
     find_components();

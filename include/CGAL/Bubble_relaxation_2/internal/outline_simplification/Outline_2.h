@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -37,7 +38,7 @@ struct Outline_segment_2
 struct Outline_2
 {
   std::vector<Point> points;
-  std::vector<char> is_fixed; ///< of each vertex whether it is to stay
+  std::vector<char> is_fixed; ///< of each vertex whether it is to stay, whatever the rules do
   std::vector<Index> given;   ///< the number that each vertex has in the user's outline, `no_index` if it is not of it
   std::vector<Outline_segment_2> segments;
 
@@ -73,14 +74,28 @@ inline Outline_2 without_idle_vertices(const Outline_2& outline)
   return result;
 }
 
-/// The vertices of an outline in an order in which each is near to the one before, so that they are triangulated
-/// without long walks; which triangles come about depends on it where four vertices are on a circle only.
-inline std::vector<Index> order_along_curve(const Outline_2& outline)
+/// An outline as it is triangulated: its vertices in an order in which each is near to the one before, so that there
+/// are no long walks; which triangles come about depends on it where four vertices are on a circle only.
+struct Ordered_outline_2
+{
+  std::vector<Index> order; ///< of the points the vertices
+  std::vector<Point> points;
+  std::vector<Domain_edge_2> edges; ///< the segments
+};
+
+inline Ordered_outline_2 along_curve(const Outline_2& outline)
 {
   Bbox_2 box;
   for (const Point& p : outline.points)
     box += p.bbox();
-  return hilbert_order(Hilbert_curve_2(box), outline.points);
+  Ordered_outline_2 result;
+  result.order = hilbert_order(Hilbert_curve_2(box), outline.points);
+  for (Index v : result.order)
+    result.points.push_back(outline.points[v]);
+  const std::vector<Index> number = inverse(result.order);
+  for (const Outline_segment_2& s : outline.segments)
+    result.edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
+  return result;
 }
 
 /// What is asked at the vertices of an outline: the wanted length of pieces, and how far they may be from it.

@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_OUTLINE_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
@@ -28,22 +27,23 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Outline_triangulation_2
 {
 public:
-  explicit Outline_triangulation_2(const Outline_2& outline) : m_outline(outline)
+  /// \param gap the least width that the outline is cut for
+  /// \throws std::invalid_argument if rounded segments cross, or what they are cut in is no more than roundings
+  Outline_triangulation_2(const Outline_2& outline, double gap) : m_outline(outline)
   {
-    const std::vector<Index> order = order_along_curve(outline), number = inverse(order);
-    std::vector<Point> points;
-    for (Index v : order)
-      points.push_back(outline.points[v]);
-    std::vector<Domain_edge_2> edges;
-    for (const Outline_segment_2& s : outline.segments)
-      edges.push_back({number[s.source], number[s.target], s.inside_left, s.inside_right});
-    if (mark_triangulation(points, edges, m_marked) != Marking_error::NONE)
+    const Ordered_outline_2 ordered = along_curve(outline);
+    const Marking_error error = mark_triangulation(ordered.points, ordered.edges, m_marked);
+    if (error == Marking_error::POINTS_COINCIDE)
+      throw std::invalid_argument("Bubble_relaxation_2: parameter minimum_gap = " + in_words(gap) +
+                                  " is no more than roundings of the coordinates: parts of constraints coincide");
+    if (error != Marking_error::NONE)
       throw std::invalid_argument("Bubble_relaxation_2: constraints of the triangulation lie so near to each other "
-                                  "that they cross when rounded to double");
+                                  "that they, or the parts that they are cut in for minimum_gap = " + in_words(gap) +
+                                  ", cross when rounded to double");
     m_marked.points = outline.points;
     for (auto& triangle : m_marked.vertices)
       for (Index& v : triangle)
-        v = order[v];
+        v = ordered.order[v];
     m_was_inside = m_marked.inside;
   }
 

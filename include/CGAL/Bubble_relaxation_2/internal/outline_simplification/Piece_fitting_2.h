@@ -32,6 +32,8 @@ class Piece_fitting_2
   // places are this far from each other, in units of d and of the span, where all vertices between are within this
   // share of the tolerance
   static constexpr double dense = 1. / 32, nearly_straight = 0.25;
+  // the pieces from a place take most of a kilobyte; from more places than these they are found again in each sweep
+  static constexpr std::size_t most_places_with_pieces = 200000;
 
 public:
   static constexpr int parts_of_size = 16; ///< places on long segments are this part of d apart
@@ -52,9 +54,8 @@ public:
     }
     if (!span.is_ring)
       m_places.push_back(place_at_vertex(span.size()));
-    m_pieces.resize(m_places.size());
-    for (std::size_t i = 0; i < m_places.size(); ++i)
-      find_pieces(i);
+    for (std::size_t i = 0; i < m_places.size() && m_places.size() <= most_places_with_pieces; ++i)
+      m_pieces.push_back(find_pieces(i));
   }
 
   /// how many places there are from the first to the last, or once around
@@ -93,7 +94,7 @@ public:
     std::vector<double> cost(end + 1, (std::numeric_limits<double>::infinity)());
     cost[end] = 0;
     for (std::size_t i = end; i-- > 0;)
-      for (const Piece& piece : m_pieces[(start + i) % n])
+      for (const Piece& piece : pieces_from((start + i) % n))
         if (i + piece.steps <= end)
           cost[i] = (std::min)(cost[i], piece.cost + cost[i + piece.steps]);
     return cost;
@@ -104,7 +105,7 @@ public:
                                           const std::vector<double>& cost_to_end) const
   {
     std::vector<std::pair<double, std::size_t>> ends;
-    for (const Piece& piece : m_pieces[place % m_places.size()]) {
+    for (const Piece& piece : pieces_from(place % m_places.size())) {
       const std::size_t end = place + piece.steps;
       if (end - start < cost_to_end.size())
         ends.emplace_back(piece.cost + cost_to_end[end - start], end);
@@ -202,8 +203,11 @@ private:
     }
   }
 
-  void find_pieces(std::size_t i)
+  std::vector<Piece> pieces_from(std::size_t i) const { return m_pieces.empty() ? find_pieces(i) : m_pieces[i]; }
+
+  std::vector<Piece> find_pieces(std::size_t i) const
   {
+    std::vector<Piece> pieces;
     const std::size_t n = m_places.size(), last = m_span.is_ring ? i + n - 1 : n - 1;
     const Place& p = m_places[i];
     for (std::size_t j = i + 1; j <= last; ++j) {
@@ -213,8 +217,9 @@ private:
         break; // no later piece is near to here
       double deviation = 0;
       if (length > 0 && (j == i + 1 || length <= longest_piece * size) && is_near(i, j, deviation))
-        m_pieces[i].push_back({j - i, piece_cost(length / size, deviation)});
+        pieces.push_back({j - i, piece_cost(length / size, deviation)});
     }
+    return pieces;
   }
 
   /// whether the vertices between two places are within their tolerances of the segment between these
@@ -235,7 +240,7 @@ private:
   const Outline_span_2& m_span;
   const Outline_demands_2& m_demands;
   std::vector<Place> m_places;
-  std::vector<std::vector<Piece>> m_pieces; // from each place
+  std::vector<std::vector<Piece>> m_pieces; // from each place; empty if there are too many
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -34,7 +34,7 @@ struct Simplification_options
 struct Simplification_problem_2
 {
   Outline_2 outline;
-  std::vector<Point> pins;  ///< pinned vertices without constraints
+  std::vector<char> is_end; ///< of each vertex whether constraints end there, so that it stays unless a rule takes it
   std::vector<Point> seeds; ///< as the user gave them
   bool seeds_are_in_domain = false;
   Sizes_2 sizes;

@@ -66,7 +66,8 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
 
 /// The rule `minimum_gap`: takes out of the domain what no disc of that diameter within it reaches: channels and the
 /// room between islands. These are triangles between densely cut segments whose circumscribed circles are smaller, as
-/// in an alpha shape. Open corners are no gaps, nor is what is wider than deep.
+/// in an alpha shape. Open corners are no gaps, nor is what is wider than deep. What is beside a vertex that stays, or
+/// beside a constraint with the domain on both sides, is left alone.
 class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
@@ -79,8 +80,13 @@ class Gap_rule_2
 public:
   /// \throws std::length_error if the width is so small that there would be far more parts than can be wanted
   Gap_rule_2(const Outline_2& outline, double width)
-    : m_outline(with_cut_segments(checked(outline, width), cut * width)), m_triangulation(m_outline), m_width(width)
-  {}
+    : m_outline(with_cut_segments(checked(outline, width), cut * width)), m_triangulation(m_outline, width),
+      m_is_within(m_outline.points.size(), 1), m_width(width)
+  {
+    for (const Outline_segment_2& s : m_outline.segments)
+      if (!is_inner(s))
+        m_is_within[s.source] = m_is_within[s.target] = 0;
+  }
 
   Outline_2 operator()(Outline_simplification_report_2& report)
   {
@@ -109,6 +115,30 @@ private:
 
   const Flat_triangulation_2& tr() const { return m_triangulation.tr(); }
 
+  static bool is_inner(const Outline_segment_2& s) { return s.inside_left && s.inside_right; }
+
+  /// whether a triangle is beside a pin or a constraint within the domain: it does not tell how wide the domain is
+  bool is_beside_inner(Index t) const
+  {
+    for (int i = 0; i < 3; ++i) {
+      const Index e = m_triangulation.segment(t, i);
+      if (m_is_within[tr().vertices[t][i]] || (e != no_index && is_inner(m_outline.segments[e])))
+        return true;
+    }
+    return false;
+  }
+
+  bool is_left_alone(Index t) const
+  {
+    const auto& v = tr().vertices[t];
+    return is_beside_inner(t) || m_outline.is_fixed[v[0]] || m_outline.is_fixed[v[1]] || m_outline.is_fixed[v[2]];
+  }
+
+  bool is_left_alone(const Region& region) const
+  {
+    return std::any_of(region.begin(), region.end(), [this](Index t) { return is_left_alone(t); });
+  }
+
   void fill(const Region& region)
   {
     for (Index t : region)
@@ -122,18 +152,18 @@ private:
       is_narrow[t] = m_triangulation.is_inside(static_cast<Index>(t)) && is_narrow_triangle(static_cast<Index>(t));
     for (const Region& region : m_triangulation.regions([&](Index t) { return is_narrow[t] != 0; }))
       if (!is_open(region, is_narrow))
-        fill(region);
+        for (Index t : region)
+          if (!is_left_alone(t))
+            fill({t});
   }
 
   bool is_narrow_triangle(Index t) const
   {
-    double squares[3], largest = 0;
-    for (int i = 0; i < 3; ++i) {
-      if (m_outline.is_fixed[tr().vertices[t][i]] && m_outline.given[tr().vertices[t][i]] != no_index)
-        return false; // nothing of what stays is filled
+    if (is_beside_inner(t))
+      return false;
+    double squares[3];
+    for (int i = 0; i < 3; ++i)
       squares[i] = squared_distance(tr().point(t, ccw(i)), tr().point(t, cw(i)));
-      largest = (std::max)(largest, squares[i]);
-    }
     for (int i = 0; i < 3; ++i) // a vertex very near to a part of a segment
       if (m_triangulation.segment(t, i) != no_index && 2 * squares[i] > squares[0] + squares[1] + squares[2])
         return true;
@@ -141,18 +171,22 @@ private:
     return squares[0] * squares[1] * squares[2] < m_width * m_width * twice * twice; // diameter < width
   }
 
-  /// whether a region is only what is left in an open corner: one mouth, wider than deep
+  /// Whether a region is only what is left in an open corner: one mouth, wider than deep. Neither is it a gap if it
+  /// leads to nothing but a pin or a constraint within the domain, without which it might not be narrow.
   bool is_open(const Region& region, const std::vector<char>& is_narrow) const
   {
     std::vector<std::pair<Point, Point>> mouths;
+    bool leads_on = false;
     for (Index t : region)
       for (int i = 0; i < 3; ++i) {
         const Index n = m_triangulation.neighbor(t, i);
-        if (m_triangulation.segment(t, i) == no_index && m_triangulation.is_inside(n) && !is_narrow[n])
-          mouths.emplace_back(tr().point(t, ccw(i)), tr().point(t, cw(i)));
+        if (m_triangulation.segment(t, i) != no_index || !m_triangulation.is_inside(n) || is_narrow[n])
+          continue;
+        mouths.emplace_back(tr().point(t, ccw(i)), tr().point(t, cw(i)));
+        leads_on |= !is_beside_inner(n);
       }
-    if (mouths.size() != 1)
-      return false;
+    if (!leads_on || mouths.size() != 1)
+      return !mouths.empty() && !leads_on;
     const double width = distance(mouths[0].first, mouths[0].second);
     double depth = 0;
     for (Index t : region)
@@ -165,7 +199,8 @@ private:
   void fill_basins()
   {
     for (const Region& region : m_triangulation.regions([this](Index t) { return m_triangulation.is_inside(t); }))
-      if (m_triangulation.area(region) < least_basin * m_width * m_width && touches_filled(region))
+      if (m_triangulation.area(region) < least_basin * m_width * m_width && touches_filled(region) &&
+          !is_left_alone(region))
         fill(region);
   }
 
@@ -178,8 +213,8 @@ private:
     return false;
   }
 
-  /// Fills triangles at vertices where the domain meets itself, all but those of the widest part there; returns whether
-  /// there are such vertices.
+  /// Fills triangles at vertices where the domain meets itself, all but those of the widest part there, or of the
+  /// parts that are left alone; returns whether there are some.
   bool fill_pinches()
   {
     std::map<Index, std::vector<Index>> around; // triangles of the domain at vertices with more than two boundary sides
@@ -193,9 +228,10 @@ private:
         for (Index v : tr().vertices[k])
           if (sides[v] > 2 && !m_outline.is_fixed[v])
             around[v].push_back(static_cast<Index>(k));
+    bool are_filled = false;
     for (const auto& pinch : around)
-      keep_widest(pinch.first, pinch.second);
-    return !around.empty();
+      are_filled |= keep_widest(pinch.first, pinch.second);
+    return are_filled;
   }
 
   template <class Visitor>
@@ -215,11 +251,10 @@ private:
                       (a.x() - p.x()) * (b.x() - p.x()) + (a.y() - p.y()) * (b.y() - p.y()));
   }
 
-  void keep_widest(Index v, const std::vector<Index>& triangles)
+  /// the triangles of the domain around a vertex, in sets that hang together
+  std::vector<Region> fans_of(const std::vector<Index>& triangles) const
   {
     std::vector<Region> fans;
-    double widest = -1;
-    std::size_t kept = 0;
     std::vector<char> is_done(triangles.size(), 0);
     for (std::size_t k = 0; k < triangles.size(); ++k) {
       if (is_done[k] || !m_triangulation.is_inside(triangles[k]))
@@ -232,18 +267,38 @@ private:
             is_done[l] = 1;
             fan.push_back(triangles[l]);
           }
-      double angle = 0;
-      for (Index t : fan)
-        angle += angle_at(t, v);
-      if (angle > widest) {
-        widest = angle;
-        kept = fans.size();
-      }
       fans.push_back(std::move(fan));
     }
+    return fans;
+  }
+
+  /// returns whether something was filled
+  bool keep_widest(Index v, const std::vector<Index>& triangles)
+  {
+    const std::vector<Region> fans = fans_of(triangles);
+    if (fans.size() < 2)
+      return false; // what was filled at another vertex was enough
+    std::vector<char> is_kept;
+    for (const Region& fan : fans)
+      is_kept.push_back(is_left_alone(fan));
+    if (std::count(is_kept.begin(), is_kept.end(), 1) == 0) {
+      double widest = -1;
+      std::size_t kept = 0;
+      for (std::size_t f = 0; f < fans.size(); ++f) {
+        double angle = 0;
+        for (Index t : fans[f])
+          angle += angle_at(t, v);
+        if (angle > widest) {
+          widest = angle;
+          kept = f;
+        }
+      }
+      is_kept[kept] = 1;
+    }
     for (std::size_t f = 0; f < fans.size(); ++f)
-      if (f != kept)
+      if (!is_kept[f])
         fill(fans[f]);
+    return std::count(is_kept.begin(), is_kept.end(), 0) > 0;
   }
 
   bool are_neighbors(Index s, Index t) const
@@ -276,6 +331,7 @@ private:
 
   Outline_2 m_outline;
   Outline_triangulation_2 m_triangulation;
+  std::vector<char> m_is_within; // of each vertex whether it is not on the boundary
   double m_width;
 };
 

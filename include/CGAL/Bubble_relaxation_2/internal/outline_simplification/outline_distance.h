@@ -44,7 +44,7 @@ public:
     m_largest = least;
     for (const auto& s : from) {
       find_near(s.first, s.second);
-      look_at(s.first, s.second, 0);
+      look_at(s.first, s.second, 0, 0);
     }
     return m_largest;
   }
@@ -79,12 +79,14 @@ private:
     return distance_to_segment(p, m_grid.source(id), m_grid.target(id));
   }
 
-  void look_at(const Point& a, const Point& b, int halvings)
+  /// \param first of those in `m_near` that may be the nearest; they are all behind it
+  void look_at(const Point& a, const Point& b, int halvings, std::size_t first)
   {
     const double infinity = (std::numeric_limits<double>::infinity)();
     double from_a = infinity, from_b = infinity, between = infinity;
-    for (Index id : m_near) {
-      const double da = distance_to(a, id), db = distance_to(b, id);
+    const std::size_t end = m_near.size();
+    for (std::size_t k = first; k < end; ++k) {
+      const double da = distance_to(a, m_near[k]), db = distance_to(b, m_near[k]);
       from_a = (std::min)(from_a, da);
       from_b = (std::min)(from_b, db);
       between = (std::min)(between, (std::max)(da, db));
@@ -97,13 +99,19 @@ private:
       return;
     }
     m_largest = (std::max)(m_largest, known);
+    // a distance changes by no more than the way: others are nowhere as near as `between`, but who gave that always is
+    const double length = distance(a, b);
+    for (std::size_t k = first; k < end; ++k)
+      if (distance_to(a, m_near[k]) + distance_to(b, m_near[k]) - length <= 2 * between)
+        m_near.push_back(m_near[k]);
     const Point middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
-    look_at(a, middle, halvings + 1);
-    look_at(middle, b, halvings + 1);
+    look_at(a, middle, halvings + 1, end);
+    look_at(middle, b, halvings + 1, end);
+    m_near.resize(end);
   }
 
   Segment_grid_2 m_grid;
-  std::vector<Index> m_near;
+  std::vector<Index> m_near; // of a segment, behind them of its half that is looked at, and so on
   double m_size, m_largest = 0;
 };
 

@@ -114,9 +114,10 @@ private:
     check_places();
     read_segments(marks, vertices);
     problem.outline.is_fixed.assign(addresses.size(), 0);
+    problem.is_end.assign(addresses.size(), 0);
     fix_pinned(is_pinned<Cdt>(np));
     if constexpr (Has_constraint_hierarchy<Cdt>::value)
-      fix_ends_of_constraints(cdt);
+      find_ends_of_constraints(cdt);
     if constexpr (Is_given<NamedParameters, internal_np::seeds_t>::value)
       for (const auto& seed : parameters::get_parameter(np, internal_np::seeds))
         problem.seeds.push_back(point_in_double<Cdt>(seed));
@@ -166,18 +167,15 @@ private:
           is_fixed[v] = 1;
       }
     for (std::size_t v = 0; v < addresses.size(); ++v) {
-      const bool pinned = is_pinned(vertex(static_cast<Index>(v)));
-      if (pinned)
+      if (is_pinned(vertex(static_cast<Index>(v))))
         is_fixed[v] = 1;
-      if (!is_of_segment[v] && pinned)
-        problem.pins.push_back(problem.outline.points[v]);
       else if (!is_of_segment[v])
         free.push_back(addresses[v]);
     }
   }
 
-  /// vertices stay at which other constraints go on than before; a closed constraint may start anywhere
-  void fix_ends_of_constraints(const Cdt& cdt)
+  /// those at which other constraints go on than before; a closed constraint may start anywhere
+  void find_ends_of_constraints(const Cdt& cdt)
   {
     std::vector<std::vector<const void*>> before(addresses.size());
     for (const Outline_segment_2& s : problem.outline.segments) {
@@ -190,7 +188,7 @@ private:
         if (before[v].empty())
           before[v] = constraints;
         else if (before[v] != constraints)
-          problem.outline.is_fixed[v] = 1;
+          problem.is_end[v] = 1;
     }
   }
 

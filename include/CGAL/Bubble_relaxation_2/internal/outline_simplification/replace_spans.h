@@ -28,7 +28,7 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 constexpr int sweeps_of_improvement = 6;
-constexpr double most_places = 3e7; // on the outline: two gigabytes
+constexpr double most_places = 3e7; // on the outline: three gigabytes, at about 90 bytes each
 
 /// how far the new outline may be from the old one at a point
 /// \throws std::invalid_argument if that is no more than roundings

@@ -29,12 +29,27 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// points that no segment may pass, so that they stay in their regions
-inline std::vector<Point> obstacles_of(const Simplification_problem_2& problem)
+/// Points that no segment may pass, so that they stay in their regions: seeds, and vertices that stay, of which no
+/// segment is left.
+inline std::vector<Point> obstacles_of(const Outline_2& outline, const std::vector<Point>& seeds)
 {
-  std::vector<Point> obstacles = problem.pins;
-  obstacles.insert(obstacles.end(), problem.seeds.begin(), problem.seeds.end());
+  std::vector<char> is_obstacle(outline.is_fixed);
+  for (const Outline_segment_2& s : outline.segments)
+    is_obstacle[s.source] = is_obstacle[s.target] = 0;
+  std::vector<Point> obstacles;
+  for (std::size_t v = 0; v < is_obstacle.size(); ++v)
+    if (is_obstacle[v])
+      obstacles.push_back(outline.points[v]);
+  obstacles.insert(obstacles.end(), seeds.begin(), seeds.end());
   return obstacles;
+}
+
+/// Ends of constraints stay for the pieces' sake only, so rules do not look at them.
+inline void fix_ends(Outline_2& outline, const std::vector<char>& is_end)
+{
+  for (std::size_t v = 0; v < outline.points.size(); ++v)
+    if (outline.given[v] != no_index && is_end[outline.given[v]])
+      outline.is_fixed[v] = 1;
 }
 
 /// the outline as the rules leave it
@@ -61,6 +76,7 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
     outline = apply_rules(std::move(outline), problem, report);
     demands = demands_of(outline, problem.sizes, problem.options);
   }
+  fix_ends(outline, problem.is_end);
   check_number_of_places(outline, demands);
   const Forced_vertices_2 forced(outline, demands, problem.sizes);
   report.wanted_vertices = forced.wanted();
@@ -68,7 +84,8 @@ inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& pro
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
   const std::vector<Outline_span_2> spans = find_spans(outline);
   const Outline_demands_2 cautious = with_caution(demands, outline);
-  const std::vector<Fitted_path_2> paths = replace_spans(outline, spans, cautious, obstacles_of(problem));
+  const std::vector<Point> obstacles = obstacles_of(outline, problem.seeds);
+  const std::vector<Fitted_path_2> paths = replace_spans(outline, spans, cautious, obstacles);
   Fidelity_check_2 check(outline, demands);
   for (std::size_t s = 0; s < spans.size(); ++s)
     check(spans[s], paths[s]);

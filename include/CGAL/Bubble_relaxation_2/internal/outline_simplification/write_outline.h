@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -98,18 +99,43 @@ private:
       }
   }
 
-  /// those that are not there: CGAL may take what is inserted again for a crossing
-  void insert_segments()
+  /// whether a segment is there as a whole
+  bool is_there(Index a, Index b) const
   {
-    for (const Outline_segment_2& s : m_outline.segments) {
-      Face_handle f;
-      int i = 0;
-      const Vertex_handle a = vertex(s.source), b = vertex(s.target);
-      if (!m_cdt.is_edge(a, b, f, i) || !f->is_constrained(i))
-        m_cdt.insert_constraint(a, b);
+    Face_handle f;
+    int i = 0;
+    return m_cdt.is_edge(vertex(a), vertex(b), f, i) && f->is_constrained(i);
+  }
+
+  /// inserts segments, of which some may cross others when rounded
+  /// \throws std::runtime_error for what CGAL throws then, depending on its tag
+  template <class Insertion>
+  auto insert_line(const std::vector<Index>& line, const Insertion& insert) const
+  {
+    try {
+      return insert();
+    } catch (const typename Cdt::Intersection_of_constraints_exception&) {
+      for (std::size_t k = 1; k < line.size(); ++k)
+        if (!is_there(line[k - 1], line[k]))
+          throw_too_coarse(line[k - 1], line[k]);
+      throw;
     }
   }
 
+  /// if it is not there: CGAL may take what is inserted again for a crossing
+  void insert_segment(Index a, Index b)
+  {
+    if (!is_there(a, b))
+      insert_line({a, b}, [&] { m_cdt.insert_constraint(vertex(a), vertex(b)); });
+  }
+
+  void insert_segments()
+  {
+    for (const Outline_segment_2& s : m_outline.segments)
+      insert_segment(s.source, s.target);
+  }
+
+  /// \throws std::runtime_error if two of them become one
   void insert_vertices()
   {
     Face_handle near; // vertices follow each other along the outline
@@ -120,10 +146,12 @@ private:
         old != no_index ? m_reading.vertex(old) : m_cdt.insert(Cdt_point(p.x(), p.y()), near);
       near = handle->face();
       m_vertices.push_back(&*handle);
+      if (!m_taken.insert(m_vertices.back()).second)
+        throw_too_coarse(static_cast<Index>(v), static_cast<Index>(v));
     }
   }
 
-  /// what was only of the old outline
+  /// what was only of the old outline; not where a new vertex has come into the place of one that a rule took away
   void remove_vertices()
   {
     const Outline_2& old = m_reading.problem.outline;
@@ -136,23 +164,30 @@ private:
     for (Index v : m_outline.old_vertices)
       if (v != no_index)
         goes[v] = 0;
-    for (std::size_t v = 0; v < goes.size(); ++v)
-      if (goes[v])
-        m_cdt.remove(m_reading.vertex(static_cast<Index>(v)));
+    for (std::size_t v = 0; v < goes.size(); ++v) {
+      const Vertex_handle handle = m_reading.vertex(static_cast<Index>(v));
+      if (goes[v] && m_taken.count(&*handle) == 0)
+        m_cdt.remove(handle);
+    }
   }
 
   /// \throws std::runtime_error if a segment is not there as a whole
   void check() const
   {
-    for (const Outline_segment_2& s : m_outline.segments) {
-      Face_handle f;
-      int i = 0;
-      if (!m_cdt.is_edge(vertex(s.source), vertex(s.target), f, i) || !f->is_constrained(i))
-        throw std::runtime_error("Bubble_relaxation_2: the new outline cannot be written: at the segment from " +
-                                 in_words(m_outline.points[s.source].x(), m_outline.points[s.source].y()) + " to " +
-                                 in_words(m_outline.points[s.target].x(), m_outline.points[s.target].y()) +
-                                 " the numbers of the kernel are too coarse");
-    }
+    for (const Outline_segment_2& s : m_outline.segments)
+      if (!is_there(s.source, s.target))
+        throw_too_coarse(s.source, s.target);
+  }
+
+  /// for a segment, or for a vertex if both ends are the same
+  [[noreturn]] void throw_too_coarse(Index source, Index target) const
+  {
+    const Point &a = m_outline.points[source], &b = m_outline.points[target];
+    const std::string where =
+      source == target ? "vertex " + in_words(a.x(), a.y()) + ", where there is another one,"
+                       : "segment from " + in_words(a.x(), a.y()) + " to " + in_words(b.x(), b.y());
+    throw std::runtime_error("Bubble_relaxation_2: the new outline cannot be written: at the " + where +
+                             " the numbers of the kernel are too coarse");
   }
 
   template <class Visit>
@@ -204,6 +239,13 @@ private:
     return result;
   }
 
+  template <class Constraint_id>
+  bool is_closed(Constraint_id id) const
+  {
+    auto last = m_cdt.vertices_in_constraint_end(id);
+    return *--last == *m_cdt.vertices_in_constraint_begin(id);
+  }
+
   void take_constraints()
   {
     Bbox_2 box;
@@ -214,7 +256,7 @@ private:
     m_beside[1] = &*m_cdt.insert(Cdt_point(x, box.ymin() + size));
     std::vector<typename Cdt::Constraint_id> ids(m_cdt.constraints_begin(), m_cdt.constraints_end());
     for (auto id : ids) {
-      m_lines.emplace_back(id, line(places(id)));
+      m_lines.emplace_back(id, line(places(id), is_closed(id)));
       if (m_lines.back().second.empty()) {
         m_lines.pop_back();
         m_cdt.remove_constraint(id);
@@ -232,15 +274,19 @@ private:
     m_cdt.remove_constraint(other);
   }
 
-  /// the vertices of the new outline along places in spans
-  std::vector<Index> line(const std::vector<Place_in_span>& places) const
+  /// the vertices of the new outline along places in spans; a closed line that starts within a span comes back to it
+  std::vector<Index> line(std::vector<Place_in_span> parts, bool is_closed) const
   {
+    const auto are_same = [](const Place_in_span& p, const Place_in_span& q) {
+      return p.span == q.span && p.is_forward == q.is_forward;
+    };
+    parts.erase(std::unique(parts.begin(), parts.end(), are_same), parts.end());
+    if (is_closed && parts.size() > 1 && are_same(parts.front(), parts.back()))
+      parts.pop_back();
     std::vector<Index> result;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (k > 0 && places[k].span == places[k - 1].span && places[k].is_forward == places[k - 1].is_forward)
-        continue;
-      std::vector<Index> part = m_outline.spans[places[k].span].vertices;
-      if (!places[k].is_forward)
+    for (const Place_in_span& p : parts) {
+      std::vector<Index> part = m_outline.spans[p.span].vertices;
+      if (!p.is_forward)
         std::reverse(part.begin(), part.end());
       result.insert(result.end(), part.begin() + (result.empty() ? 0 : 1), part.end());
     }
@@ -253,14 +299,12 @@ private:
       std::vector<Cdt_point> points;
       for (Index v : l->second)
         points.push_back(vertex(v)->point());
-      exchange(l->first, m_cdt.insert_constraint(points.begin(), points.end()));
+      exchange(l->first,
+               insert_line(l->second, [&] { return m_cdt.insert_constraint(points.begin(), points.end()); }));
     }
-    for (const Simplified_span_2& span : m_outline.spans)
-      for (std::size_t k = 1; k < span.vertices.size(); ++k) {
-        const Vertex_handle a = vertex(span.vertices[k - 1]), b = vertex(span.vertices[k]);
-        if (!m_cdt.is_subconstraint(a, b))
-          m_cdt.insert_constraint(a, b);
-      }
+    for (const Simplified_span_2& span : m_outline.spans) // what a rule made is of no constraint yet
+      for (std::size_t k = 1; k < span.vertices.size(); ++k)
+        insert_segment(span.vertices[k - 1], span.vertices[k]);
     for (void* v : m_beside)
       m_cdt.remove(Handles<Cdt>::vertex(v));
   }
@@ -269,6 +313,7 @@ private:
   const Outline_reading_2<Cdt>& m_reading;
   const Simplified_outline_2& m_outline;
   std::vector<void*> m_vertices; // of the new outline
+  std::set<void*> m_taken;       // the same
   std::vector<Place_in_span> m_span_of_origin;
   std::vector<std::pair<typename Constraint_of<Cdt>::type, std::vector<Index>>> m_lines; // of constraints
   void* m_beside[2] = {nullptr, nullptr}; // an edge beside the triangulation
