@@ -132,8 +132,11 @@ outline is no misfit. A face does not fit if the mean length of its edges is mor
 or less than `shortest_edge` times, or if it has an angle of less than `misfit_angle` that no two constraints enclose.
 Triangles around sharp corners are what the corner makes of them, and fit.
 
-In a mesh that was made by `npbs_relax()` with the same sizes nothing is a misfit, unless they jump, or change by more
-than half of the distance; now and then a defect is found. From misfits the part grows over all faces that hang
+Where sizes jump, or change by more than half of the distance, no mesh follows them. There a face fits if it does so for
+one of the sizes that are wanted at its corners and at the neighbours of these.
+
+In a mesh that was made by `npbs_relax()` or `npbs_adapt()` with the same sizes nothing is a misfit, unless they jump by
+more than a factor of three; now and then a defect is found. From misfits the part grows over all faces that hang
 together with them and are off by the cube root of these factors, so that nothing is left where a change fades out,
 and then by `number_of_rings`.
 

@@ -498,6 +498,39 @@ TEST(Misfits, outlines_are_known)
   }
 }
 
+/// No mesh follows a jump, so what a relaxation makes of it fits: it is not meshed again and again, but when it moves.
+TEST(Misfits, are_none_where_sizes_jump)
+{
+  for (double factor : {1.5, 2., 3.})
+    for (bool is_disc : {true, false}) {
+      SCOPED_TRACE(testing::Message() << "a jump by " << factor << (is_disc ? " around a disc" : " across a line"));
+      double reach = 0.25;
+      const auto d = [&](const Point& p) {
+        const double x = p.x() - 0.45, y = p.y() - 0.5;
+        return (is_disc ? std::hypot(x, y) : x + 0.3 * y + 0.2) < reach ? 0.06 / factor : 0.06;
+      };
+      CDT cdt = domains::make({domains::square(0, 0, 1)});
+      CGAL::npbs_relax(cdt, size(std::cref(d)));
+      EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(std::cref(d))).empty());
+      std::size_t changed = 0, again = 0;
+      for (int move = 0; move < 4; ++move) {
+        reach += 0.04;
+        changed += CGAL::npbs_adapt(cdt, size(std::cref(d))).number_of_triangles > 0;
+        const Content<CDT> before(cdt);
+        again += CGAL::npbs_adapt(cdt, size(std::cref(d))).number_of_triangles > 0;
+        EXPECT_EQ(Content<CDT>(cdt) == before, again == 0);
+      }
+      EXPECT_GE(changed, factor < 2 ? 1u : 2u);
+      EXPECT_EQ(again, 0u);
+      const auto now = quality(cdt, std::cref(d)), once = [&] {
+        CDT other = domains::make({domains::square(0, 0, 1)});
+        return CGAL::npbs_relax(other, size(std::cref(d))).quality;
+      }();
+      EXPECT_NEAR(double(now.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.06);
+      EXPECT_GE(now.minimum_quality(), 0.8);
+    }
+}
+
 TEST(Misfits, are_where_sizes_changed)
 {
   const CDT cdt = mesh(0.02);
