@@ -20,6 +20,7 @@ figures=$here/doc/Bubble_relaxation_2/fig
 ../release/demo/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/demo/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
 ../release/demo/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
+../release/demo/Bubble_relaxation_2/adaptive_cycles | tee "$figures/adaptive_cycles.txt"
 ../release/demo/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 ../release/benchmark/Bubble_relaxation_2/local drift 1000 | tee "$figures/local_drift.txt"
