@@ -32,6 +32,8 @@ cp "$here/output/coast.svg" .
 "$here/scripts/benchmark.sh" coasts {superior,aegean,norway,patagonia,finland}_intermediate |
   grep -v '^\[\|^ninja' | tee "$figures/coasts.txt"
 "$here/doc/Bubble_relaxation_2/draw_rooms.py" rooms.svg
+../release/demo/Bubble_relaxation_2/moving_body | tail -n 1 | tee "$figures/moving_body.txt"
+cp moving_body.svg "$figures" # it moves
 # those that the manual shows
 for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
   rsvg-convert --width 1000 "${picture%.png}.svg" -o "$figures/$picture"

@@ -129,7 +129,8 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
 
 The size at a face is `sizing_function`, made smaller where the outline asks for it as by `npbs_relax()`: a fine
 outline is no misfit. A face does not fit if the mean length of its edges is more than `longest_edge` times the size,
-or less than `shortest_edge` times, or if it has an angle of less than `misfit_angle` that no two constraints enclose.
+or less than `shortest_edge` times, or if it has an angle of less than `misfit_angle` that no two constraints enclose,
+or if q is less than `misfit_quality` and no two constraints enclose an angle.
 Triangles around sharp corners are what the corner makes of them, and fit.
 
 Where sizes jump, or change by more than half of the distance, no mesh follows them. There a face fits if it does so for
@@ -167,6 +168,12 @@ as `npbs_relax()` does.
     \cgalParamDescription{the smallest angle of a face that fits, in degrees}
     \cgalParamType{a number, 0 to 33}
     \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{misfit_quality}
+    \cgalParamDescription{the smallest radius ratio q of a face that fits. It finds what is not good enough where the
+    caller has inserted and removed vertices and constraints}
+    \cgalParamType{a number, 0 to 0.9}
+    \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rings}
     \cgalParamDescription{how many times all faces around the vertices that are reached are added. With fewer rings

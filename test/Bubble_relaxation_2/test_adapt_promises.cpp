@@ -282,6 +282,7 @@ TEST(Adapt_errors, bad_input_is_told_before_any_change)
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).longest_edge(0.5)); }, {"longest_edge", "0.5", "greater"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).shortest_edge(1.5)); }, {"shortest_edge", "1.5", "less than 1"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).misfit_angle(60.)); }, {"misfit_angle", "60", "33"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).misfit_quality(1.)); }, {"misfit_quality", "1", "0.9"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).number_of_rings(-1)); }, {"number_of_rings", "-1"});
   expect_throw<std::length_error>(
     [&] { CGAL::npbs_remesh_faces(cdt, faces_near(cdt, 0, 0, 9), size(1e-6).maximum_number_of_bubbles(1000)); },
@@ -560,6 +561,7 @@ TEST(Misfits, small_angles_count)
       f->set_in_domain(true);
   const auto loose = size(0.05).shortest_edge(0.01).longest_edge(9.);
   EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, loose.misfit_angle(0.)).empty());
+  EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, loose.misfit_angle(0.).misfit_quality(0.5)).empty());
   EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, loose).empty());
   CGAL::npbs_adapt(cdt, loose);
   EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, loose).empty());

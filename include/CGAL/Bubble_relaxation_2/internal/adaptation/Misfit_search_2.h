@@ -15,6 +15,7 @@
 
 #include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/number_type_config.h>
+#include <CGAL/radius_ratio_2.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,7 @@ struct Misfit_criteria
 {
   double longest_edge = 1.5, shortest_edge = 0.6; ///< means of the edges of a face, over the size there
   double misfit_angle = 20;                       ///< degrees
+  double misfit_quality = 0;                      ///< the radius ratio q
   std::size_t number_of_rings = 4;
 };
 
@@ -96,26 +98,33 @@ private:
 
   bool is_misfit(Face_handle f) const
   {
-    return is_misfit(f, m_smallest_sine, m_criteria.longest_edge, m_criteria.shortest_edge);
+    return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge, m_criteria.shortest_edge);
   }
 
   bool is_slight_misfit(Face_handle f) const
   {
-    return is_misfit(f, 0, std::cbrt(m_criteria.longest_edge), std::cbrt(m_criteria.shortest_edge));
+    return is_misfit(f, 0, 0, std::cbrt(m_criteria.longest_edge), std::cbrt(m_criteria.shortest_edge));
   }
 
-  /// Whether edges are longer or shorter than so many times the size, or an angle is less than that of this sine, and
-  /// it is not a jump of the sizes that makes it so.
-  bool is_misfit(Face_handle f, double smallest_sine, double longest, double shortest) const
+  /// Whether q is less than this, an angle is less than that of this sine, or edges are longer or shorter than so many
+  /// times the size, and it is not a jump of the sizes that makes it so.
+  bool is_misfit(Face_handle f, double smallest_q, double smallest_sine, double longest, double shortest) const
   {
-    const auto [mean, sine] = measure(f);
+    const Measures m = measure(f);
     const double size = m_sizes(centroid(f));
-    if (mean <= longest * size && mean >= shortest * size && sine >= smallest_sine)
+    if (m.length <= longest * size && m.length >= shortest * size && m.sine >= smallest_sine && m.q >= smallest_q)
       return false;
     const Size_range range = sizes_around(f, size);
-    return mean > longest * range.largest || mean < shortest * range.smallest ||
-           sine < smallest_sine * range.flattening();
+    return m.length > longest * range.largest || m.length < shortest * range.smallest ||
+           m.sine < smallest_sine * range.flattening() || m.q < smallest_q * range.flattening();
   }
+
+  struct Measures
+  {
+    double length;   ///< the mean of the edges
+    double sine = 1; ///< of the smallest angle that is not between two constraints
+    double q = 1;    ///< if no angle is
+  };
 
   struct Size_range
   {
@@ -162,8 +171,7 @@ private:
                           point_in_double(f->vertex(2)->point()));
   }
 
-  /// the mean length of the edges, and the sine of the smallest angle that is not between two constraints
-  std::pair<double, double> measure(Face_handle f) const
+  Measures measure(Face_handle f) const
   {
     std::array<Point, 3> p;
     std::array<double, 3> length; // of the sides opposite to the corners
@@ -173,12 +181,16 @@ private:
       length[i] = std::sqrt(CGAL::squared_distance(p[ccw(i)], p[cw(i)]));
     const double twice_area = std::abs((p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) -
                                        (p[2].x() - p[0].x()) * (p[1].y() - p[0].y()));
-    double sine = 1;
+    Measures result{(length[0] + length[1] + length[2]) / 3};
+    bool is_forced = false;
     for (int i = 0; i < 3; ++i)
-      if (!f->is_constrained(ccw(i)) || !f->is_constrained(cw(i)))
-        if (length[i] <= length[ccw(i)] || length[i] <= length[cw(i)]) // else it may be obtuse
-          sine = (std::min)(sine, twice_area / (length[ccw(i)] * length[cw(i)]));
-    return {(length[0] + length[1] + length[2]) / 3, sine};
+      if (f->is_constrained(ccw(i)) && f->is_constrained(cw(i)))
+        is_forced = true;
+      else if (length[i] <= length[ccw(i)] || length[i] <= length[cw(i)]) // else it may be obtuse
+        result.sine = (std::min)(result.sine, twice_area / (length[ccw(i)] * length[cw(i)]));
+    if (!is_forced && m_criteria.misfit_quality > 0)
+      result.q = CGAL::radius_ratio_2(p[0], p[1], p[2]);
+    return result;
   }
 
   const Cdt& m_cdt;
