@@ -21,6 +21,7 @@ cp bubbles.svg "$figures"
 ../release/demo/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/demo/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
 ../release/demo/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
+../release/demo/Bubble_relaxation_2/adaptive_cycles | tee "$figures/adaptive_cycles.txt"
 ../release/demo/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 ../release/benchmark/Bubble_relaxation_2/local drift 1000 | tee "$figures/local_drift.txt"
@@ -32,6 +33,8 @@ cp "$here/output/coast.svg" .
 "$here/scripts/benchmark.sh" coasts {superior,aegean,norway,patagonia,finland}_intermediate |
   grep -v '^\[\|^ninja' | tee "$figures/coasts.txt"
 "$here/doc/Bubble_relaxation_2/draw_rooms.py" rooms.svg
+../release/demo/Bubble_relaxation_2/moving_body | tail -n 1 | tee "$figures/moving_body.txt"
+cp moving_body.svg "$figures" # it moves
 # those that the manual shows
 for picture in $(grep -oh '[a-z0-9_]*\.png' "$here"/doc/Bubble_relaxation_2/*.txt | sort -u); do
   rsvg-convert --width 1000 "${picture%.png}.svg" -o "$figures/$picture"

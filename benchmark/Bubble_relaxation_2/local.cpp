@@ -12,11 +12,13 @@
 //
 //   local [number of vertices ...]
 //
-// And whether meshes get worse by many changes: random places are refined and given back again, and at the end the
-// mesh is compared with one that is made at once for the same sizes.
+// And whether meshes get worse by many changes: random places are refined and given back again, pinned vertices and a
+// hole are moved, and at the end the mesh is compared with one that is made at once for the same sizes, outline and
+// pins.
 //
 //   local drift [number of changes] [seed]
 
+#include "../../demo/Bubble_relaxation_2/moving_hole.h"
 #include "../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/npbs_adapt.h>
@@ -32,6 +34,7 @@
 #include <iostream>
 #include <map>
 #include <new>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -193,26 +196,171 @@ void judge(const std::string& name, const CDT& cdt, const Sizes& d)
             << q.irregular_share() << std::defaultfloat << std::endl;
 }
 
-/// each change refines a place and gives back the oldest one but seven
+using Pins = std::vector<CDT::Vertex_handle>;
+
+/// which vertices are pinned
+struct Pin_map
+{
+  using key_type = CDT::Vertex_handle;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  const Pins* pins;
+
+  friend bool get(const Pin_map& map, key_type v)
+  {
+    return std::find(map.pins->begin(), map.pins->end(), v) != map.pins->end();
+  }
+};
+
+auto drift_parameters(const Refined_places& sizes, const Pins& pins)
+{
+  return P::sizing_function(sizes).vertex_is_constrained_map(Pin_map{&pins});
+}
+
+/// A square with a hole, some pinned vertices and some refined places, of which one is changed at a time.
+class Drift
+{
+public:
+  explicit Drift(unsigned seed) : m_random(seed)
+  {
+    m_hole_place = Point(0.5, 0.5);
+    for (int k = 0; k < 8; ++k)
+      m_pin_places.push_back(free_place());
+    m_cdt = make(m_pins);
+    m_hole.emplace(m_cdt, outline_of_hole());
+  }
+
+  /// refines a place and gives back the oldest one but seven
+  void refine()
+  {
+    if (m_sizes.places.size() == 8)
+      m_sizes.places.erase(m_sizes.places.begin());
+    const double x = uniform(0, 1), y = uniform(0, 1);
+    m_sizes.places.push_back({x, y, uniform(0.2, 0.5)});
+  }
+
+  /// somewhere else; the vertex that was pinned stays as one of many
+  void move_pin()
+  {
+    const std::size_t k = m_next_pin++ % m_pins.size();
+    m_pins[k] = CDT::Vertex_handle();
+    m_pin_places[k] = Point(-9, -9); // it is not in the way of itself
+    m_pin_places[k] = free_place();
+    m_pins[k] = m_cdt.insert(m_pin_places[k]);
+    mark_around(m_pins[k]);
+  }
+
+  /// by some triangles, where no pin is in the way
+  void move_hole()
+  {
+    const Point before = m_hole_place;
+    do
+      m_hole_place = Point(before.x() + uniform(-0.08, 0.08), before.y() + uniform(-0.08, 0.08));
+    while (!has_room_for_hole());
+    m_hole->move(outline_of_hole(), 0.8 * m_sizes.d, [this](CDT::Vertex_handle v) { return is_pinned(v); });
+  }
+
+  void change(int k)
+  {
+    if (k % 3 == 0)
+      refine();
+    else if (k % 3 == 1)
+      move_pin();
+    else
+      move_hole();
+    CGAL::npbs_adapt(m_cdt, drift_parameters(m_sizes, m_pins).misfit_quality(0.88));
+  }
+
+  void judge(const std::string& name) const { ::judge(name, m_cdt, m_sizes); }
+
+  void judge_at_once() const
+  {
+    Pins pins;
+    ::judge("made at once", make(pins), m_sizes);
+  }
+
+  bool is_valid() const { return m_cdt.is_valid(); }
+
+private:
+  static constexpr double radius = 0.08;
+
+  double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(m_random); }
+
+  bool is_pinned(CDT::Vertex_handle v) const { return get(Pin_map{&m_pins}, v); }
+
+  paper::Outline outline_of_hole() const
+  {
+    paper::Outline result = paper::circle(radius, m_sizes.d);
+    for (Point& p : result)
+      p = Point(p.x() + m_hole_place.x(), p.y() + m_hole_place.y());
+    return result;
+  }
+
+  /// as far from the outline and from other pins that none asks for smaller triangles
+  Point free_place()
+  {
+    const double room = 3 * m_sizes.d;
+    for (;;) {
+      const Point p(uniform(room, 1 - room), uniform(room, 1 - room));
+      if (paper::distance(p, m_hole_place.x(), m_hole_place.y()) > radius + room &&
+          std::all_of(m_pin_places.begin(), m_pin_places.end(),
+                      [&](const Point& q) { return paper::distance(p, q.x(), q.y()) > room; }))
+        return p;
+    }
+  }
+
+  bool has_room_for_hole() const
+  {
+    const double room = radius + 3 * m_sizes.d, x = m_hole_place.x(), y = m_hole_place.y();
+    return (std::min)(x, y) > room && (std::max)(x, y) < 1 - room &&
+           std::all_of(m_pin_places.begin(), m_pin_places.end(),
+                       [&](const Point& p) { return paper::distance(p, x, y) > room; });
+  }
+
+  /// faces that an insertion has made do not know that they are in the domain
+  static void mark_around(CDT::Vertex_handle v)
+  {
+    CDT::Face_circulator f = v->incident_faces(), first = f;
+    do
+      f->set_in_domain(true);
+    while (++f != first);
+  }
+
+  CDT make(Pins& pins) const
+  {
+    CDT cdt;
+    for (const paper::Outline& o : {square, outline_of_hole()})
+      cdt.insert_constraint(o.begin(), o.end(), true);
+    for (const Point& p : m_pin_places)
+      pins.push_back(cdt.insert(p));
+    CGAL::npbs_relax(cdt, drift_parameters(m_sizes, pins));
+    return cdt;
+  }
+
+  std::mt19937 m_random;
+  Refined_places m_sizes;
+  Point m_hole_place;
+  std::vector<Point> m_pin_places;
+  CDT m_cdt;
+  Pins m_pins; // of `m_cdt`
+  std::size_t m_next_pin = 0;
+  std::optional<Moving_hole<CDT>> m_hole;
+};
+
 void drift(int number_of_changes, unsigned seed)
 {
-  std::mt19937 random(seed);
-  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
-  Refined_places sizes;
-  CDT cdt = mesh(square, sizes);
+  Drift drift(seed);
   std::cout << "mesh                   vertices    min q   mean q      L/d     dev.   irreg.\n";
-  judge("before", cdt, sizes);
+  drift.judge("before");
   for (int k = 1; k <= number_of_changes; ++k) {
-    if (sizes.places.size() == 8)
-      sizes.places.erase(sizes.places.begin());
-    const double x = uniform(0, 1), y = uniform(0, 1);
-    sizes.places.push_back({x, y, uniform(0.2, 0.5)});
-    CGAL::npbs_adapt(cdt, P::sizing_function(sizes));
+    drift.change(k);
     if (k % (std::max)(1, number_of_changes / 4) == 0)
-      judge("after " + std::to_string(k) + " changes", cdt, sizes);
+      drift.judge("after " + std::to_string(k) + " changes");
   }
-  judge("made at once", mesh(square, sizes), sizes);
-  if (!cdt.is_valid())
+  drift.judge_at_once();
+  if (!drift.is_valid())
     std::cout << "the triangulation is not valid\n";
 }
 

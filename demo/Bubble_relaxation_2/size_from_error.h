@@ -71,29 +71,36 @@ public:
   /// the vertices and in how fast it grows it is limited by `gradation`.
   Field operator()(const CDT& cdt, double number_of_nodes, double gradation) const
   {
-    std::vector<double> d = scaled(1);
+    const std::vector<double> d = sizes(number_of_nodes, 0.25, 2);
+    std::unordered_map<typename CDT::Vertex_handle, double> of_vertex;
+    for (std::size_t v = 0; v < d.size(); ++v)
+      of_vertex[m_mesh.vertices[v]] = d[v];
+    return Field(cdt, boost::make_assoc_property_map(of_vertex), gradation);
+  }
+
+  /// The same at each vertex, not limited in how they grow, within `least` and `most` times what they are.
+  std::vector<double> sizes(double number_of_nodes, double least, double most) const
+  {
     double scale = 1;
-    for (int turn = 0; turn < 30; ++turn) {
+    std::vector<double> d = scaled(scale, least, most);
+    for (int turn = 0; turn < 60; ++turn) {
       const double expected = expected_number_of_nodes(d);
       if (std::abs(expected - number_of_nodes) < 1e-3 * number_of_nodes)
         break;
       scale *= std::sqrt(expected / number_of_nodes);
-      d = scaled(scale);
+      d = scaled(scale, least, most);
     }
-    std::unordered_map<typename CDT::Vertex_handle, double> sizes;
-    for (std::size_t v = 0; v < d.size(); ++v)
-      sizes[m_mesh.vertices[v]] = d[v];
-    return Field(cdt, boost::make_assoc_property_map(sizes), gradation);
+    return d;
   }
 
 private:
   static constexpr double smallest_error = 1e-100;
 
-  std::vector<double> scaled(double scale) const
+  std::vector<double> scaled(double scale, double least, double most) const
   {
     std::vector<double> d(m_wanted.size());
     for (std::size_t v = 0; v < d.size(); ++v)
-      d[v] = std::clamp(scale * m_wanted[v], m_length[v] / 4, m_length[v] * 2);
+      d[v] = std::clamp(scale * m_wanted[v], m_length[v] * least, m_length[v] * most);
     return d;
   }
 

@@ -135,11 +135,15 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
 
 The size at a face is `sizing_function`, made smaller where the outline asks for it as by `npbs_relax()`: a fine
 outline is no misfit. A face does not fit if the mean length of its edges is more than `longest_edge` times the size,
-or less than `shortest_edge` times, or if it has an angle of less than `misfit_angle` that no two constraints enclose.
+or less than `shortest_edge` times, or if it has an angle of less than `misfit_angle` that no two constraints enclose,
+or if q is less than `misfit_quality` and no two constraints enclose an angle.
 Triangles around sharp corners are what the corner makes of them, and fit.
 
-In a mesh that was made by `npbs_relax()` with the same sizes nothing is a misfit, unless they jump, or change by more
-than half of the distance; now and then a defect is found. From misfits the part grows over all faces that hang
+Where sizes jump, or change by more than half of the distance, no mesh follows them. There a face fits if it does so for
+one of the sizes that are wanted at its corners and at the neighbours of these.
+
+In a mesh that was made by `npbs_relax()` or `npbs_adapt()` with the same sizes nothing is a misfit, unless they jump by
+more than a factor of three; now and then a defect is found. From misfits the part grows over all faces that hang
 together with them and are off by the cube root of these factors, so that nothing is left where a change fades out,
 and then by `number_of_rings`.
 
@@ -170,6 +174,12 @@ as `npbs_relax()` does.
     \cgalParamDescription{the smallest angle of a face that fits, in degrees}
     \cgalParamType{a number, 0 to 33}
     \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{misfit_quality}
+    \cgalParamDescription{the smallest radius ratio q of a face that fits. It finds what is not good enough where the
+    caller has inserted and removed vertices and constraints}
+    \cgalParamType{a number, 0 to 0.9}
+    \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rings}
     \cgalParamDescription{how many times all faces around the vertices that are reached are added. With fewer rings

@@ -282,6 +282,7 @@ TEST(Adapt_errors, bad_input_is_told_before_any_change)
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).longest_edge(0.5)); }, {"longest_edge", "0.5", "greater"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).shortest_edge(1.5)); }, {"shortest_edge", "1.5", "less than 1"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).misfit_angle(60.)); }, {"misfit_angle", "60", "33"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).misfit_quality(1.)); }, {"misfit_quality", "1", "0.9"});
   expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).number_of_rings(-1)); }, {"number_of_rings", "-1"});
   expect_throw<std::length_error>(
     [&] { CGAL::npbs_remesh_faces(cdt, faces_near(cdt, 0, 0, 9), size(1e-6).maximum_number_of_bubbles(1000)); },
@@ -498,6 +499,39 @@ TEST(Misfits, outlines_are_known)
   }
 }
 
+/// No mesh follows a jump, so what a relaxation makes of it fits: it is not meshed again and again, but when it moves.
+TEST(Misfits, are_none_where_sizes_jump)
+{
+  for (double factor : {1.5, 2., 3.})
+    for (bool is_disc : {true, false}) {
+      SCOPED_TRACE(testing::Message() << "a jump by " << factor << (is_disc ? " around a disc" : " across a line"));
+      double reach = 0.25;
+      const auto d = [&](const Point& p) {
+        const double x = p.x() - 0.45, y = p.y() - 0.5;
+        return (is_disc ? std::hypot(x, y) : x + 0.3 * y + 0.2) < reach ? 0.06 / factor : 0.06;
+      };
+      CDT cdt = domains::make({domains::square(0, 0, 1)});
+      CGAL::npbs_relax(cdt, size(std::cref(d)));
+      EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(std::cref(d))).empty());
+      std::size_t changed = 0, again = 0;
+      for (int move = 0; move < 4; ++move) {
+        reach += 0.04;
+        changed += CGAL::npbs_adapt(cdt, size(std::cref(d))).number_of_triangles > 0;
+        const Content<CDT> before(cdt);
+        again += CGAL::npbs_adapt(cdt, size(std::cref(d))).number_of_triangles > 0;
+        EXPECT_EQ(Content<CDT>(cdt) == before, again == 0);
+      }
+      EXPECT_GE(changed, factor < 2 ? 1u : 2u);
+      EXPECT_EQ(again, 0u);
+      const auto now = quality(cdt, std::cref(d)), once = [&] {
+        CDT other = domains::make({domains::square(0, 0, 1)});
+        return CGAL::npbs_relax(other, size(std::cref(d))).quality;
+      }();
+      EXPECT_NEAR(double(now.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.06);
+      EXPECT_GE(now.minimum_quality(), 0.8);
+    }
+}
+
 TEST(Misfits, are_where_sizes_changed)
 {
   const CDT cdt = mesh(0.02);
@@ -527,6 +561,7 @@ TEST(Misfits, small_angles_count)
       f->set_in_domain(true);
   const auto loose = size(0.05).shortest_edge(0.01).longest_edge(9.);
   EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, loose.misfit_angle(0.)).empty());
+  EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, loose.misfit_angle(0.).misfit_quality(0.5)).empty());
   EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, loose).empty());
   CGAL::npbs_adapt(cdt, loose);
   EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, loose).empty());

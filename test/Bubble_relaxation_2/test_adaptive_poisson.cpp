@@ -8,6 +8,7 @@
 
 // Relaxation in a loop with a solver: sizes from the estimated error of the last solution, on an existing mesh.
 
+#include "../../demo/Bubble_relaxation_2/adaptive_cycles.h"
 #include "../../demo/Bubble_relaxation_2/adaptive_solution.h"
 #include "../../demo/Bubble_relaxation_2/corner_singularity.h"
 #include "../../demo/Bubble_relaxation_2/corner_solvers.h"
@@ -16,6 +17,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -205,4 +207,40 @@ TEST(Adaptive_solution, stops_at_the_tolerance_or_tells_that_it_cannot)
     EXPECT_NE(std::string(e.what()).find("0.001"), std::string::npos) << e.what();
     EXPECT_NE(std::string(e.what()).find("4000"), std::string::npos) << e.what();
   }
+}
+
+/// Each cycle makes vertices only where the error asks for smaller triangles, all together are hardly more than the
+/// last mesh has, and that is as good as one that is made at once.
+TEST(Adaptive_cycles, pay_for_what_they_change)
+{
+  Cycle_options options;
+  options.nodes = 15000;
+  Adaptive_cycles<CDT> loop(options);
+  std::map<CDT::Vertex_handle, Point> points;
+  std::vector<Adaptive_cycle> cycles = loop([&](const Adaptive_cycle& cycle) {
+    validation::expect_valid_mesh(loop.mesh());
+    std::size_t kept = 0;
+    for (CDT::Vertex_handle v : loop.mesh().finite_vertex_handles()) {
+      const auto found = points.find(v);
+      kept += found != points.end() && found->second == v->point();
+    }
+    EXPECT_GE(kept + cycle.new_vertices, cycle.vertices);
+    points.clear();
+    for (CDT::Vertex_handle v : loop.mesh().finite_vertex_handles())
+      points[v] = v->point();
+    EXPECT_GT(cycle.minimum_quality, 0.8);
+  });
+  ASSERT_GE(cycles.size(), 4u);
+  std::size_t all = 0;
+  for (const Adaptive_cycle& cycle : cycles)
+    all += cycle.new_vertices;
+  const Adaptive_cycle last = cycles.back(), once = loop.at_once();
+  EXPECT_LT(last.new_vertices, last.vertices / 2);
+  EXPECT_LT(double(all), 1.4 * double(last.vertices));
+  EXPECT_NEAR(double(last.vertices), options.nodes, 0.25 * options.nodes);
+  EXPECT_NEAR(double(last.vertices) / double(once.vertices), 1, 0.03);
+  EXPECT_NEAR(last.error.h1 / once.error.h1, 1, 0.03);
+  EXPECT_NEAR(last.estimate / last.error.h1, 1, 0.35);
+  EXPECT_LT(last.error.h1, cycles.front().error.h1 / 10);
+  EXPECT_LT(last.iterations, once.iterations); // from the solution that was carried over
 }

@@ -71,7 +71,7 @@ public:
 
   Vertex_handle add_vertex(const typename Cdt::Point& p)
   {
-    m_new_vertices.reserve(m_new_vertices.size() + 1 + m_new_vertices.size() / 2);
+    make_room_for(1, m_new_vertices);
     m_new_vertices.push_back(m_cdt.tds().create_vertex());
     m_new_vertices.back()->set_point(p);
     return m_new_vertices.back();

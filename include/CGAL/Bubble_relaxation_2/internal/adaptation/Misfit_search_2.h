@@ -13,7 +13,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
+#include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/number_type_config.h>
+#include <CGAL/radius_ratio_2.h>
 
 #include <algorithm>
 #include <array>
@@ -29,6 +31,7 @@ struct Misfit_criteria
 {
   double longest_edge = 1.5, shortest_edge = 0.6; ///< means of the edges of a face, over the size there
   double misfit_angle = 20;                       ///< degrees
+  double misfit_quality = 0;                      ///< the radius ratio q
   std::size_t number_of_rings = 4;
 };
 
@@ -95,18 +98,80 @@ private:
 
   bool is_misfit(Face_handle f) const
   {
-    const auto [mean, sine] = measure(f);
-    return mean > m_criteria.longest_edge || mean < m_criteria.shortest_edge || sine < m_smallest_sine;
+    return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge, m_criteria.shortest_edge);
   }
 
   bool is_slight_misfit(Face_handle f) const
   {
-    const double mean = measure(f).first, cube = mean * mean * mean;
-    return cube > m_criteria.longest_edge || cube < m_criteria.shortest_edge;
+    return is_misfit(f, 0, 0, std::cbrt(m_criteria.longest_edge), std::cbrt(m_criteria.shortest_edge));
   }
 
-  /// the mean length of the edges over the size, and the sine of the smallest angle that is not between two constraints
-  std::pair<double, double> measure(Face_handle f) const
+  /// Whether q is less than this, an angle is less than that of this sine, or edges are longer or shorter than so many
+  /// times the size, and it is not a jump of the sizes that makes it so.
+  bool is_misfit(Face_handle f, double smallest_q, double smallest_sine, double longest, double shortest) const
+  {
+    const Measures m = measure(f);
+    const double size = m_sizes(centroid(f));
+    if (m.length <= longest * size && m.length >= shortest * size && m.sine >= smallest_sine && m.q >= smallest_q)
+      return false;
+    const Size_range range = sizes_around(f, size);
+    return m.length > longest * range.largest || m.length < shortest * range.smallest ||
+           m.sine < smallest_sine * range.flattening() || m.q < smallest_q * range.flattening();
+  }
+
+  struct Measures
+  {
+    double length;   ///< the mean of the edges
+    double sine = 1; ///< of the smallest angle that is not between two constraints
+    double q = 1;    ///< if no angle is
+  };
+
+  struct Size_range
+  {
+    double smallest, largest;
+
+    /// The smallest angle of two large bubbles and a small one that touch each other: its sine over that of 60 degrees.
+    double flattening() const
+    {
+      const double s = smallest / largest; // sides are 2, 1 + s and 1 + s, and the cosine is 1 / (1 + s)
+      return std::sqrt(s * (2 + s)) / (1 + s) / std::sqrt(0.75);
+    }
+  };
+
+  /// The size in the middle of a face. No mesh follows sizes that are too steep: where they are, all is meant that is
+  /// wanted at the corners and beside them, since more cannot be told of what triangles should be like.
+  Size_range sizes_around(Face_handle f, double size) const
+  {
+    Size_range range{size, size};
+    bool is_steep = false;
+    const auto step = [&](double at_p, const Point& p, const Point& q) {
+      constexpr double too_steep = Bubble_relaxation_report_2<double>::steep_size_gradient;
+      const double at_q = m_sizes(q);
+      range.smallest = (std::min)(range.smallest, at_q);
+      range.largest = (std::max)(range.largest, at_q);
+      is_steep = is_steep || std::abs(at_p - at_q) > too_steep * std::sqrt(CGAL::squared_distance(p, q));
+      return at_q;
+    };
+    for (int i = 0; i < 3; ++i) {
+      const Point p = point_in_double(f->vertex(i)->point());
+      const double at_p = step(size, centroid(f), p);
+      auto g = m_cdt.incident_faces(f->vertex(i)), first = g;
+      do
+        if (!m_cdt.is_infinite(g) && m_is_in_domain(g)) // sizes may be known in the domain only
+          for (int k : {1, 2})
+            step(at_p, p, point_in_double(g->vertex((g->index(f->vertex(i)) + k) % 3)->point()));
+      while (++g != first);
+    }
+    return is_steep ? range : Size_range{size, size};
+  }
+
+  static Point centroid(Face_handle f)
+  {
+    return CGAL::centroid(point_in_double(f->vertex(0)->point()), point_in_double(f->vertex(1)->point()),
+                          point_in_double(f->vertex(2)->point()));
+  }
+
+  Measures measure(Face_handle f) const
   {
     std::array<Point, 3> p;
     std::array<double, 3> length; // of the sides opposite to the corners
@@ -116,12 +181,16 @@ private:
       length[i] = std::sqrt(CGAL::squared_distance(p[ccw(i)], p[cw(i)]));
     const double twice_area = std::abs((p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) -
                                        (p[2].x() - p[0].x()) * (p[1].y() - p[0].y()));
-    double sine = 1;
+    Measures result{(length[0] + length[1] + length[2]) / 3};
+    bool is_forced = false;
     for (int i = 0; i < 3; ++i)
-      if (!f->is_constrained(ccw(i)) || !f->is_constrained(cw(i)))
-        if (length[i] <= length[ccw(i)] || length[i] <= length[cw(i)]) // else it may be obtuse
-          sine = (std::min)(sine, twice_area / (length[ccw(i)] * length[cw(i)]));
-    return {(length[0] + length[1] + length[2]) / (3 * m_sizes(CGAL::centroid(p[0], p[1], p[2]))), sine};
+      if (f->is_constrained(ccw(i)) && f->is_constrained(cw(i)))
+        is_forced = true;
+      else if (length[i] <= length[ccw(i)] || length[i] <= length[cw(i)]) // else it may be obtuse
+        result.sine = (std::min)(result.sine, twice_area / (length[ccw(i)] * length[cw(i)]));
+    if (!is_forced && m_criteria.misfit_quality > 0)
+      result.q = CGAL::radius_ratio_2(p[0], p[1], p[2]);
+    return result;
   }
 
   const Cdt& m_cdt;

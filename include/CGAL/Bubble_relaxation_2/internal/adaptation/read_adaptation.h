@@ -42,6 +42,7 @@ Misfit_criteria read_misfit_criteria(const NamedParameters& np)
   take(np, internal_np::longest_edge, c.longest_edge);
   take(np, internal_np::shortest_edge, c.shortest_edge);
   take(np, internal_np::misfit_angle, c.misfit_angle);
+  take(np, internal_np::misfit_quality, c.misfit_quality);
   take_count(np, internal_np::number_of_rings, "number_of_rings", c.number_of_rings, 0, 1000000);
   if (!(c.longest_edge > 1))
     throw_invalid_parameter("longest_edge", c.longest_edge, "greater than 1");
@@ -49,6 +50,8 @@ Misfit_criteria read_misfit_criteria(const NamedParameters& np)
     throw_invalid_parameter("shortest_edge", c.shortest_edge, "not negative and less than 1");
   if (!(c.misfit_angle >= 0 && c.misfit_angle <= 33))
     throw_invalid_parameter("misfit_angle", c.misfit_angle, "0 to 33 degrees");
+  if (!(c.misfit_quality >= 0 && c.misfit_quality <= 0.9))
+    throw_invalid_parameter("misfit_quality", c.misfit_quality, "0 to 0.9");
   return c;
 }
 

@@ -36,7 +36,7 @@ public:
   template <class Is_inside, class Is_pinned>
   Part_input_2(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain, const Is_pinned& is_pinned,
                const Relaxation_options& options, const std::optional<Sizes_2>& sizes)
-    : Part_input_2(cdt, Part_copy_2<Cdt>(cdt, part, is_in_domain), is_pinned, options, sizes)
+    : Part_input_2(cdt, Part_copy_2<Cdt>(cdt, part, is_in_domain), is_in_domain, is_pinned, options, sizes)
   {}
 
   const Part_reading_2<Cdt>& reading() const { return m_reading; }
@@ -51,16 +51,23 @@ private:
   /// Bubbles that are a little too dense stay so. Once that does not show, but many changes of a mesh would add up.
   static constexpr double little = 1.1;
 
-  template <class Is_pinned>
-  Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_pinned& is_pinned, const Relaxation_options& o,
-               const std::optional<Sizes_2>& sizes)
+  template <class Is_inside, class Is_pinned>
+  Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_inside& is_in_domain, const Is_pinned& is_pinned,
+               const Relaxation_options& o, const std::optional<Sizes_2>& sizes)
     : m_options(o), m_reading(cdt, copy, is_pinned),
-      m_wanted(sizes ? no_finer_than_rim(m_reading.domain, *sizes, o.size_growth) : sizes_of_mesh(copy)),
+      m_wanted(sizes ? sizes_from_rim(cdt, is_in_domain, *sizes) : sizes_of_mesh(copy)),
       m_limits(limit_by_outline(m_reading.domain, m_reading.given, m_wanted, o, o.limit_by_outline && sizes))
   {
     m_reading.given.largest_misfit = little;
     if (!m_options.placement_is_given) // then what fits of a mesh is kept
       m_reading.look_around(copy);
+  }
+
+  template <class Is_inside>
+  Sizes_2 sizes_from_rim(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes)
+  {
+    m_reading.given.at_jumps = rim_at_jumps(cdt, is_in_domain, m_reading, sizes);
+    return no_finer_than_rim(m_reading.domain, sizes, m_reading.given.at_jumps, m_options.size_growth);
   }
 
   Relaxation_options m_options;

@@ -66,6 +66,7 @@ CGAL_add_named_parameter(keep_integral_t, keep_integral, keep_integral)
 CGAL_add_named_parameter(longest_edge_t, longest_edge, longest_edge)
 CGAL_add_named_parameter(shortest_edge_t, shortest_edge, shortest_edge)
 CGAL_add_named_parameter(misfit_angle_t, misfit_angle, misfit_angle)
+CGAL_add_named_parameter(misfit_quality_t, misfit_quality, misfit_quality)
 CGAL_add_named_parameter(number_of_rings_t, number_of_rings, number_of_rings)
 
 // names that newer versions of CGAL have

@@ -115,7 +115,8 @@ public:
   void operator()(int turns)
   {
     for (const Size_source_2& s : sizes_of_pieces(m_domain))
-      limit(s.point, s.d);
+      if (!is_at_jump(s.point))
+        limit(s.point, s.d);
     bool is_found = true;
     for (int turn = 0; turn < turns && is_found; ++turn) {
       m_limited.add(m_found);
@@ -134,6 +135,11 @@ private:
 
   /// Sizes that differ by less are left alone: else each turn would find many that are a little smaller.
   static constexpr double notable = 0.9;
+
+  bool is_at_jump(const Point& p) const
+  {
+    return std::binary_search(m_given.at_jumps.begin(), m_given.at_jumps.end(), p);
+  }
 
   void limit_by_width(const Point& p, double width)
   {
@@ -229,6 +235,8 @@ private:
     const double s = ((p - a) * u) / (u * u);
     // along a constraint there is no width
     if ((s <= 0 && mesh.edges[t][cw(i)] != no_index) || (s >= 1 && mesh.edges[t][ccw(i)] != no_index))
+      return;
+    if (is_at_jump(p) || is_at_jump(a) || is_at_jump(b))
       return;
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
     for (const Point& end : {p, foot})

@@ -39,7 +39,8 @@ inline std::vector<double> solve_galerkin(const Galerkin_discretization_2& d, co
   report.number_of_gauss_points = d.cells.size() * d.cell_rule.points_per_cell();
   report.number_of_boundary_points = d.segments.size() * d.segment_rule.size();
 
-  Progress progress(d.options.callback, 1);
+  Progress progress(d.options.callback);
+  progress.remember_stop();
   Phase_timer integration_time(report.integration_seconds);
   Galerkin_system_2 system(d, problem, progress, report);
   try {
