@@ -153,13 +153,13 @@ private:
       return at_q;
     };
     for (int i = 0; i < 3; ++i) {
-      const Point p = point_in_double(f->vertex(i)->point());
+      const Point p = point_in_double<Cdt>(f->vertex(i)->point());
       const double at_p = step(size, centroid(f), p);
       auto g = m_cdt.incident_faces(f->vertex(i)), first = g;
       do
         if (!m_cdt.is_infinite(g) && m_is_in_domain(g)) // sizes may be known in the domain only
           for (int k : {1, 2})
-            step(at_p, p, point_in_double(g->vertex((g->index(f->vertex(i)) + k) % 3)->point()));
+            step(at_p, p, point_in_double<Cdt>(g->vertex((g->index(f->vertex(i)) + k) % 3)->point()));
       while (++g != first);
     }
     return is_steep ? range : Size_range{size, size};
@@ -167,8 +167,8 @@ private:
 
   static Point centroid(Face_handle f)
   {
-    return CGAL::centroid(point_in_double(f->vertex(0)->point()), point_in_double(f->vertex(1)->point()),
-                          point_in_double(f->vertex(2)->point()));
+    return CGAL::centroid(point_in_double<Cdt>(f->vertex(0)->point()), point_in_double<Cdt>(f->vertex(1)->point()),
+                          point_in_double<Cdt>(f->vertex(2)->point()));
   }
 
   Measures measure(Face_handle f) const

@@ -77,7 +77,7 @@ private:
   bool is_steep(Vertex_handle u, Vertex_handle v)
   {
     constexpr double too_steep = Bubble_relaxation_report_2<double>::steep_size_gradient;
-    const Point p = point_in_double(u->point()), q = point_in_double(v->point());
+    const Point p = point_in_double<Cdt>(u->point()), q = point_in_double<Cdt>(v->point());
     return std::abs(size(u, p) - size(v, q)) > too_steep * std::sqrt(CGAL::squared_distance(p, q));
   }
 
