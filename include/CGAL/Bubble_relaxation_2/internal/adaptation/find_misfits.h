@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FIND_MISFITS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/Outline_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Sizes_of_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_check_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/read_adaptation.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
@@ -53,7 +53,7 @@ Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const
   static_assert(Is_given<NamedParameters, internal_np::sizing_function_t>::value,
                 "sizing_function is needed to find out where a mesh does not fit it");
   const Misfit_criteria criteria = read_misfit_criteria(np);
-  const Outline_reading_2<Cdt> outline(cdt, is_in_domain, is_pinned<Cdt>(np), *given_sizes<Cdt>(np), options);
+  const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, is_pinned<Cdt>(np), *given_sizes<Cdt>(np), options);
   Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
   return Misfits_2<Cdt>{search(), outline.sizes()};
 }

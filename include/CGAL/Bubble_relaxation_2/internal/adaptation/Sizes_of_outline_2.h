@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_SIZES_OF_OUTLINE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_SIZES_OF_OUTLINE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
@@ -47,11 +47,11 @@ private:
 
 /// The sizes that a relaxation of the whole domain would follow, found from its outline alone.
 template <class Cdt>
-class Outline_reading_2
+class Sizes_of_outline_2
 {
 public:
   template <class Is_inside, class Is_pinned>
-  Outline_reading_2(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned, const Sizes_2& wanted,
+  Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned, const Sizes_2& wanted,
                     const Relaxation_options& options)
     : m_reading(cdt, Outline_copy_2<Cdt>(cdt, is_in_domain), is_pinned), m_wanted(wanted)
   {
@@ -89,4 +89,4 @@ private:
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_OUTLINE_READING_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_SIZES_OF_OUTLINE_2_H
