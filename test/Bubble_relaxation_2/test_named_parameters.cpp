@@ -18,6 +18,7 @@
 namespace P = CGAL::parameters;
 namespace B = CGAL::Bubble_relaxation_parameters;
 using CGAL::Bubble_relaxation_2::internal::Is_given;
+using CGAL::Bubble_relaxation_2::internal::read_callback;
 using CGAL::Bubble_relaxation_2::internal::read_options;
 
 namespace {
