@@ -17,7 +17,7 @@
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Filtered_kernel.h>
-#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/simplify_outline_2.h>
 
@@ -139,12 +139,13 @@ TEST(Simplify_outline_promises, a_vertex_may_come_into_the_place_of_one_that_is_
   CGAL::simplify_outline_2(without, np);
   const Snapshot wanted = validation::snapshot(without);
   const std::vector<Point> points = points_of(shore);
-  const CGAL::Polygon_2<K> polygon(points.begin(), points.end());
   int tried = 0;
   for (const Xy& p : wanted.vertices) {
     const Outline island{p, {p.first + 1e-4, p.second}, {p.first, p.second + 1e-4}};
-    if (!std::all_of(island.begin(), island.end(),
-                     [&](const Xy& q) { return polygon.has_on_bounded_side(Point(q.first, q.second)); }))
+    const auto is_in_water = [&points](const Xy& q) {
+      return CGAL::bounded_side_2(points.begin(), points.end(), Point(q.first, q.second)) == CGAL::ON_BOUNDED_SIDE;
+    };
+    if (!std::all_of(island.begin(), island.end(), is_in_water))
       continue;
     CDT cdt = make({shore, island});
     const Report report = CGAL::simplify_outline_2(cdt, np);
