@@ -48,9 +48,10 @@ public:
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
   Starting_points_2(Communicator& comm, const Problem_2& problem, const Bubbles_2& points)
     : m_comm(comm), m_domain(problem.whole_domain()), m_given(problem.given),
-      m_outline{m_given.pinned, m_given.on_edge, {}, {}}, m_are_points(comm.any(points.size() > 0)),
-      m_distribution(m_domain, comm)
+      m_are_points(comm.any(points.size() > 0)), m_distribution(m_domain, comm)
   {
+    m_outline.pinned = m_given.pinned;
+    m_outline.on_edge = m_given.on_edge;
     if (m_are_points) {
       distribute(points);
       if (problem.cut != nullptr)
