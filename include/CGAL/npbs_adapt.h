@@ -143,7 +143,7 @@ Where sizes jump, or change by more than half of the distance, no mesh follows t
 one of the sizes that are wanted at its corners and at the neighbours of these.
 
 In a mesh that was made by `npbs_relax()` or `npbs_adapt()` with the same sizes nothing is a misfit, unless they jump by
-more than a factor of three; now and then a defect is found. From misfits the part grows over all faces that hang
+more than a factor of 2.5; now and then a defect is found. From misfits the part grows over all faces that hang
 together with them and are off by the cube root of these factors, so that nothing is left where a change fades out,
 and then by `number_of_rings`.
 

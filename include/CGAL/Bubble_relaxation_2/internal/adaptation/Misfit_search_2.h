@@ -51,11 +51,13 @@ class Misfit_search_2
 {
 public:
   using Face_handle = typename Cdt::Face_handle;
+  using Vertex_handle = typename Cdt::Vertex_handle;
 
   Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Misfit_criteria& criteria,
                   const std::vector<Forced_place_2>& forced)
     : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria), m_forced(forced),
-      m_smallest_sine(std::sin(criteria.misfit_angle * CGAL_PI / 180)), m_numbers(sizeof(typename Cdt::Face))
+      m_smallest_sine(std::sin(criteria.misfit_angle * CGAL_PI / 180)), m_numbers(sizeof(typename Cdt::Face)),
+      m_star_numbers(sizeof(typename Cdt::Vertex))
   {}
 
   std::vector<Face_handle> operator()()
@@ -96,19 +98,19 @@ private:
     });
   }
 
-  bool is_misfit(Face_handle f) const
+  bool is_misfit(Face_handle f)
   {
     return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge, m_criteria.shortest_edge);
   }
 
-  bool is_slight_misfit(Face_handle f) const
+  bool is_slight_misfit(Face_handle f)
   {
     return is_misfit(f, 0, 0, std::cbrt(m_criteria.longest_edge), std::cbrt(m_criteria.shortest_edge));
   }
 
   /// Whether q is less than this, an angle is less than that of this sine, or edges are longer or shorter than so many
   /// times the size, and it is not a jump of the sizes that makes it so.
-  bool is_misfit(Face_handle f, double smallest_q, double smallest_sine, double longest, double shortest) const
+  bool is_misfit(Face_handle f, double smallest_q, double smallest_sine, double longest, double shortest)
   {
     const Measures m = measure(f);
     const double size = m_sizes(centroid(f));
@@ -140,29 +142,69 @@ private:
 
   /// The size in the middle of a face. No mesh follows sizes that are too steep: where they are, all is meant that is
   /// wanted at the corners and beside them, since more cannot be told of what triangles should be like.
-  Size_range sizes_around(Face_handle f, double size) const
+  Size_range sizes_around(Face_handle f, double size)
   {
     Size_range range{size, size};
     bool is_steep = false;
-    const auto step = [&](double at_p, const Point& p, const Point& q) {
-      constexpr double too_steep = Bubble_relaxation_report_2<double>::steep_size_gradient;
-      const double at_q = m_sizes(q);
-      range.smallest = (std::min)(range.smallest, at_q);
-      range.largest = (std::max)(range.largest, at_q);
-      is_steep = is_steep || std::abs(at_p - at_q) > too_steep * std::sqrt(CGAL::squared_distance(p, q));
-      return at_q;
-    };
     for (int i = 0; i < 3; ++i) {
-      const Point p = point_in_double<Cdt>(f->vertex(i)->point());
-      const double at_p = step(size, centroid(f), p);
-      auto g = m_cdt.incident_faces(f->vertex(i)), first = g;
-      do
-        if (!m_cdt.is_infinite(g) && m_is_in_domain(g)) // sizes may be known in the domain only
-          for (int k : {1, 2})
-            step(at_p, p, point_in_double<Cdt>(g->vertex((g->index(f->vertex(i)) + k) % 3)->point()));
-      while (++g != first);
+      const Star& s = star(f->vertex(i));
+      range.smallest = (std::min)(range.smallest, s.range.smallest);
+      range.largest = (std::max)(range.largest, s.range.largest);
+      is_steep = is_steep || s.is_steep || is_too_steep(size, centroid(f), s.size, point_of(f->vertex(i)));
     }
     return is_steep ? range : Size_range{size, size};
+  }
+
+  /// The sizes at a vertex and at its neighbours. Misfits lie side by side and share them, and it may take long to ask
+  /// for.
+  struct Star
+  {
+    double size;
+    bool is_known = false, is_steep = false;
+    Size_range range{};
+  };
+
+  static bool is_too_steep(double at_p, const Point& p, double at_q, const Point& q)
+  {
+    constexpr double too_steep = Bubble_relaxation_report_2<double>::steep_size_gradient;
+    const double difference = at_p - at_q;
+    return difference * difference > too_steep * too_steep * CGAL::squared_distance(p, q);
+  }
+
+  static Point point_of(Vertex_handle v) { return point_in_double<Cdt>(v->point()); }
+
+  Index star_number(Vertex_handle v)
+  {
+    const Index known = m_star_numbers(&*v);
+    if (known != no_index)
+      return known;
+    m_star_numbers.add(&*v);
+    m_stars.push_back(Star{m_sizes(point_of(v))});
+    return static_cast<Index>(m_stars.size()) - 1;
+  }
+
+  const Star& star(Vertex_handle v)
+  {
+    const std::size_t number = static_cast<std::size_t>(star_number(v));
+    if (m_stars[number].is_known)
+      return m_stars[number];
+    Star s = m_stars[number]; // others may be added
+    s.is_known = true;
+    s.range = Size_range{s.size, s.size};
+    const Point p = point_of(v);
+    auto f = m_cdt.incident_faces(v), first = f;
+    do {
+      if (m_cdt.is_infinite(f) || !m_is_in_domain(f)) // sizes may be known in the domain only
+        continue;
+      const int i = f->index(v);
+      for (const Vertex_handle& w : {f->vertex(ccw(i)), f->vertex(cw(i))}) {
+        const double at_w = m_stars[static_cast<std::size_t>(star_number(w))].size;
+        s.range.smallest = (std::min)(s.range.smallest, at_w);
+        s.range.largest = (std::max)(s.range.largest, at_w);
+        s.is_steep = s.is_steep || is_too_steep(s.size, p, at_w, point_of(w));
+      }
+    } while (++f != first);
+    return m_stars[number] = s;
   }
 
   static Point centroid(Face_handle f)
@@ -201,6 +243,8 @@ private:
   double m_smallest_sine;
   Address_numbers m_numbers; // of faces that were found
   std::vector<Face_handle> m_found;
+  Address_numbers m_star_numbers; // of vertices beside misfits
+  std::vector<Star> m_stars;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
