@@ -23,7 +23,7 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// A place in a triangle.
-struct Location_2
+struct Source_location_2
 {
   Index triangle = no_index;
   Weights_3 weights{};
@@ -52,7 +52,7 @@ public:
   }
 
   /// The triangle that contains a point, of several the first one; else the nearest place in any triangle.
-  Location_2 locate(const Point& q) const
+  Source_location_2 locate(const Point& q) const
   {
     Index found = no_index;
     m_tree.for_each_near(q.bbox(), [&](Index s) {
@@ -61,7 +61,7 @@ public:
     });
     if (found == no_index)
       return nearest(q);
-    return Location_2{found, barycentric_weights(m_source, found, q)};
+    return Source_location_2{found, barycentric_weights(m_source, found, q)};
   }
 
 private:
@@ -73,15 +73,15 @@ private:
     return do_overlap(m_source.box(s), q.bbox()); // of a triangle without area all turns may be collinear
   }
 
-  Location_2 nearest(const Point& q) const
+  Source_location_2 nearest(const Point& q) const
   {
-    Location_2 best;
+    Source_location_2 best;
     double bound = std::numeric_limits<double>::infinity();
     m_tree.for_each_nearer(q, bound, [&](Index s) {
       const Nearest_on_sides n(m_source.corners(q, s), Offset_2{0, 0});
       if (n.squared_distance > bound || (n.squared_distance == bound && s > best.triangle))
         return bound;
-      best = Location_2{s, n.weights};
+      best = Source_location_2{s, n.weights};
       return n.squared_distance;
     });
     return best;

@@ -38,7 +38,7 @@ inline std::vector<double> interpolate(const Source_search_2& search, const std:
   parallel_for(
     threads, points.size(),
     [&](std::size_t i) {
-      const Location_2 place = search.locate(points[i]);
+      const Source_location_2 place = search.locate(points[i]);
       const std::array<Index, 3>& v = search.source().triangles[place.triangle];
       const std::array<double, 3> u{values[v[0]], values[v[1]], values[v[2]]};
       Bounds bounds{u[0], u[0]};
