@@ -355,6 +355,8 @@ try {
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
   size = limited_size(domain, arguments, size);
   const Report report = mesh(domain, arguments, size);
+  if (report.number_of_vertices == 0)
+    throw std::runtime_error("interrupted before there were bubbles, nothing is written");
 
   if (arguments.count("quiet") == 0)
     print_statistics(report);
