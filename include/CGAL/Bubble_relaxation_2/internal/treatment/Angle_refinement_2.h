@@ -82,7 +82,7 @@ public:
   /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there.
   std::optional<Steiner_point_2> operator()(Index t)
   {
-    constexpr double least_radius = 0.1;
+    constexpr double least_radius = 0.001;
     const std::optional<Steiner_point_2> point = is_in_crack(t) ? std::nullopt : find(t);
     return point && point->radius > least_radius * m_sizes(point->x, point->y) ? point : std::nullopt;
   }
