@@ -203,7 +203,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNEnd
   \cgalParamNBegin{minimum_angle}
     \cgalParamDescription{where `defect_treatment` leaves a triangle with a smaller angle, in degrees, which is not
-                          that between two edges of the domain, vertices are inserted as by Ruppert's refinement.
+                          that between two edges of the domain, vertices are inserted as by Ruppert's refinement,
+                          as also where two angles of hardly more make q less than 0.55.
                           That ends by proof up to 20.7 degrees if edges meet in 60 degrees or more; if
                           triangles ask for more than n/50 + 100 vertices, for the n that there are, nothing is
                           inserted. Where smaller angles stay is told in \ref BR2_outlines}

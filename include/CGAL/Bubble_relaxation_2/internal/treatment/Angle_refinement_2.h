@@ -20,6 +20,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
+#include <CGAL/Mesh_quality_2.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
@@ -202,7 +203,16 @@ private:
   Index m_hint = 0;
 };
 
-/// Those triangles that have a smaller angle than they need and belong to the domain, or to a rank.
+/// Whether a triangle has a smaller angle than it needs, or two hardly larger ones, so that it is blunt.
+inline bool is_to_be_refined(const Bubble_mesh_2& mesh, Index t, double sine)
+{
+  constexpr double least_quality = 0.55, sine_beyond = 0.545; // with a larger angle no q is less
+  const double smallest = smallest_free_sine(mesh, t);
+  return smallest < sine || (sine > 0 && smallest < sine_beyond &&
+                             radius_ratio_2(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2)) < least_quality);
+}
+
+/// Those triangles that are to be refined and belong to the domain, or to a rank.
 inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bubble_mesh_2& mesh,
                                               const std::vector<char>& is_counted)
 {
@@ -210,7 +220,7 @@ inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bu
   const double sine = std::sin(problem.options.minimum_angle * CGAL_PI / 180);
   for (std::size_t t = 0; t < is_counted.size(); ++t) {
     tick(t);
-    if (is_counted[t] && smallest_free_sine(mesh, static_cast<Index>(t)) < sine)
+    if (is_counted[t] && is_to_be_refined(mesh, static_cast<Index>(t), sine))
       result.push_back(static_cast<Index>(t));
   }
   return result;
