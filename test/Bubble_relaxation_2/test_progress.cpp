@@ -286,6 +286,13 @@ TEST(Progress_of_nodes, phases_and_stops_are_the_same)
   const auto stopped = CGAL::npbs_place_nodes(cdt, P::sizing_function(0.1).callback([](double) { return false; }));
   EXPECT_EQ(stopped.report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
   EXPECT_EQ(stopped.size(), 0u);
+  Log of_third;
+  const auto untreated = CGAL::npbs_place_nodes(
+    cdt, P::sizing_function(0.1).visitor(std::ref(of_third)).callback([&of_third](double) {
+      return of_third.phases.back() != Bubble_phase::TREATMENT;
+    }));
+  EXPECT_EQ(untreated.report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
+  EXPECT_GT(untreated.size(), 100u);
 }
 
 TEST(Progress_of_adaptation, may_be_stopped_without_a_trace)

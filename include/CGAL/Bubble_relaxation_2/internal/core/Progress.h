@@ -24,8 +24,7 @@ namespace CGAL {
 template <class FT_>
 struct Bubble_relaxation_report_2;
 
-namespace Bubble_relaxation_2 {
-namespace internal {
+namespace Bubble_relaxation_2::internal {
 
 struct Bubbles_2;
 
@@ -62,16 +61,6 @@ void tell_that_it_was_stopped(Report& report)
   report.converged = false;
 }
 
-/// A visitor of the user's, without its type.
-class Observer
-{
-public:
-  virtual ~Observer() = default;
-  virtual void phase_begins(Bubble_phase) = 0;
-  virtual void step_ends(const Bubbles_2&) = 0;
-  virtual void round_ends(const Bubble_relaxation_report_2<double>&) = 0;
-};
-
 /// Does what a callback may stop.
 template <class Report, class Work>
 void do_unless_stopped(Report& report, const Work& work)
@@ -82,6 +71,16 @@ void do_unless_stopped(Report& report, const Work& work)
     tell_that_it_was_stopped(report);
   }
 }
+
+/// A visitor of the user's, without its type.
+class Observer
+{
+public:
+  virtual ~Observer() = default;
+  virtual void phase_begins(Bubble_phase) = 0;
+  virtual void step_ends(const Bubbles_2&) = 0;
+  virtual void round_ends(const Bubble_relaxation_report_2<double>&) = 0;
+};
 
 /// Passes progress in [0, 1], never falling, to the user's callback, and stops all when it says so.
 class Progress
@@ -196,8 +195,7 @@ inline void tick(std::size_t i)
 /// whether the user wants all to stop, so that what need not be done may be left
 inline bool is_stop_wanted() { return progress_of_thread != nullptr && progress_of_thread->is_stopped(); }
 
-} // namespace internal
-} // namespace Bubble_relaxation_2
+} // namespace Bubble_relaxation_2::internal
 } // namespace CGAL
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_PROGRESS_H

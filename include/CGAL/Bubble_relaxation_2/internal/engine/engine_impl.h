@@ -79,8 +79,6 @@ Bubble_mesh_2 make_mesh(const Problem_2& problem, Report& report)
   Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, report), report);
   if (problem.cut != nullptr)
     problem.cut->join(mesh);
-  if (problem.options.progress->is_stopped())
-    tell_that_it_was_stopped(report);
   problem.options.progress->start_phase(Bubble_phase::EVALUATION);
   evaluate(mesh, problem, report);
   return mesh;

@@ -245,14 +245,16 @@ inline Bubble_mesh_2 triangulate_and_treat(const Problem_2& problem, Bubbles_2 b
   problem.options.progress->start_phase(Bubble_phase::TREATMENT);
   Bubble_mesh_2 mesh{std::move(bubbles), {}};
   triangulate(problem.domain, mesh);
-  if (!is_treatment_due(problem.options, report))
-    return mesh;
-  Treatment_counts counts = treat_defects(problem.domain, problem.options, mesh);
-  if (keeps_given_bubbles(problem.options))
-    keep_the_better(problem, mesh, counts);
-  if (problem.options.population != Bubble_population::NONE)
-    counts.inserted += refine_small_angles(problem, mesh);
-  counts.add_to(report);
+  if (is_treatment_due(problem.options, report)) {
+    Treatment_counts counts = treat_defects(problem.domain, problem.options, mesh);
+    if (keeps_given_bubbles(problem.options))
+      keep_the_better(problem, mesh, counts);
+    if (problem.options.population != Bubble_population::NONE)
+      counts.inserted += refine_small_angles(problem, mesh);
+    counts.add_to(report);
+  }
+  if (is_stop_wanted()) // what was left of it was not done
+    tell_that_it_was_stopped(report);
   return mesh;
 }
 
