@@ -222,6 +222,22 @@ TEST(Distributed_faults, one_rank_stops_all)
   EXPECT_EQ(properties(points), before);
 }
 
+TEST(Distributed_faults, one_rank_stops_all_in_the_treatment)
+{
+  const Case c;
+  Points points = users_points();
+  const std::set<std::string> before = properties(points);
+  const auto callback = [](double progress) { return !is_last() || progress < 0.75; }; // where the treatment begins
+  const auto relaxation = CGAL::Distributed::npbs_relax(
+    points, c.cdt, MPI_COMM_WORLD, few_steps().sizing_function(c.domain.d).callback(callback));
+  EXPECT_EQ(relaxation.report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
+  EXPECT_FALSE(relaxation.report.converged);
+  EXPECT_TRUE(relaxation.neighbors.empty());
+  EXPECT_EQ(points.number_of_points(), 0u);
+  EXPECT_EQ(points.number_of_removed_points(), 1u);
+  EXPECT_EQ(properties(points), before);
+}
+
 TEST(Distributed_faults, a_callback_on_one_rank_only)
 {
   const Case c;

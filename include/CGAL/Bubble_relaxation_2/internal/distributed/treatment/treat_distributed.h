@@ -318,15 +318,17 @@ inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubb
   options.progress->start_phase(Bubble_phase::TREATMENT);
   const Distributed_treatment_2 treat(problem.domain, part.partition, comm);
   Distributed_mesh_2 mesh = treat.triangulate(part.bubbles);
-  if (!is_treatment_due(options, report))
-    return mesh;
-  const bool may_operate = options.population != Bubble_population::NONE;
-  Treatment_counts counts = treat(mesh, may_operate);
-  if (keeps_given_bubbles(options))
-    keep_the_better_of_all(problem, points, may_operate, comm, mesh, counts);
-  if (may_operate)
-    counts.inserted += refine_small_angles_of_all(problem, part.partition, comm, mesh);
-  counts.add_to(report);
+  if (is_treatment_due(options, report)) {
+    const bool may_operate = options.population != Bubble_population::NONE;
+    Treatment_counts counts = treat(mesh, may_operate);
+    if (keeps_given_bubbles(options))
+      keep_the_better_of_all(problem, points, may_operate, comm, mesh, counts);
+    if (may_operate)
+      counts.inserted += refine_small_angles_of_all(problem, part.partition, comm, mesh);
+    counts.add_to(report);
+  }
+  if (comm.any(is_stop_wanted())) // what was left of it was not done
+    tell_that_it_was_stopped(report);
   return mesh;
 }
 

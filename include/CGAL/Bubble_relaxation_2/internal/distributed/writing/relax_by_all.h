@@ -90,8 +90,10 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   const Placed_part_2 part = simulate_distributed(ranks, problem, report, given);
   ranks.agree(); // the callback may have thrown, or d after the last step
   reduce<std::int64_t>(ranks, counts_of_rank(report), MPI_SUM);
+  Distributed_mesh_2 mesh;
+  if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK)
+    mesh = treat_distributed(problem, given, part, ranks, report);
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK) {
-    Distributed_mesh_2 mesh = treat_distributed(problem, given, part, ranks, report);
     if (problem.cut != nullptr)
       mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
     input->options.progress->start_phase(Bubble_phase::EVALUATION);
