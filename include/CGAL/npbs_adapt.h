@@ -191,7 +191,8 @@ as `npbs_relax()` does.
 
 \returns the faces, each once, in no particular order; none if all fit
 
-\throws std::invalid_argument if a parameter is out of its range, or as `npbs_relax()` does for sizes and outlines
+\throws std::invalid_argument if a parameter is out of its range, if faces have marks and none is marked as one of the
+domain, or as `npbs_relax()` does for sizes and outlines
 
 \sa `npbs_adapt()`
 */

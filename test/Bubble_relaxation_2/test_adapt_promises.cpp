@@ -292,6 +292,9 @@ TEST(Adapt_errors, bad_input_is_told_before_any_change)
   line.insert(Point(1, 0));
   expect_invalid([&] { CGAL::npbs_remesh_faces(line, part, size(0.1)); }, {"faces", "dimension is 1"});
   EXPECT_TRUE(Content<CDT>(cdt) == before);
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    f->set_in_domain(false);
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1)); }, {"no face", "marked", "npbs_relax"});
 }
 
 namespace {

@@ -16,7 +16,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
+#include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -46,6 +48,16 @@ inline void tell_that_all_fits(Report& report)
   report.stop_reason = Bubble_stop_reason::CONVERGED;
 }
 
+/// \throws std::invalid_argument if no face is of the domain
+template <class Cdt, class Is_inside>
+void check_has_domain(const Cdt& cdt, const Is_inside& is_in_domain)
+{
+  const auto faces = cdt.finite_face_handles();
+  if (std::none_of(faces.begin(), faces.end(), [&](auto f) { return is_in_domain(f); }))
+    throw std::invalid_argument("Bubble_relaxation_2: no face of the triangulation is marked as one of the domain; "
+                                "npbs_relax() marks them");
+}
+
 template <class Cdt, class Is_inside, class NamedParameters>
 Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_options& options,
                             const NamedParameters& np)
@@ -53,6 +65,7 @@ Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const
   static_assert(Is_given<NamedParameters, internal_np::sizing_function_t>::value,
                 "sizing_function is needed to find out where a mesh does not fit it");
   const Misfit_criteria criteria = read_misfit_criteria(np);
+  check_has_domain(cdt, is_in_domain);
   const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, is_pinned<Cdt>(np), *given_sizes<Cdt>(np), options);
   Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
   return Misfits_2<Cdt>{search(), outline.sizes()};
