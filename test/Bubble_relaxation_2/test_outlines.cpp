@@ -396,7 +396,7 @@ TEST_F(Outlines, small_angles_are_refined)
 {
   // after one round there is something left to refine, if no less than about what can be had is asked for
   constexpr double degrees = 33;
-  std::size_t number_of_refined = 0, number_of_good = 0;
+  std::size_t number_of_refined = 0, number_of_good = 0, obtuse_before = 0, obtuse_after = 0;
   for (unsigned k = 0; k < 20; ++k) {
     SCOPED_TRACE(k);
     std::set<Point> places;
@@ -419,12 +419,15 @@ TEST_F(Outlines, small_angles_are_refined)
     }
     if (with.number_of_vertices > without.number_of_vertices) {
       ++number_of_refined;
+      obtuse_before += without.quality.number_of_obtuse_triangles();
+      obtuse_after += with.quality.number_of_obtuse_triangles();
       EXPECT_GE(Free_triangles(fine, sharp).smallest_angle, Free_triangles(coarse, sharp).smallest_angle);
     } else {
       EXPECT_EQ(validation::triangles(fine), validation::triangles(coarse)); // taken back if it does not end
     }
   }
   EXPECT_GT(number_of_refined, 0u);
+  EXPECT_LE(obtuse_after, obtuse_before); // what refinement leaves is treated
   EXPECT_GE(number_of_good, 10u); // beyond 20.7 degrees refinement does not always end
 }
 

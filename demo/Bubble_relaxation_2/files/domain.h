@@ -142,6 +142,18 @@ void flood(CDT::Face_handle f, const Visit& visit)
   }
 }
 
+/// a place where an outline may have been meant to go on; empty if there is none
+inline std::string open_end_in_words(const CDT& cdt)
+{
+  for (CDT::Vertex_handle v : cdt.finite_vertex_handles()) {
+    std::vector<CDT::Edge> constraints;
+    cdt.incident_constraints(v, std::back_inserter(constraints));
+    if (constraints.size() == 1)
+      return "; only one segment ends at " + to_string(v->point());
+  }
+  return "";
+}
+
 /// Marks the faces that are reached neither from outside nor from holes.
 inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
 {
@@ -166,7 +178,8 @@ inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
   }
   if (is_empty)
     throw std::runtime_error(
-      "no face lies in the domain: the segments close no region, or all regions are holes");
+      "no face lies in the domain: the segments close no region, or all regions are holes" +
+      open_end_in_words(domain.cdt));
 }
 
 /// the marker of a constrained edge of `domain.cdt`

@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_parameters.h>
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -117,6 +118,9 @@ private:
       throw_dimension(dimension, number_of_vertices);
     return cdt;
   }
+
+  /// a place where an outline may have been meant to go on; empty if there is none
+  std::string open_end_in_words() const;
 
   void check_side(Index t, int i) const;
 

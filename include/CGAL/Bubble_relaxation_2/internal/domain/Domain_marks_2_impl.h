@@ -64,12 +64,28 @@ void Marked_copy_2::check_domain() const
 {
   if (m_number_of_faces == 0)
     throw std::invalid_argument("Bubble_relaxation_2: no face lies in the domain: the constraints close no "
-                                "region, or all regions are holes");
+                                "region, or all regions are holes" + open_end_in_words());
   for (std::size_t t = 0; t < tr.inside.size(); ++t) {
     tick(t);
     for (int i = 0; i < 3 && tr.inside[t]; ++i)
       check_side(static_cast<Index>(t), i);
   }
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+std::string Marked_copy_2::open_end_in_words() const
+{
+  std::vector<int> number_of_constraints(tr.points.size(), 0);
+  for (std::size_t t = 0; t < tr.inside.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      if (is_constrained(static_cast<Index>(t), i) && tr.neighbors[t][i] < static_cast<Index>(t)) // each once
+        for (int end : {ccw(i), cw(i)})
+          ++number_of_constraints[tr.vertices[t][end]];
+  const Point* open = nullptr;
+  for (std::size_t v = 0; v < tr.points.size(); ++v)
+    if (number_of_constraints[v] == 1 && (open == nullptr || tr.points[v] < *open))
+      open = &tr.points[v];
+  return open == nullptr ? "" : "; only one constraint ends at " + in_words(open->x(), open->y());
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

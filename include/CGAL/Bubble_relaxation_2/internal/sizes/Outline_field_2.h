@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_FIELD_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_FIELD_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
 
@@ -89,6 +90,7 @@ private:
     template <class Divide>
     void operator()(const Tree::Square& c, const Range& around, Range& leaf, const Divide& divide)
     {
+      tick();
       // within the cell two sources cannot change their order if they differ by more than this
       const double slack = 2 * m_field.m_growth * std::sqrt(2.) * c.half;
       const double least = find_sizes(c, around);

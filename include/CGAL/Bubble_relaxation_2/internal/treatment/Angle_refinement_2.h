@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -223,6 +224,16 @@ inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bu
     if (is_counted[t] && is_to_be_refined(mesh, static_cast<Index>(t), sine))
       result.push_back(static_cast<Index>(t));
   }
+  return result;
+}
+
+/// How many triangles of a mesh are to be refined, and how far their smallest sine is from 1: the less the better.
+inline std::pair<std::int64_t, double> left_to_refine(const Problem_2& problem, const Bubble_mesh_2& mesh,
+                                                      const std::vector<char>& is_counted)
+{
+  std::pair<std::int64_t, double> result{0, 0};
+  for (Index t : triangles_to_refine(problem, mesh, is_counted))
+    result = {result.first + 1, (std::max)(result.second, 1 - smallest_free_sine(mesh, t))};
   return result;
 }
 

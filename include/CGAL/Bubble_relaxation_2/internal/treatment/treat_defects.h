@@ -231,6 +231,21 @@ inline void keep_the_better(const Problem_2& problem, Bubble_mesh_2& mesh, Treat
   mesh = std::move(given);
 }
 
+/// Refines, and treats what has come of it: new vertices stand where angles ask for them, not where they fit in best.
+inline void refine_and_treat(const Problem_2& problem, Bubble_mesh_2& mesh, Treatment_counts& counts)
+{
+  const std::size_t inserted = refine_small_angles(problem, mesh);
+  if (inserted == 0)
+    return;
+  counts.inserted += inserted;
+  Bubble_mesh_2 treated = mesh;
+  const Treatment_counts more = treat_defects(problem.domain, problem.options, treated);
+  if (left_to_refine(problem, mesh, mesh.triangles.inside) < left_to_refine(problem, treated, treated.triangles.inside))
+    return;
+  mesh = std::move(treated);
+  counts += more;
+}
+
 /// whether there is a result of a simulation to be treated
 inline bool is_treatment_due(const Relaxation_options& options, const Report& report)
 {
@@ -250,7 +265,7 @@ inline Bubble_mesh_2 triangulate_and_treat(const Problem_2& problem, Bubbles_2 b
     if (keeps_given_bubbles(problem.options))
       keep_the_better(problem, mesh, counts);
     if (problem.options.population != Bubble_population::NONE)
-      counts.inserted += refine_small_angles(problem, mesh);
+      refine_and_treat(problem, mesh, counts);
     counts.add_to(report);
   }
   if (is_stop_wanted()) // what was left of it was not done

@@ -308,6 +308,28 @@ inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hi
   return result;
 }
 
+/// Collective. `refine_and_treat()` by ranks.
+inline void refine_and_treat_of_all(const Problem_2& problem, const Distributed_treatment_2& treat,
+                                    const Hilbert_partition_2& partition, Communicator& comm, Distributed_mesh_2& mesh,
+                                    Treatment_counts& counts)
+{
+  const std::size_t inserted = refine_small_angles_of_all(problem, partition, comm, mesh);
+  if (inserted == 0)
+    return;
+  counts.inserted += inserted;
+  Distributed_mesh_2 treated = treat.triangulate(own_bubbles(mesh, comm.rank()));
+  const Treatment_counts more = treat(treated, true);
+  const auto left = [&](const Distributed_mesh_2& m) {
+    std::pair<std::int64_t, double> result;
+    comm.agree_after([&] { result = left_to_refine(problem, m, m.is_owned); });
+    return std::pair(comm.sum(result.first), comm.largest(result.second));
+  };
+  if (left(mesh) < left(treated))
+    return;
+  mesh = std::move(treated);
+  counts += more;
+}
+
 /// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
 inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
@@ -324,7 +346,7 @@ inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubb
     if (keeps_given_bubbles(options))
       keep_the_better_of_all(problem, points, may_operate, comm, mesh, counts);
     if (may_operate)
-      counts.inserted += refine_small_angles_of_all(problem, part.partition, comm, mesh);
+      refine_and_treat_of_all(problem, treat, part.partition, comm, mesh, counts);
     counts.add_to(report);
   }
   if (comm.any(is_stop_wanted())) // what was left of it was not done
