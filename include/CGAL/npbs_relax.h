@@ -276,6 +276,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     const Progress_scope scope(*progress);
     do_unless_stopped(report, [&] {
       const Input_2<CDT> input(cdt, pack, progress);
+      const Tags_2 tags(pack, cdt, input.reading);
       const Problem_2 problem = input.problem();
       reading_time.stop();
       const Bubble_mesh_2 mesh = make_mesh(problem, report);
@@ -284,7 +285,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       progress->report(1);
       // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
       Restore_on_throw<CDT> guard(cdt);
-      write_mesh(cdt, input.reading, mesh, elevations, report);
+      write_mesh(cdt, input.reading, mesh, elevations, tags, report);
       guard.all_went_well();
     });
     return Bubble_relaxation_report_2<FT>(report);

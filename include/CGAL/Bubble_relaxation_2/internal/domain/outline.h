@@ -46,6 +46,20 @@ inline std::vector<Index> bubbles_on_corners(const Domain_2& domain, const Bubbl
   return on_corner;
 }
 
+/// The edge of the domain that has the piece between two bubbles.
+inline Index edge_of_piece(const Domain_2& domain, const Bubbles_2& b, Index i, Index j)
+{
+  if (b.is_on_edge(i))
+    return b.host[i];
+  return b.is_on_edge(j) ? b.host[j] : domain.edge_between(b.host[i], b.host[j]);
+}
+
+/// where a bubble is on an edge of the domain, or at an end of it: 0 at its source, 1 at its target
+inline double position_on(const Domain_2& domain, const Bubbles_2& b, Index edge, Index i)
+{
+  return b.is_on_edge(i) ? b.s[i] : b.host[i] == domain.edges()[edge].source ? 0 : 1;
+}
+
 /// The edges of the domain cut at their bubbles, between indices of bubbles.
 inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubbles_2& b)
 {

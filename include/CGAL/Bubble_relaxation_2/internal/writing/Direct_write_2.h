@@ -61,12 +61,14 @@ public:
     return known == cdt.number_of_vertices() && !reading.graph->touches_other_constraints();
   }
 
-  void operator()()
+  template <class Tags>
+  void operator()(const Tags& tags)
   {
     m_cdt.tds().faces().clear();
     make_vertices();
     make_triangles();
     surround_hull();
+    tags.write([this](const auto& visit) { this->for_each_piece(visit); });
   }
 
 private:
@@ -132,6 +134,22 @@ private:
     for (std::size_t k = 0; k < hull.size(); ++k)
       m_cdt.tds().set_adjacency(face(hull[k]), 0, face(ending_at[sources[k]]), 1);
     infinite->set_face(face(hull.front()));
+  }
+
+  /// what `Tags_2::write()` wants to know
+  template <class Visit>
+  void for_each_piece(const Visit& visit) const
+  {
+    for (std::size_t t = 0; t < m_mesh.number_of_triangles(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        if (m_mesh.edges[t][i] == no_index || m_mesh.neighbors[t][i] > static_cast<Index>(t))
+          continue; // no edge of the domain, or it is seen from the other side
+        const Index a = m_mesh.vertices[t][ccw(i)], b = m_mesh.vertices[t][cw(i)];
+        const Index e = edge_of_piece(m_reading.domain, m_bubbles, a, b);
+        const bool a_comes_first =
+          position_on(m_reading.domain, m_bubbles, e, a) < position_on(m_reading.domain, m_bubbles, e, b);
+        visit(typename Cdt::Edge(face(m_faces[t]), i), vertex(a_comes_first ? a : b), static_cast<std::size_t>(e));
+      }
   }
 
   Vertex_handle vertex(Index bubble) const { return Handles<Cdt>::vertex(m_vertices[bubble]); }
