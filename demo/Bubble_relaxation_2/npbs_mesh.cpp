@@ -31,6 +31,7 @@
 #include <csignal>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -79,8 +80,8 @@ po::options_description all_options()
     ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele "
                                         "with its .node; - is standard input")
     ("format,f", po::value<std::string>()->default_value(""), "poly or wkt, whatever the ending")
-    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x and y; default: that of "
-                                         "the domain's own edges")
+    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y and region, the attribute of a "
+                                         "region of the domain; default: that of the domain's own edges")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
     ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),
@@ -199,7 +200,7 @@ using Size = std::function<double(const Point&)>;
 
 /// calls npbs_relax with what the arguments say, on top of `parameters`
 template <class Parameters>
-Report relax(Domain& domain, const po::variables_map& arguments, const Size& size,
+Report relax(Domain& domain, const Region_map& regions, const po::variables_map& arguments, const Size& size,
              const Parameters& parameters)
 {
   namespace np = CGAL::internal_np;
@@ -212,6 +213,8 @@ Report relax(Domain& domain, const po::variables_map& arguments, const Size& siz
       .size_growth(arguments["size-growth"].as<double>())
       .minimum_angle(arguments["minimum-angle"].as<double>())
       .vertex_is_constrained_map(Pinned(domain.pinned))
+      .edge_marker_map(Segment_marker_map{&domain})
+      .face_region_map(regions)
       .concurrency_tag(CGAL::Parallel_if_available_tag())
       .callback([&bar](double fraction) {
         bar.show(fraction);
@@ -254,23 +257,23 @@ std::string input_name(const po::variables_map& arguments)
 
 /// The size, limited as --gradation asks.
 /// \throws std::runtime_error with the name of the input
-Size limited_size(const Domain& domain, const po::variables_map& arguments, const Size& size)
+Size limited_size(Domain& domain, const po::variables_map& arguments, const Size& size)
 try {
   using Limited = CGAL::Gradation_limited_sizing_field_2<CDT>;
   using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
   if (arguments.count("gradation") == 0)
     return size;
   const double g = arguments["gradation"].as<double>();
-  const auto pinned = CGAL::parameters::vertex_is_constrained_map(Pinned(domain.pinned));
   if (!size)
-    return Limited(domain.cdt, g, pinned);
+    return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::vertex_is_constrained_map(Pinned(domain.pinned))
+                                    .edge_marker_map(Segment_marker_map{&domain}));
   return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::sizing_function(size));
 } catch (const std::exception& e) {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
 /// \throws std::runtime_error with the name of the input
-Report mesh(Domain& domain, const po::variables_map& arguments, const Size& size)
+Report mesh(Domain& domain, const Region_map& regions, const po::variables_map& arguments, const Size& size)
 try {
 #ifdef CGAL_LINKED_WITH_TBB
   const int threads = arguments["threads"].as<int>();
@@ -280,18 +283,28 @@ try {
                 : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 #endif
   return arguments.count("paper") > 0
-           ? relax(domain, arguments, size, CGAL::npbs_paper_parameters())
-           : relax(domain, arguments, size, CGAL::parameters::force_coefficient(1.));
+           ? relax(domain, regions, arguments, size, CGAL::npbs_paper_parameters())
+           : relax(domain, regions, arguments, size, CGAL::parameters::force_coefficient(1.));
+} catch (const std::exception& e) {
+  throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
+}
+
+/// The sizes that --size asks for, nothing without it.
+/// \throws std::runtime_error with the name of the input
+Size wanted_size(const Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula)
+try {
+  return formula ? size_in_domain(*formula, domain) : Size();
 } catch (const std::exception& e) {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
 /// Replaces the outline if --tolerance asks for it, and tells what it was replaced by.
 /// \throws std::runtime_error with the name of the input
-void simplify(Domain& domain, const po::variables_map& arguments, const Size& size)
+void simplify(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula)
 try {
   if (arguments.count("tolerance") == 0)
     return;
+  const Size size = wanted_size(domain, arguments, formula);
   const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
                                                 .relative_outline_tolerance(arguments["tolerance"].as<double>())
                                                 .minimum_island_area(arguments["min-island"].as<double>())
@@ -304,11 +317,11 @@ try {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
-void write_files(const Domain& domain, const Segment_markers& markers, const Report& report,
+void write_files(const Domain& domain, const Region_map& regions, const Report& report,
                  const po::variables_map& arguments, const Size& size)
 {
   if (arguments.count("output") > 0)
-    write_mesh_file(arguments["output"].as<std::string>(), make_mesh_arrays(domain, markers, size));
+    write_mesh_file(arguments["output"].as<std::string>(), make_mesh_arrays(domain, regions, size));
   if (arguments.count("picture") > 0) {
     Svg_picture picture;
     picture.add_mesh(domain.cdt, "mesh, coloured by q");
@@ -340,9 +353,9 @@ int main(int argc, char** argv)
 try {
   const po::variables_map arguments = read_arguments(argc, argv);
   check_arguments(arguments);
-  Size size;
+  std::optional<Size_formula> formula;
   if (arguments.count("size") > 0)
-    size = Size_formula(arguments["size"].as<std::string>());
+    formula.emplace(arguments["size"].as<std::string>());
   Domain domain =
     read_domain_file(arguments["input"].as<std::string>(), arguments["format"].as<std::string>());
   const auto warn = [&](const std::string& text) {
@@ -350,11 +363,11 @@ try {
   };
   for (const std::string& warning : domain.warnings)
     warn(warning);
-  simplify(domain, arguments, size);
-  const Segment_markers markers(domain);
+  simplify(domain, arguments, formula);
+  const Region_map regions = region_attributes(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
-  size = limited_size(domain, arguments, size);
-  const Report report = mesh(domain, arguments, size);
+  const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula));
+  const Report report = mesh(domain, regions, arguments, size);
   if (report.number_of_vertices == 0)
     throw std::runtime_error("interrupted before there were bubbles, nothing is written");
 
@@ -366,7 +379,7 @@ try {
     std::cerr << "npbs_mesh: hint: " << input_name(arguments) << ": "
               << forced_by_outline_message(report, arguments.count("tolerance") > 0) << '\n';
   warn_of_mesh(domain, report, arguments, size, warn);
-  write_files(domain, markers, report, arguments, size);
+  write_files(domain, regions, report, arguments, size);
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';
   return 1;

@@ -77,16 +77,16 @@ public:
   /*!
   reads the regions.
 
-  \tparam FaceRegionMap a model of `ReadablePropertyMap` with `CDT::Face_handle` as key and a value that can be copied and
-  compared by `==`
+  \tparam FaceRegionMap a model of `ReadablePropertyMap` with `CDT::Face_handle` as key and a value that can be
+  copied and compared by `==`
   \tparam SizeOfRegion a function object, called as a constant with a region, or with a region and a `Point_2`, that
   returns a number; by several threads at once with `Parallel_tag`. It is copied
 
   \param cdt the domain, as for `npbs_relax()`
   \param regions the regions of the domain's faces
   \param size the wanted length of edges in a region
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `seeds` and `seeds_are_in_domain` as for
-  `npbs_relax()`
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `seeds` and `seeds_are_in_domain` as
+  for `npbs_relax()`
 
   \throws std::invalid_argument as `npbs_relax()` if there is no domain
   */

@@ -271,11 +271,12 @@ its vertices coincide, when they are rounded to `double`
 on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is
 too flat for the numbers of the kernel
 
-Exceptions of the sizing function, of the elevation function, of the callback and of property maps pass through. All calls
-of them and of the ranges, but for `put()`, come before the first change of `cdt`: after their exceptions, and after those
-listed above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the identifiers
-of its constraints. After `std::bad_alloc`, an exception of CGAL or of `put()`, or a `std::runtime_error` while the mesh is
-written, `cdt` has the content that it had, but all handles and identifiers of constraints are invalid.
+Exceptions of the sizing function, of the elevation function, of the callback and of property maps pass through. All
+calls of them and of the ranges, but for `put()`, come before the first change of `cdt`: after their exceptions, and
+after those listed above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the
+identifiers of its constraints. After `std::bad_alloc`, an exception of CGAL or of `put()`, or a `std::runtime_error`
+while the mesh is written, `cdt` has the content that it had, but all handles and identifiers of constraints are
+invalid.
 
 \sa `npbs_place_nodes()`
 \sa `refine_Delaunay_mesh_2()`
