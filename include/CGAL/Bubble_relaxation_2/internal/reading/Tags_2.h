@@ -71,6 +71,32 @@ void forget_if_possible([[maybe_unused]] const Map& map, [[maybe_unused]] const 
     forget(map, key);
 }
 
+/// the type of a user's markers, `int` if there are none
+template <class NamedParameters, bool = Tag_maps<NamedParameters>::has_markers>
+struct Marker_type
+{
+  using type = Map_value<decltype(std::declval<Tag_maps<NamedParameters>>().markers())>;
+};
+
+template <class NamedParameters>
+struct Marker_type<NamedParameters, false>
+{
+  using type = int;
+};
+
+/// the same of regions
+template <class NamedParameters, bool = Tag_maps<NamedParameters>::has_regions>
+struct Region_type
+{
+  using type = Map_value<decltype(std::declval<Tag_maps<NamedParameters>>().regions())>;
+};
+
+template <class NamedParameters>
+struct Region_type<NamedParameters, false>
+{
+  using type = int;
+};
+
 /// Finds the vertices at which the user's markers of constraints change: they are not mere splits of a line.
 template <class NamedParameters>
 struct Marker_changes
@@ -132,23 +158,12 @@ class Tags_2
   using Face_handle = typename Cdt::Face_handle;
   using Chain = Constraint_graph_2::Chain;
 
-  /// the values of a map, if there is one
-  template <bool is_given, class Map>
-  struct Values_of
-  {
-    using type = std::vector<std::optional<Map_value<Map>>>;
-  };
-
-  template <class Map>
-  struct Values_of<false, Map>
-  {
-    using type = std::vector<std::optional<char>>;
-  };
-
-  using Markers = typename Values_of<Maps::has_markers, decltype(std::declval<Maps>().markers())>::type;
-  using Regions = typename Values_of<Maps::has_regions, decltype(std::declval<Maps>().regions())>::type;
-
 public:
+  using Marker = typename Marker_type<NamedParameters>::type;
+  using Region = typename Region_type<NamedParameters>::type;
+
+  static constexpr bool has_markers = Maps::has_markers, has_regions = Maps::has_regions;
+
   /// `reading`: of the triangulation, whose chains get what their first edges have, and the faces beside these
   template <class Reading>
   Tags_2(const NamedParameters& np, [[maybe_unused]] const Cdt& cdt, [[maybe_unused]] const Reading& reading) : m_maps(np)
@@ -157,6 +172,13 @@ public:
       for (const Chain& c : reading.graph->chains())
         read(cdt, c, path_of(reading, c));
   }
+
+  /// of each chain
+  const std::vector<std::optional<Marker>>& markers() const { return m_markers; }
+
+  /// on the sides of each chain that lie in the domain, seen from its source
+  const std::vector<std::optional<Region>>& left() const { return m_left; }
+  const std::vector<std::optional<Region>>& right() const { return m_right; }
 
   /// Takes what is about to go out of the user's maps, which else would hold more and more.
   template <class Reading>
@@ -266,8 +288,8 @@ private:
   }
 
   Maps m_maps;
-  Markers m_markers;       // of the chains
-  Regions m_left, m_right; // of the faces beside them, in the domain
+  std::vector<std::optional<Marker>> m_markers;       // of the chains
+  std::vector<std::optional<Region>> m_left, m_right; // of the faces beside them
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
