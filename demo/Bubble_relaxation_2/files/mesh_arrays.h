@@ -82,6 +82,21 @@ add_triangles(const Domain& domain, const Region_map& regions, Mesh_arrays& mesh
   return numbers;
 }
 
+/// Gives edges on the boundary a marker if they have none, and points without one that of an edge.
+/// \param is_boundary of each edge
+inline void complete_markers(Mesh_arrays& mesh, const std::vector<char>& is_boundary)
+{
+  const std::vector<int> own_markers = mesh.point_markers;
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+    int& marker = mesh.edge_markers[k];
+    if (marker == 0 && is_boundary[k])
+      marker = 1;
+    for (const std::size_t i : mesh.edges[k])
+      if (own_markers[i] == 0)
+        mesh.point_markers[i] = (std::max)(mesh.point_markers[i], marker);
+  }
+}
+
 /// \param regions of the faces
 /// \param size d, or nothing
 inline Mesh_arrays make_mesh_arrays(const Domain& domain, const Region_map& regions,
@@ -89,21 +104,17 @@ inline Mesh_arrays make_mesh_arrays(const Domain& domain, const Region_map& regi
 {
   Mesh_arrays mesh;
   const auto numbers = add_triangles(domain, regions, mesh);
-  const std::vector<int> own_markers = mesh.point_markers;
+  std::vector<char> is_boundary;
   for (const CDT::Edge& e : domain.cdt.finite_edges()) {
     const bool is_left = e.first->is_in_domain(), is_right = e.first->neighbor(e.second)->is_in_domain();
     if (!domain.cdt.is_constrained(e) || !(is_left || is_right))
       continue;
     const CDT::Vertex_handle u = e.first->vertex(CDT::ccw(e.second)), v = e.first->vertex(CDT::cw(e.second));
-    int marker = segment_marker(domain, u->point(), v->point());
-    if (marker == 0 && is_left != is_right)
-      marker = 1;
     mesh.edges.push_back({numbers[u], numbers[v]});
-    mesh.edge_markers.push_back(marker);
-    for (const std::size_t i : mesh.edges.back())
-      if (own_markers[i] == 0)
-        mesh.point_markers[i] = (std::max)(mesh.point_markers[i], marker);
+    mesh.edge_markers.push_back(segment_marker(domain, u->point(), v->point()));
+    is_boundary.push_back(is_left != is_right);
   }
+  complete_markers(mesh, is_boundary);
   if (size)
     for (const Point& p : mesh.points)
       mesh.sizes.push_back(size(p));
