@@ -35,8 +35,7 @@ int main(int argc, char** argv)
   MPI_Init(&argc, &argv);
 
   // all ranks have the domain, and the same d
-  const std::vector<Point> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  std::vector<Point> hole;
+  std::vector<Point> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, hole;
   for (int i = 0; i < 50; ++i)
     hole.push_back(Point(0.5 * std::cos(2 * CGAL_PI * i / 50), 0.5 * std::sin(2 * CGAL_PI * i / 50)));
   CDT cdt;
