@@ -18,6 +18,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Face_region_map_2.h>
 #include <CGAL/Region_sizing_field_2.h>
+#include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
@@ -269,6 +270,25 @@ TEST(Tags_in_vain, exceptions_of_maps_leave_the_triangulation)
       CGAL::npbs_relax(channel.cdt, P::face_region_map(Failing_map{fails_in_get}).sizing_function(0.1)),
       std::domain_error);
     EXPECT_TRUE(validation::snapshot(channel.cdt) == before);
+  }
+}
+
+TYPED_TEST(Tags, go_through_local_changes)
+{
+  Channel<TypeParam> channel;
+  CGAL::npbs_relax(channel.cdt, channel.maps().sizing_function(0.1));
+  std::set<validation::Xy> old = channel.vertices();
+  for (const double x : {0.7, 1., 0., 1.9}) { // where the marker changes, beside the wall, at both ends
+    SCOPED_TRACE(x);
+    const auto d = [x](const auto& p) {
+      return std::min(0.1, 0.02 + 0.2 * std::hypot(CGAL::to_double(p.x()) - x, CGAL::to_double(p.y())));
+    };
+    const auto report = CGAL::npbs_adapt(channel.cdt, channel.maps().sizing_function(d));
+    EXPECT_GT(report.number_of_vertices, 0u);
+    EXPECT_TRUE(channel.has_vertex(0.7, 0));
+    channel.expect_tags_of_mesh();
+    EXPECT_NE(channel.vertices().size(), old.size());
+    old = channel.vertices();
   }
 }
 

@@ -131,7 +131,7 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
     const Domain_marks_2<CDT> is_inside(domain, np);
     reading = std::make_unique<Domain_reading_2<CDT>>(domain, is_inside, is_pinned<CDT>(np),
                                                       Marker_changes<NamedParameters>{np});
-    check_regions(np, is_inside);
+    check_regions<CDT>(np, is_inside);
   });
   check_same_domain(ranks, reading->domain);
 

@@ -12,6 +12,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/Constraint_graph_2.h>
 
@@ -113,7 +115,7 @@ struct Marker_changes
       const auto map = Tag_maps<NamedParameters>(np).markers();
       std::vector<std::optional<Map_value<decltype(map)>>> first(stays.size()); // around each vertex
       for (const Constrained_edge_2& e : edges) {
-        if (!e.is_in_domain())
+        if (!e.is_in_domain() || !e.takes_bubbles) // what takes none stays as it is
           continue;
         const auto marker = get(map, edge_key(vertex(e.source), vertex(e.target)));
         for (Index v : {e.source, e.target})
@@ -128,7 +130,7 @@ struct Marker_changes
 
 /// \throws std::invalid_argument if regions of the user's meet where no constraint is, which no mesh would keep
 template <class Cdt, class NamedParameters>
-void check_regions([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] const Domain_marks_2<Cdt>& marks)
+void check_regions([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] const Marked_copy_2& marks)
 {
   if constexpr (Tag_maps<NamedParameters>::has_regions) {
     const auto map = Tag_maps<NamedParameters>(np).regions();
@@ -215,12 +217,62 @@ public:
         const auto [f, i] = edge;
         const Vertex_handle u = f->vertex(Cdt::ccw(i)), v = f->vertex(Cdt::cw(i));
         if constexpr (Maps::has_markers)
-          put(m_maps.markers(), edge_key(u, v), *m_markers[chain]);
+          put(m_maps.markers(), edge_key(u, v), *m_markers[chain]); // a whole domain has no rim
         if constexpr (Maps::has_regions) {
           spread(f, (u == source ? m_left : m_right)[chain], reached);
           spread(f->neighbor(i), (u == source ? m_right : m_left)[chain], reached);
         }
       });
+    }
+  }
+
+  /// The same for a part that is meshed anew: takes what goes out of the maps.
+  template <class Reading>
+  void forget_part([[maybe_unused]] const Reading& reading, [[maybe_unused]] const std::vector<Face_handle>& part) const
+  {
+    if constexpr (Maps::has_markers)
+      for (const Chain& c : reading.graph->chains()) {
+        const std::vector<Vertex_handle> path = path_of(reading, c);
+        for (std::size_t k = 1; k < path.size() && c.takes_bubbles; ++k)
+          forget_if_possible(m_maps.markers(), edge_key(path[k - 1], path[k]));
+      }
+    if constexpr (Maps::has_regions)
+      for (Face_handle f : part)
+        forget_if_possible(m_maps.regions(), f);
+  }
+
+  /// Gives the new faces of a part, and its constraints, what they had.
+  /// \param vertex `vertex(bubble)`, and \param face `face(triangle)`: the handles
+  template <class Vertex, class Face>
+  void write_part([[maybe_unused]] const Domain_2& domain, [[maybe_unused]] const Bubble_mesh_2& mesh,
+                  [[maybe_unused]] const Vertex& vertex, [[maybe_unused]] const Face& face) const
+  {
+    if constexpr (Maps::has_markers || Maps::has_regions) {
+      const Marked_triangles_2& tr = mesh.triangles;
+      std::vector<const std::optional<Region>*> region(tr.number_of_triangles(), nullptr);
+      std::vector<Index> stack;
+      const auto reach = [&](Index t, const std::optional<Region>* value) {
+        if (tr.inside[t] && region[t] == nullptr) {
+          region[t] = value;
+          stack.push_back(t);
+        }
+      };
+      for_each_piece(domain, mesh, [&](Index t, int i, Index e, bool is_left) {
+        if constexpr (Maps::has_markers)
+          if (tr.inside[t] && m_markers[e])
+            put(m_maps.markers(), edge_key(vertex(tr.vertices[t][ccw(i)]), vertex(tr.vertices[t][cw(i)])), *m_markers[e]);
+        if constexpr (Maps::has_regions)
+          reach(t, is_left ? &m_left[e] : &m_right[e]);
+      });
+      while (!stack.empty()) {
+        const Index t = stack.back();
+        stack.pop_back();
+        if constexpr (Maps::has_regions)
+          put(m_maps.regions(), face(t), **region[t]);
+        for (int i = 0; i < 3; ++i)
+          if (tr.edges[t][i] == no_index && tr.neighbors[t][i] != no_index)
+            reach(tr.neighbors[t][i], region[t]);
+      }
     }
   }
 
@@ -249,8 +301,11 @@ private:
 
   void read([[maybe_unused]] const Cdt& cdt, [[maybe_unused]] const Chain& c, const std::vector<Vertex_handle>& path)
   {
-    if constexpr (Maps::has_markers)
-      m_markers.push_back(get(m_maps.markers(), edge_key(path[0], path[1])));
+    if constexpr (Maps::has_markers) {
+      m_markers.emplace_back(); // a rim of a part is no constraint, or stays
+      if (c.takes_bubbles)
+        m_markers.back() = get(m_maps.markers(), edge_key(path[0], path[1]));
+    }
     if constexpr (Maps::has_regions) {
       const Sides sides = sides_of(cdt, path);
       m_left.emplace_back();

@@ -128,7 +128,7 @@ private:
                                 (reading.free.empty() || has_sizing_function<NamedParameters>))),
       elevation(given_elevation<Cdt>(np))
   {
-    check_regions(np, marks);
+    check_regions<Cdt>(np, marks);
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept
       reading.look_around(marks);

@@ -49,7 +49,8 @@ class Direct_write_2
 
 public:
   Direct_write_2(Cdt& cdt, const Reading& reading, const Bubble_mesh_2& mesh, const Elevations<Cdt>& elevations)
-    : m_cdt(cdt), m_reading(reading), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles), m_elevations(elevations)
+    : m_cdt(cdt), m_reading(reading), m_bubble_mesh(mesh), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles),
+      m_elevations(elevations)
   {}
 
   /// whether the triangulation holds nothing but the domain
@@ -140,16 +141,12 @@ private:
   template <class Visit>
   void for_each_piece(const Visit& visit) const
   {
-    for (std::size_t t = 0; t < m_mesh.number_of_triangles(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        if (m_mesh.edges[t][i] == no_index || m_mesh.neighbors[t][i] > static_cast<Index>(t))
-          continue; // no edge of the domain, or it is seen from the other side
-        const Index a = m_mesh.vertices[t][ccw(i)], b = m_mesh.vertices[t][cw(i)];
-        const Index e = edge_of_piece(m_reading.domain, m_bubbles, a, b);
-        const bool a_comes_first =
-          position_on(m_reading.domain, m_bubbles, e, a) < position_on(m_reading.domain, m_bubbles, e, b);
-        visit(typename Cdt::Edge(face(m_faces[t]), i), vertex(a_comes_first ? a : b), static_cast<std::size_t>(e));
-      }
+    internal::for_each_piece(m_reading.domain, m_bubble_mesh, [&](Index t, int i, Index e, bool is_left) {
+      if (m_mesh.neighbors[t][i] > t)
+        return; // is seen from the other side
+      const Index source = m_mesh.vertices[t][is_left ? ccw(i) : cw(i)];
+      visit(typename Cdt::Edge(face(m_faces[t]), i), vertex(source), static_cast<std::size_t>(e));
+    });
   }
 
   Vertex_handle vertex(Index bubble) const { return Handles<Cdt>::vertex(m_vertices[bubble]); }
@@ -164,6 +161,7 @@ private:
 
   Cdt& m_cdt;
   const Reading& m_reading;
+  const Bubble_mesh_2& m_bubble_mesh;
   const Bubbles_2& m_bubbles;
   const Marked_triangles_2& m_mesh;
   const Elevations<Cdt>& m_elevations;
