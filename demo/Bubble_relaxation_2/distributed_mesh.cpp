@@ -39,8 +39,8 @@ po::options_description all_options()
   options.add_options()
     ("help,h", "shows this")
     ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele with its .node")
-    ("output,o", po::value<std::string>(), "the mesh: .pvtu (ParaView), with a .vtu of each rank beside it; or, gathered "
-                                           "by the first rank, .vtu, .msh (Gmsh), or .node or .ele (Triangle)");
+    ("output,o", po::value<std::string>(), "the mesh: .pvtu (ParaView), with a .vtu of each rank beside it; or, "
+                                           "gathered by the first rank, .vtu, .msh (Gmsh), or .node or .ele (Triangle)");
   return options.add(mesh_options());
 }
 

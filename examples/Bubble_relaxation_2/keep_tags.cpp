@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// A plate of two materials, with a number for each boundary condition: edges and triangles of the mesh have them too, and
-// each material its own size. The marker changes in the middle of the bottom, where a vertex stays.
+// A plate of two materials, with a number for each boundary condition: edges and triangles of the mesh have them
+// too, and each material its own size. The marker changes in the middle of the bottom, where a vertex stays.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constraint_marker_map_2.h>

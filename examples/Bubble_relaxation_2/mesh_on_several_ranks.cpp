@@ -10,8 +10,8 @@
 //
 //   mpirun -n 4 mesh_on_several_ranks
 //
-// Each rank writes a file with its triangles, and square_with_hole.pvtu names them all for ParaView: with markers of the
-// boundary, and a function at the points.
+// Each rank writes a file with its triangles, and square_with_hole.pvtu names them all for ParaView: with markers of
+// the boundary, and a function at the points.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constraint_marker_map_2.h>

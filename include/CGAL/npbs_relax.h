@@ -108,8 +108,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           bound the domain or lie in it; those that are straight are one line only as far as the markers
                           are equal by `==`. When the mesh is there `put()` is called for its edges on constraints, with
                           the marker of what they are a part of}
-    \cgalParamType{a model of `ReadWritePropertyMap` with `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key, the
-                   ends of an edge as `make_sorted_pair()` sorts them, such as `Constraint_marker_map_2`}
+    \cgalParamType{a model of `ReadWritePropertyMap` with `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key,
+                   the ends of an edge as `make_sorted_pair()` sorts them, such as `Constraint_marker_map_2`}
     \cgalParamDefault{no constraint has a marker}
   \cgalParamNEnd
   \cgalParamNBegin{face_region_map}

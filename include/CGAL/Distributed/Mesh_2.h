@@ -61,8 +61,8 @@ own, the ghosts. Each point and each triangle is owned by one rank: a triangle b
 vertices with the smallest global id. Points and triangles have local indices, the owned ones first, and points
 have a global id, which is the same on all ranks.
 
-Markers of constraints and regions of faces that were told by `edge_marker_map` and `face_region_map` are those of sides and
-triangles here.
+Markers of constraints and regions of faces that were told by `edge_marker_map` and `face_region_map` are those of sides
+and triangles here.
 
 \tparam Kernel_ the kernel of the points
 \tparam Marker_ the type of markers, the value type of `edge_marker_map`
@@ -157,8 +157,8 @@ public:
   /// whether the side opposite to the vertex `i` of a triangle lies on an edge of the domain
   bool is_constrained(std::size_t t, int i) const { return m_edges[t][i] != -1; }
 
-  /// The number of the edge of the domain on which the side opposite to the vertex `i` of a triangle lies, the same on all
-  /// ranks, or -1. Edges of the domain are straight from corner to corner; the property `edge` of points has the same
+  /// The number of the edge of the domain on which the side opposite to the vertex `i` of a triangle lies, the same on
+  /// all ranks, or -1. Edges of the domain are straight from corner to corner; the property `edge` of points has the same
   /// numbers.
   std::int32_t edge(std::size_t t, int i) const { return m_edges[t][i]; }
 
@@ -188,8 +188,8 @@ public:
 
   Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, and the first one
   `name.pvtu`, which refers to them. Points have the data `global_id`, `size`, and `rank`, their owner; triangles
-  `q`, the radius ratio, and `rank`. Sides on constraints are lines, each in one file; `dimension` is 2 for triangles and 1
-  for lines. There are also `marker`, of lines, and `region`, of triangles, if the mesh has them and they are numbers.
+  `q`, the radius ratio, and `rank`. Sides on constraints are lines, each in one file; `dimension` is 2 for triangles and
+  1 for lines. There are also `marker`, of lines, and `region`, of triangles, if the mesh has them and they are numbers.
 
   \param path name of the file, which must end with `.pvtu`
   \param of_points more data of points, such as a solution: numbers by local indices, of owned points and of ghosts

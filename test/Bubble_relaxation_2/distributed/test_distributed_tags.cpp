@@ -121,8 +121,8 @@ std::vector<Triangle> triangles(const Plate& plate)
     if (plate.regions(f) != 0)
       result.push_back(triangle([&](int i) { return f->vertex(i)->point(); },
                                 [&](int i) {
-                                  return f->is_constrained(i) ? plate.markers(f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i)))
-                                                              : 0;
+                                  const Vertex u = f->vertex(Cdt::ccw(i)), v = f->vertex(Cdt::cw(i));
+                                  return f->is_constrained(i) ? plate.markers(u, v) : 0;
                                 },
                                 plate.regions(f)));
   std::sort(result.begin(), result.end());
@@ -134,10 +134,12 @@ template <class Mesh>
 std::vector<Triangle> triangles_of_all(const Mesh& mesh)
 {
   std::vector<Triangle> own;
-  for (std::size_t t = 0; t < mesh.number_of_owned_triangles(); ++t)
+  for (std::size_t t = 0; t < mesh.number_of_owned_triangles(); ++t) {
+    const auto& v = mesh.vertices(t);
     own.push_back(
-      triangle([&](int i) { return mesh.point(static_cast<std::size_t>(mesh.vertices(t)[static_cast<std::size_t>(i)])); },
+      triangle([&](int i) { return mesh.point(static_cast<std::size_t>(v[static_cast<std::size_t>(i)])); },
                [&](int i) { return mesh.is_constrained(t, i) ? mesh.marker(t, i) : 0; }, mesh.region(t)));
+  }
   std::vector<Triangle> all = gather_records(Communicator(MPI_COMM_WORLD), own);
   std::sort(all.begin(), all.end());
   return all;
@@ -203,8 +205,11 @@ TEST(Distributed_tags, in_files)
     std::ofstream(stem + ".py") << R"(
 import collections, math, os, sys, xml.etree.ElementTree as tree
 path = sys.argv[1]
+def shoelace(*p):
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(p, p[1:] + p[:1])) / 2
 names = [a.get("Name") for a in tree.parse(path).iter("PDataArray")]
-assert names == ["global_id", "size", "rank", "ten<x", "q", "rank", "dimension", "marker", "region", "twice", "Points"], names
+assert names == ["global_id", "size", "rank", "ten<x",
+                 "q", "rank", "dimension", "marker", "region", "twice", "Points"], names
 length, area = collections.Counter(), collections.Counter()
 for piece in tree.parse(path).iter("Piece"):
     part = tree.parse(os.path.join(os.path.dirname(path), piece.get("Source"))).find(".//Piece")
@@ -224,7 +229,7 @@ for piece in tree.parse(path).iter("Piece"):
             length[arrays["marker"][c]] += math.dist(*v)
             assert math.isnan(arrays["region"][c]) and math.isnan(arrays["twice"][c])
         else:
-            area[arrays["region"][c]] += ((v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[2][0] - v[0][0]) * (v[1][1] - v[0][1])) / 2
+            area[arrays["region"][c]] += shoelace(*v)
             assert arrays["marker"][c] == 0 and arrays["twice"][c] == 2 * c
 ends = {1: ((0, .1), (.5, .3)), 2: ((.5, .3), (1, .5)), 3: ((1, .5), (2, .86)), 4: ((2, .86), (.97, 1.03)),
         5: ((.97, 1.03), (.4, 1)), 6: ((.4, 1), (.05, .9)), 7: ((.05, .9), (0, .1)), 8: ((1, .5), (.4, 1)),
@@ -232,8 +237,6 @@ ends = {1: ((0, .1), (.5, .3)), 2: ((.5, .3), (1, .5)), 3: ((1, .5), (2, .86)), 
 assert sorted(length) == sorted(ends), length
 for k in ends:
     assert abs(length[k] - math.dist(*ends[k])) < 1e-9, (k, length[k])
-def shoelace(*p):
-    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(p, p[1:] + p[:1])) / 2
 assert sorted(area) == [-7, .5], area
 assert abs(area[-7] - shoelace((1, .5), (2, .86), (.97, 1.03), (.4, 1))) < 1e-9
 assert abs(area[.5] - shoelace((0, .1), (1, .5), (.4, 1), (.05, .9))) < 1e-9

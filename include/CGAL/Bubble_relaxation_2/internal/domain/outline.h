@@ -72,7 +72,8 @@ void for_each_piece(const Domain_2& domain, const Bubble_mesh_2& mesh, const Vis
         continue;
       const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)],
                   e = edge_of_piece(domain, mesh.bubbles, a, b);
-      visit(static_cast<Index>(t), i, e, position_on(domain, mesh.bubbles, e, a) < position_on(domain, mesh.bubbles, e, b));
+      const bool is_left = position_on(domain, mesh.bubbles, e, a) < position_on(domain, mesh.bubbles, e, b);
+      visit(static_cast<Index>(t), i, e, is_left);
     }
 }
 

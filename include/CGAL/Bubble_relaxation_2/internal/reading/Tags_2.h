@@ -141,7 +141,8 @@ void check_regions([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] 
     for (std::size_t k = 0; k < region.size(); ++k)
       for (int i = 0; i < 3; ++i) {
         const Index t = static_cast<Index>(k), n = marks.tr.neighbors[k][i];
-        if (n < t || !marks.is_inside(t) || !marks.is_inside(n) || marks.is_constrained(t, i) || *region[t] == *region[n])
+        if (n < t || !marks.is_inside(t) || !marks.is_inside(n) || marks.is_constrained(t, i) ||
+            *region[t] == *region[n])
           continue;
         const Point &p = marks.tr.point(t, ccw(i)), &q = marks.tr.point(t, cw(i));
         throw std::invalid_argument("Bubble_relaxation_2: parameter face_region_map: the edge from " +
@@ -168,7 +169,8 @@ public:
 
   /// `reading`: of the triangulation, whose chains get what their first edges have, and the faces beside these
   template <class Reading>
-  Tags_2(const NamedParameters& np, [[maybe_unused]] const Cdt& cdt, [[maybe_unused]] const Reading& reading) : m_maps(np)
+  Tags_2(const NamedParameters& np, [[maybe_unused]] const Cdt& cdt, [[maybe_unused]] const Reading& reading)
+    : m_maps(np)
   {
     if constexpr (Maps::has_markers || Maps::has_regions)
       for (const Chain& c : reading.graph->chains())
@@ -260,7 +262,8 @@ public:
       for_each_piece(domain, mesh, [&](Index t, int i, Index e, bool is_left) {
         if constexpr (Maps::has_markers)
           if (tr.inside[t] && m_markers[e])
-            put(m_maps.markers(), edge_key(vertex(tr.vertices[t][ccw(i)]), vertex(tr.vertices[t][cw(i)])), *m_markers[e]);
+            put(m_maps.markers(), edge_key(vertex(tr.vertices[t][ccw(i)]), vertex(tr.vertices[t][cw(i)])),
+                *m_markers[e]);
         if constexpr (Maps::has_regions)
           reach(t, is_left ? &m_left[e] : &m_right[e]);
       });
