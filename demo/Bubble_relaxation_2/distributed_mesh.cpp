@@ -10,31 +10,28 @@
 //
 // Meshes a domain from a file by several ranks, each of which writes its part:
 //   mpirun -n 4 distributed_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.pvtu
+// or the first one the whole, in the formats of npbs_mesh, if that has room there.
 
 #include "files/domain_file.h"
 #include "files/file_names.h"
+#include "files/mesh_file.h"
+#include "gathered_mesh.h"
+#include "mesh_options.h"
+#include "mesh_warnings.h"
 #include "mpi_session.h"
-#include "size_formula.h"
 
 #include <CGAL/Distributed/npbs_mesh.h>
 #include <CGAL/Point_set_3.h>
+#include <CGAL/npbs_relax.h>
 
 #include <boost/program_options.hpp>
 
-#include <functional>
 #include <iostream>
 #include <memory>
-#include <set>
+#include <optional>
 #include <stdexcept>
 #include <string>
-
-namespace po = boost::program_options;
-
-struct Arguments
-{
-  std::string input, size, output;
-  bool is_help = false;
-};
+#include <vector>
 
 po::options_description all_options()
 {
@@ -42,75 +39,122 @@ po::options_description all_options()
   options.add_options()
     ("help,h", "shows this")
     ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele with its .node")
-    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x and y; default: that of the "
-                                         "domain's own edges")
-    ("output,o", po::value<std::string>(), "the mesh, .pvtu (ParaView), with a .vtu of each rank beside it");
-  return options;
+    ("output,o", po::value<std::string>(), "the mesh: .pvtu (ParaView), with a .vtu of each rank beside it; or, "
+                                           "gathered by the first rank, .vtu, .msh (Gmsh), or .node or .ele (Triangle)");
+  return options.add(mesh_options());
 }
 
-Arguments read_arguments(int argc, char** argv)
+bool is_in_parts(const std::string& output) { return extension(output) == ".pvtu"; }
+
+/// the files that the first rank writes
+std::vector<std::string> files_of_first(const std::string& output)
+{
+  return is_in_parts(output) ? std::vector<std::string>{output} : mesh_files(output);
+}
+
+po::variables_map read_arguments(const Mpi_session& session, int argc, char** argv)
 {
   po::positional_options_description positional;
   positional.add("input", 1);
-  po::variables_map map;
-  po::store(po::command_line_parser(argc, argv).options(all_options()).positional(positional).run(), map);
-  const auto text = [&map](const char* name) {
-    return map.count(name) > 0 ? map[name].as<std::string>() : std::string();
-  };
-  const Arguments arguments{text("input"), text("size"), text("output"), map.count("help") > 0};
-  if (!arguments.is_help && arguments.input.empty())
+  po::variables_map arguments;
+  po::store(po::command_line_parser(argc, argv).options(all_options()).positional(positional).run(), arguments);
+  if (arguments.count("help") > 0)
+    return arguments;
+  if (arguments.count("input") == 0)
     throw std::runtime_error("no input file; see distributed_mesh --help");
-  if (arguments.input == "-")
+  if (arguments["input"].as<std::string>() == "-")
     throw std::runtime_error("standard input goes to one rank only; give a file");
-  if (!arguments.output.empty())
-    check_extension(arguments.output, {".pvtu"});
+  check_mesh_options(arguments);
+  if (arguments.count("output") > 0) {
+    const std::string output = arguments["output"].as<std::string>();
+    std::vector<std::string> endings = mesh_endings();
+    endings.insert(endings.begin(), ".pvtu");
+    check_extension(output, endings);
+    if (session.is_first()) // before the work is done, not after it
+      for (const std::string& file : files_of_first(output)) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(arguments["input"].as<std::string>(), file, ignored))
+          throw std::runtime_error(file + ": is the input; give --output another name");
+        check_writable(file);
+      }
+  }
   return arguments;
 }
 
-/// makes the mesh and writes it
+/// Marks the domain, which may be told by nesting alone.
+void mark(Domain& domain)
+{
+  using namespace CGAL::Bubble_relaxation_2::internal;
+  const Domain_marks_2<CDT> is_inside(domain.cdt, CGAL::parameters::default_values());
+  for (CDT::Face_handle f : domain.cdt.finite_face_handles())
+    f->set_in_domain(is_inside(f));
+}
+
+/// makes the mesh, and writes it
 template <class NamedParameters>
-void mesh(const Mpi_session& session, const Domain& domain, const std::string& output, const NamedParameters& np)
+void mesh(const Mpi_session& session, Domain& domain, const po::variables_map& arguments, const NamedParameters& np)
 {
   CGAL::Point_set_3<Point, Kernel::Vector_2> points; // those of this rank
   const auto result = CGAL::Distributed::npbs_mesh(points, domain.cdt, MPI_COMM_WORLD, np);
-  if (session.is_first())
-    std::cout << result.report;
-  if (output.empty())
+  if (session.is_first() && arguments.count("quiet") == 0)
+    print_statistics(result.report);
+  if (session.is_first() && result.report.steep_share > 0)
+    std::cerr << "distributed_mesh: warning: " << input_name(arguments) << ": " << steep_message(result.report) << '\n';
+  if (arguments.count("output") == 0)
     return;
-  result.mesh.write_pvtu(output);
-  if (session.is_first())
+  const std::string output = arguments["output"].as<std::string>();
+  if (is_in_parts(output)) {
+    result.mesh.write_pvtu(output);
+  } else {
+    const Gathered_mesh whole(session, result.mesh);
+    session.all_or_none([&] {
+      if (!session.is_first())
+        return;
+      mark(domain);
+      write_mesh_file(output, whole.arrays(domain, arguments.count("size") > 0));
+    });
+  }
+  if (session.is_first() && arguments.count("quiet") == 0)
     std::cout << output << " of " << session.number_of_ranks() << " ranks" << std::endl;
 }
 
 int run(const Mpi_session& session, int argc, char** argv)
 {
-  Arguments arguments;
+  po::variables_map arguments;
   std::unique_ptr<Domain> domain; // whose vertices are pinned by their handles, so it stays where it is
-  std::function<double(const Point&)> size;
+  Region_map regions;
+  Size size;
   session.all_or_none([&] { // a file may be missing where one rank runs
-    arguments = read_arguments(argc, argv);
-    if (!arguments.size.empty())
-      size = Size_formula(arguments.size);
-    if (session.is_first() && !arguments.output.empty())
-      check_writable(arguments.output); // before the work is done, not after it
-    if (!arguments.is_help)
-      domain.reset(new Domain(read_domain_file(arguments.input, "")));
+    arguments = read_arguments(session, argc, argv);
+    if (arguments.count("help") > 0)
+      return;
+    std::optional<Size_formula> formula;
+    if (arguments.count("size") > 0)
+      formula.emplace(arguments["size"].as<std::string>());
+    domain.reset(new Domain(read_domain_file(arguments["input"].as<std::string>(), "")));
+    simplify(*domain, arguments, formula, session.is_first());
+    regions = region_attributes(*domain);
+    size = limited_size(*domain, arguments, wanted_size(*domain, arguments, formula));
   });
-  if (arguments.is_help) {
+  if (arguments.count("help") > 0) {
     if (session.is_first())
       std::cout << all_options();
     return 0;
   }
   if (session.is_first())
     for (const std::string& warning : domain->warnings)
-      std::cerr << "distributed_mesh: warning: " << arguments.input << ": " << warning << '\n';
+      std::cerr << "distributed_mesh: warning: " << input_name(arguments) << ": " << warning << '\n';
 
-  using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
-  const auto np = CGAL::Bubble_relaxation_parameters::vertex_is_constrained_map(Pinned(domain->pinned));
-  if (size)
-    mesh(session, *domain, arguments.output, np.sizing_function(size));
-  else
-    mesh(session, *domain, arguments.output, np);
+  const auto mesh_with = [&](const auto& parameters) {
+    const auto np = mesh_parameters(*domain, regions, arguments, parameters);
+    size ? mesh(session, *domain, arguments, np.sizing_function(size)) : mesh(session, *domain, arguments, np);
+  };
+  try {
+    arguments.count("paper") > 0 ? mesh_with(CGAL::npbs_paper_parameters())
+                                 : mesh_with(CGAL::parameters::force_coefficient(1.));
+  } catch (const std::exception& e) { // on all ranks
+    throw std::runtime_error(in_words_of_options(e.what()));
+  }
   return 0;
 }
 

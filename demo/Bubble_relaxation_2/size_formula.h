@@ -9,17 +9,22 @@
 #ifndef BUBBLE_RELAXATION_2_DEMO_SIZE_FORMULA_H
 #define BUBBLE_RELAXATION_2_DEMO_SIZE_FORMULA_H
 
+#include "files/domain.h"
+
+#include <CGAL/Region_sizing_field_2.h>
+
 #include <muParser.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-/// d as a formula in x and y, as muParser reads it. Each thread has a parser of its own, which holds the
-/// place that it is at.
+/// d as a formula in x, y and the attribute `region`, as muParser reads it. Each thread has a parser of its own, which
+/// holds the place that it is at.
 class Size_formula
 {
 public:
@@ -41,13 +46,17 @@ public:
                                " values; one formula is needed, and numbers have a decimal point");
   }
 
+  /// whether it depends on the region
+  bool has_region() const { return state().parser.GetUsedVar().count("region") > 0; }
+
   /// \throws std::runtime_error if d is not positive and finite
   template <class Point_2>
-  double operator()(const Point_2& p) const
+  double operator()(const Point_2& p, double region = 0) const
   {
     State& s = state();
     s.x = p.x();
     s.y = p.y();
+    s.region = region;
     const double d = s.parser.Eval();
     if (!(d > 0) || !std::isfinite(d)) {
       std::ostringstream message;
@@ -66,12 +75,13 @@ private:
     {
       parser.DefineVar("x", &x);
       parser.DefineVar("y", &y);
+      parser.DefineVar("region", &region);
       parser.SetExpr(*text);
     }
 
     std::shared_ptr<const std::string> text;
     mu::Parser parser;
-    double x = 0, y = 0;
+    double x = 0, y = 0, region = 0;
   };
 
   State& state() const
@@ -96,5 +106,14 @@ private:
 
   std::shared_ptr<const std::string> m_text;
 };
+
+/// the sizes that a formula asks for in a domain as it is now
+inline std::function<double(const Point&)> size_in_domain(const Size_formula& formula, const Domain& domain)
+{
+  if (!formula.has_region())
+    return formula;
+  return CGAL::Region_sizing_field_2<CDT>(domain.cdt, region_attributes(domain),
+                                          [formula](double region, const Point& p) { return formula(p, region); });
+}
 
 #endif // BUBBLE_RELAXATION_2_DEMO_SIZE_FORMULA_H

@@ -83,7 +83,8 @@ public:
   \param cdt the domain, as for `npbs_relax()`
   \param gradation g, the most that h changes per unit of length, positive; 0.1 to 0.3 is usual
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `sizing_function`, `seeds`,
-  `seeds_are_in_domain` and `vertex_is_constrained_map` as for `npbs_relax()`, with the same defaults, and
+  `seeds_are_in_domain`, `vertex_is_constrained_map` and `edge_marker_map` as for `npbs_relax()`, with the same
+  defaults, and
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{maximum_number_of_vertices}
@@ -109,7 +110,7 @@ public:
                                    std::size_t(200000)), 1,
       static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
     const Domain_marks_2<CDT> is_inside(cdt, np);
-    const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np));
+    const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np), Marker_changes<NamedParameters>{np});
     const Sizes_2 sizes = wanted_sizes(np, is_inside, reading);
     // every vertex of the user's is a place to look at d: none is taken as a mere split of a constraint
     const Domain_reading_2<CDT> all(cdt, is_inside, [](typename CDT::Vertex_handle) { return true; });

@@ -26,6 +26,7 @@
 #include <CGAL/Mesh_quality_2.h>
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -95,10 +96,11 @@ handle, not marked as one of the domain, or of another triangulation
 \throws std::runtime_error if edges lie nearer to each other than the rounding of the bubbles on them, or if the
 triangulation beside a constraint is too flat to change it there
 
-Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After any
-exception, `std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions from that:
-`after_change()` of the visitor is called when all is done; and where memory ends while a
-`Constrained_triangulation_plus_2` enters new vertices into its constraints, these are not restored.
+Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After
+any exception, `std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions
+from that: `after_change()` of the visitor is called when all is done, as is `put()` of the maps of tags before it;
+and where memory ends while a `Constrained_triangulation_plus_2` enters new vertices into its constraints, these are
+not restored.
 
 \sa `npbs_adapt()`
 \sa `npbs_relax()`
@@ -113,7 +115,6 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     const Relaxation_options options = read_local_options(pack);
     const Progress_scope scope(*options.progress);
     const Is_in_domain<CDT> is_in_domain{cdt};
-    const auto pins = is_pinned<CDT>(pack);
     const std::optional<Sizes_2> sizes = given_sizes<CDT>(pack);
     const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt)(faces, is_in_domain);
     const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
@@ -121,8 +122,8 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     Report report;
     do_unless_stopped(report, [&] {
       options.progress->start_phase(Bubble_phase::READING);
-      Part_task_2<CDT, Is_in_domain<CDT>, decltype(pins)>{cdt, is_in_domain, pins, options, sizes, elevation}.remesh(
-        part, unwrapped(visitor), report);
+      using Task = Part_task_2<CDT, Is_in_domain<CDT>, std::decay_t<decltype(pack)>>;
+      Task{cdt, is_in_domain, pack, options, sizes, elevation}.remesh(part, unwrapped(visitor), report);
     });
     return Bubble_relaxation_report_2<FT>(report);
   });
@@ -241,7 +242,6 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
     const Relaxation_options options = read_local_options(pack);
     const Progress_scope scope(*options.progress);
     const auto is_in_domain = domain_of(cdt, pack);
-    const auto pins = is_pinned<CDT>(pack);
     const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
@@ -250,12 +250,12 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
       Phase_timer reading_time(report.seconds.reading);
       Misfits_2<CDT> misfits = find_misfits(cdt, is_in_domain, options, pack);
       reading_time.stop();
+      using Task = Part_task_2<CDT, std::decay_t<decltype(is_in_domain)>, std::decay_t<decltype(pack)>>;
       if (misfits.faces.empty())
         tell_that_all_fits(report);
       else
-        Part_task_2<CDT, decltype(is_in_domain), decltype(pins)>{
-          cdt, is_in_domain, pins, options, misfits.sizes, elevation}.adapt(std::move(misfits.faces), unwrapped(visitor),
-                                                                            report);
+        Task{cdt, is_in_domain, pack, options, misfits.sizes, elevation}.adapt(std::move(misfits.faces),
+                                                                               unwrapped(visitor), report);
     });
     return Bubble_relaxation_report_2<FT>(report);
   });

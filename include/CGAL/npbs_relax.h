@@ -103,6 +103,21 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
     \cgalParamDefault{no vertex is pinned}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_marker_map}
+    \cgalParamDescription{markers of constraints, see \ref BR2_tags. `get()` is called for edges on constraints that
+                          bound the domain or lie in it; those that are straight are one line only as far as the markers
+                          are equal by `==`. When the mesh is there `put()` is called for its edges on constraints, with
+                          the marker of what they are a part of}
+    \cgalParamType{a model of `ReadWritePropertyMap` with `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key,
+                   the ends of an edge as `make_sorted_pair()` sorts them, such as `Constraint_marker_map_2`}
+    \cgalParamDefault{no constraint has a marker}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_region_map}
+    \cgalParamDescription{regions of the faces of the domain, which constraints part. When the mesh is there `put()` is
+                          called for its faces in the domain, with the value of their region}
+    \cgalParamType{a model of `ReadWritePropertyMap` with `CDT::Face_handle` as key, such as `Face_region_map_2`}
+    \cgalParamDefault{faces have no regions}
+  \cgalParamNEnd
   \cgalParamNBegin{initial_placement}
     \cgalParamDescription{where the bubbles of the faces start. Vertices of an existing mesh inside of the circles
                           around sharp corners, see `limit_by_outline`, are not kept, not even by `KEEP`: the
@@ -246,20 +261,22 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
 
 \returns what was done, and the statistics of the mesh
 
-\throws std::invalid_argument if a parameter is out of its range, if a coordinate, a size or the length of an edge is
-not finite or beyond its bounds (see \ref BR2_magnitudes), if an elevation is not finite, if a size is not positive, if
-a seed lies on a constraint between two regions, if there is no domain with constraints all around it, or if
-constraints of an exact kernel cross, or its vertices coincide, when they are rounded to `double`
+\throws std::invalid_argument if a parameter is out of its range, if a coordinate, a size or the length of an edge
+is not finite or beyond its bounds (see \ref BR2_magnitudes), if an elevation is not finite, if a size is not
+positive, if a seed lies on a constraint between two regions, if two values of `face_region_map` meet where no
+constraint is, if there is no domain with constraints all around it, or if constraints of an exact kernel cross, or
+its vertices coincide, when they are rounded to `double`
 \throws std::length_error if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error if edges of the domain lie nearer to each other than the rounding of the bubbles
 on them, or if a constraint cannot be split while the mesh is written, because the triangulation beside it is
 too flat for the numbers of the kernel
 
-Exceptions of the sizing function, of the elevation function and of the callback pass through. All calls of them, of
-the property map and of the ranges come before the first change of `cdt`: after their exceptions, and after those listed
-above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the identifiers
-of its constraints. After `std::bad_alloc`, an exception of CGAL, or a `std::runtime_error` while the mesh is
-written, `cdt` has the content that it had, but all handles and identifiers of constraints are invalid.
+Exceptions of the sizing function, of the elevation function, of the callback and of property maps pass through. All
+calls of them and of the ranges, but for `put()`, come before the first change of `cdt`: after their exceptions, and
+after those listed above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the
+identifiers of its constraints. After `std::bad_alloc`, an exception of CGAL or of `put()`, or a `std::runtime_error`
+while the mesh is written, `cdt` has the content that it had, but all handles and identifiers of constraints are
+invalid.
 
 \sa `npbs_place_nodes()`
 \sa `refine_Delaunay_mesh_2()`
@@ -276,6 +293,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
     const Progress_scope scope(*progress);
     do_unless_stopped(report, [&] {
       const Input_2<CDT> input(cdt, pack, progress);
+      const Tags_2 tags(pack, cdt, input.reading);
       const Problem_2 problem = input.problem();
       reading_time.stop();
       const Bubble_mesh_2 mesh = make_mesh(problem, report);
@@ -284,7 +302,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       progress->report(1);
       // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
       Restore_on_throw<CDT> guard(cdt);
-      write_mesh(cdt, input.reading, mesh, elevations, report);
+      write_mesh(cdt, input.reading, mesh, elevations, tags, report);
       guard.all_went_well();
     });
     return Bubble_relaxation_report_2<FT>(report);

@@ -12,7 +12,9 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Face_region_map_2.h>
 #include <CGAL/Unique_hash_map.h>
+#include <CGAL/property_map.h>
 
 #include <map>
 #include <set>
@@ -67,20 +69,6 @@ inline CDT::Vertex_handle other_end(const CDT::Edge& e, CDT::Vertex_handle v)
   return a == v ? e.first->vertex(CDT::ccw(e.second)) : a;
 }
 
-/// the neighbour of `u` on the way to `v`, along constraints
-inline CDT::Vertex_handle next_on_segment(const CDT& cdt, CDT::Vertex_handle u, CDT::Vertex_handle v)
-{
-  CDT::Edge_circulator e = cdt.incident_edges(u), start = e;
-  do {
-    const CDT::Vertex_handle w = other_end(*e, u);
-    if (w == v || (!cdt.is_infinite(w) && cdt.is_constrained(*e) &&
-                   CGAL::collinear(u->point(), w->point(), v->point()) &&
-                   CGAL::collinear_are_ordered_along_line(u->point(), w->point(), v->point())))
-      return w;
-  } while (++e != start);
-  return v;
-}
-
 /// A segment crosses another one.
 struct Crossing_segments : std::runtime_error
 {
@@ -120,7 +108,10 @@ inline void insert_segment(Domain& domain, CDT::Vertex_handle u, CDT::Vertex_han
     throw Crossing_segments({u->point(), v->point()}, crossed_constraint(domain.cdt, u->point(), v->point()));
   }
   while (marker != 0 && u != v) { // vertices on the segment cut it
-    const CDT::Vertex_handle w = next_on_segment(domain.cdt, u, v);
+    CDT::Vertex_handle w;
+    CDT::Face_handle f;
+    int i = 0;
+    domain.cdt.includes_edge(u, v, w, f, i);
     domain.segment_markers[sorted(u->point(), w->point())] = marker;
     u = w;
   }
@@ -195,31 +186,73 @@ inline int point_marker(const Domain& domain, const Point& p)
   return found == domain.point_markers.end() ? 0 : found->second;
 }
 
-/// whether a vertex that only splits a straight line means something: the marker changes there, or it has
-/// one that neither its segments nor its neighbours have
+/// The markers of a domain's segments as `npbs_relax()` takes them.
+struct Segment_marker_map
+{
+  using key_type = std::pair<CDT::Vertex_handle, CDT::Vertex_handle>;
+  using value_type = int;
+  using reference = int;
+  using category = boost::read_write_property_map_tag;
+
+  Domain* domain;
+
+  static std::pair<Point, Point> ends(const key_type& edge)
+  {
+    return sorted(edge.first->point(), edge.second->point());
+  }
+
+  friend int get(const Segment_marker_map& map, const key_type& edge)
+  {
+    return segment_marker(*map.domain, edge.first->point(), edge.second->point());
+  }
+
+  friend void put(const Segment_marker_map& map, const key_type& edge, int marker)
+  {
+    if (marker != 0)
+      map.domain->segment_markers[ends(edge)] = marker;
+  }
+
+  friend void forget(const Segment_marker_map& map, const key_type& edge)
+  {
+    map.domain->segment_markers.erase(ends(edge));
+  }
+};
+
+using Region_map = CGAL::Face_region_map_2<CDT, double>;
+
+/// the attributes of the regions' faces, in the domain or not; 0 where none is given
+inline Region_map region_attributes(const Domain& domain)
+{
+  Region_map attributes;
+  if (domain.cdt.dimension() < 2)
+    return attributes;
+  for (const Region& region : domain.regions)
+    attributes.set_all_around(domain.cdt.locate(region.point), region.attribute);
+  return attributes;
+}
+
+/// whether a vertex that only splits a straight line means something: it has a marker that neither its segments nor
+/// its neighbours have
 inline bool is_meant(const Domain& domain, CDT::Vertex_handle v)
 {
-  std::vector<int> segments, neighbors;
+  const int marker = point_marker(domain, v->point());
+  if (marker == 0)
+    return false;
+  bool is_known = false;
   CDT::Edge_circulator e = domain.cdt.incident_edges(v), start = e;
   do {
     if (!domain.cdt.is_constrained(*e))
       continue;
-    const CDT::Vertex_handle w = other_end(*e, v);
-    segments.push_back(segment_marker(domain, v->point(), w->point()));
-    neighbors.push_back(point_marker(domain, w->point()));
+    const Point& other = other_end(*e, v)->point();
+    is_known = is_known || segment_marker(domain, v->point(), other) == marker || point_marker(domain, other) == marker;
   } while (++e != start);
-  if (segments.size() != 2)
-    return false;
-  const int marker = point_marker(domain, v->point());
-  const auto is_one_of = [marker](const std::vector<int>& m) { return m[0] == marker || m[1] == marker; };
-  return segments[0] != segments[1] ||
-         (marker != 0 && !is_one_of(segments) && !is_one_of(neighbors));
+  return !is_known;
 }
 
-/// Pins what the relaxation would take away although it carries a marker.
-inline void pin_changes_of_markers(Domain& domain)
+/// Pins what the relaxation would take away although it carries a marker of its own.
+inline void pin_points_with_markers(Domain& domain)
 {
-  if (domain.cdt.dimension() < 2 || (domain.point_markers.empty() && domain.segment_markers.empty()))
+  if (domain.cdt.dimension() < 2 || domain.point_markers.empty())
     return;
   for (CDT::Vertex_handle v : domain.cdt.finite_vertex_handles())
     if (domain.cdt.are_there_incident_constraints(v) && is_meant(domain, v))

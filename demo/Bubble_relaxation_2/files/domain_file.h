@@ -42,13 +42,13 @@ inline Domain read_domain_file(const std::string& name, const std::string& forma
   std::istream& in = is_standard_input ? std::cin : file;
   if (ending == ".node" || ending == ".ele") { // two or three files, and errors name the one
     Domain domain = read_triangle_mesh(name);
-    pin_changes_of_markers(domain);
+    pin_points_with_markers(domain);
     return domain;
   }
   try {
     Domain domain =
       ending == ".poly" ? read_poly(in, is_standard_input ? std::string() : name) : Wkt_reader(in).read();
-    pin_changes_of_markers(domain);
+    pin_points_with_markers(domain);
     return domain;
   } catch (const std::exception& e) {
     throw std::runtime_error((is_standard_input ? "standard input" : name) + ": " + e.what());

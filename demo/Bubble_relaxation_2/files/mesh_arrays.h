@@ -11,60 +11,10 @@
 
 #include "domain.h"
 
-#include <CGAL/squared_distance_2.h>
-
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
-
-/// Which marker the input's segments have where an edge of the mesh lies.
-class Segment_markers
-{
-public:
-  /// remembers the segments of `domain`, which is not meshed yet
-  explicit Segment_markers(const Domain& domain) : m_markers(domain.segment_markers)
-  {
-    if (!m_markers.empty())
-      m_cdt = domain.cdt;
-  }
-
-  /// of an edge that is a piece of a segment
-  int operator()(const Point& p, const Point& q) const
-  {
-    if (m_markers.empty())
-      return 0;
-    // the middle lies on the segment up to a rounding, in one of the two faces beside it
-    const Point middle = CGAL::midpoint(p, q);
-    m_hint = m_cdt.locate(middle, m_hint);
-    double nearest = std::numeric_limits<double>::infinity();
-    int marker = 0;
-    consider(m_hint, middle, nearest, marker);
-    for (int i = 0; i < 3; ++i)
-      consider(m_hint->neighbor(i), middle, nearest, marker);
-    return marker;
-  }
-
-private:
-  void consider(CDT::Face_handle f, const Point& middle, double& nearest, int& marker) const
-  {
-    for (int i = 0; i < 3; ++i) {
-      if (!f->is_constrained(i))
-        continue;
-      const CDT::Segment s = m_cdt.segment(f, i);
-      const double distance = CGAL::squared_distance(s, middle);
-      if (distance >= nearest)
-        continue;
-      nearest = distance;
-      const auto found = m_markers.find(sorted(s.source(), s.target()));
-      marker = found == m_markers.end() ? 0 : found->second;
-    }
-  }
-
-  CDT m_cdt;
-  std::map<std::pair<Point, Point>, int> m_markers;
-  mutable CDT::Face_handle m_hint;
-};
 
 /// The mesh of a domain in arrays, as files want it.
 struct Mesh_arrays
@@ -78,22 +28,6 @@ struct Mesh_arrays
   std::vector<int> edge_markers;                 ///< of the input, else 1 on the boundary, else 0
   std::vector<Point> holes;                      ///< a point in each hole
 };
-
-/// the attributes of the regions' faces
-inline CGAL::Unique_hash_map<CDT::Face_handle, double> region_attributes(const Domain& domain)
-{
-  CGAL::Unique_hash_map<CDT::Face_handle, double> attributes(0);
-  for (const Region& region : domain.regions) {
-    CGAL::Unique_hash_map<CDT::Face_handle, bool> is_reached(false);
-    flood(domain.cdt.locate(region.point), [&](CDT::Face_handle f) {
-      if (!f->is_in_domain() || std::exchange(is_reached[f], true))
-        return false;
-      attributes[f] = region.attribute;
-      return true;
-    });
-  }
-  return attributes;
-}
 
 /// a point in each hole: the centroid of its largest face
 inline std::vector<Point> points_in_holes(const CDT& cdt)
@@ -123,12 +57,11 @@ inline std::vector<Point> points_in_holes(const CDT& cdt)
 }
 
 /// Points and triangles; returns the numbers of the vertices.
-inline CGAL::Unique_hash_map<CDT::Vertex_handle, std::size_t> add_triangles(const Domain& domain,
-                                                                           Mesh_arrays& mesh)
+inline CGAL::Unique_hash_map<CDT::Vertex_handle, std::size_t>
+add_triangles(const Domain& domain, const Region_map& regions, Mesh_arrays& mesh)
 {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   CGAL::Unique_hash_map<CDT::Vertex_handle, std::size_t> numbers(none);
-  const auto attributes = region_attributes(domain);
   for (CDT::Face_handle f : domain.cdt.finite_face_handles()) {
     if (!f->is_in_domain())
       continue;
@@ -144,33 +77,44 @@ inline CGAL::Unique_hash_map<CDT::Vertex_handle, std::size_t> add_triangles(cons
     }
     mesh.triangles.push_back(triangle);
     if (!domain.regions.empty())
-      mesh.regions.push_back(attributes[f]);
+      mesh.regions.push_back(regions(f));
   }
   return numbers;
 }
 
-/// \param markers of the input's segments
+/// Gives edges on the boundary a marker if they have none, and points without one that of an edge.
+/// \param is_boundary of each edge
+inline void complete_markers(Mesh_arrays& mesh, const std::vector<char>& is_boundary)
+{
+  const std::vector<int> own_markers = mesh.point_markers;
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+    int& marker = mesh.edge_markers[k];
+    if (marker == 0 && is_boundary[k])
+      marker = 1;
+    for (const std::size_t i : mesh.edges[k])
+      if (own_markers[i] == 0)
+        mesh.point_markers[i] = (std::max)(mesh.point_markers[i], marker);
+  }
+}
+
+/// \param regions of the faces
 /// \param size d, or nothing
-inline Mesh_arrays make_mesh_arrays(const Domain& domain, const Segment_markers& markers,
+inline Mesh_arrays make_mesh_arrays(const Domain& domain, const Region_map& regions,
                                     const std::function<double(const Point&)>& size)
 {
   Mesh_arrays mesh;
-  const auto numbers = add_triangles(domain, mesh);
-  const std::vector<int> own_markers = mesh.point_markers;
+  const auto numbers = add_triangles(domain, regions, mesh);
+  std::vector<char> is_boundary;
   for (const CDT::Edge& e : domain.cdt.finite_edges()) {
     const bool is_left = e.first->is_in_domain(), is_right = e.first->neighbor(e.second)->is_in_domain();
     if (!domain.cdt.is_constrained(e) || !(is_left || is_right))
       continue;
     const CDT::Vertex_handle u = e.first->vertex(CDT::ccw(e.second)), v = e.first->vertex(CDT::cw(e.second));
-    int marker = markers(u->point(), v->point());
-    if (marker == 0 && is_left != is_right)
-      marker = 1;
     mesh.edges.push_back({numbers[u], numbers[v]});
-    mesh.edge_markers.push_back(marker);
-    for (const std::size_t i : mesh.edges.back())
-      if (own_markers[i] == 0)
-        mesh.point_markers[i] = (std::max)(mesh.point_markers[i], marker);
+    mesh.edge_markers.push_back(segment_marker(domain, u->point(), v->point()));
+    is_boundary.push_back(is_left != is_right);
   }
+  complete_markers(mesh, is_boundary);
   if (size)
     for (const Point& p : mesh.points)
       mesh.sizes.push_back(size(p));

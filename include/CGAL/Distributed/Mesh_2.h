@@ -13,9 +13,12 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Triangle_places_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_pvtu.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_regions_2.h>
 #include <CGAL/Mesh_quality_2.h>
 
 #include <mpi.h>
@@ -24,6 +27,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -36,6 +40,19 @@ namespace Distributed {
 /*!
 \ingroup PkgBubbleRelaxation2Ref
 
+Data of points, or of triangles, of a mesh: a name, and a number for each by its local index.
+
+\sa `Mesh_2::write_pvtu()`
+*/
+struct Mesh_data
+{
+  std::string name;
+  std::function<double(std::size_t)> value;
+};
+
+/*!
+\ingroup PkgBubbleRelaxation2Ref
+
 What one rank has of a triangle mesh that is spread over the ranks of an MPI communicator. It is made by
 `CGAL::Distributed::triangulate()` and `CGAL::Distributed::npbs_mesh()`.
 
@@ -44,15 +61,22 @@ own, the ghosts. Each point and each triangle is owned by one rank: a triangle b
 vertices with the smallest global id. Points and triangles have local indices, the owned ones first, and points
 have a global id, which is the same on all ranks.
 
+Markers of constraints and regions of faces that were told by `edge_marker_map` and `face_region_map` are those of sides
+and triangles here.
+
 \tparam Kernel_ the kernel of the points
+\tparam Marker_ the type of markers, the value type of `edge_marker_map`
+\tparam Region_ the type of regions, the value type of `face_region_map`
 */
-template <class Kernel_>
+template <class Kernel_, class Marker_ = int, class Region_ = int>
 class Mesh_2
 {
   using Index = Bubble_relaxation_2::internal::Index;
 
 public:
   using Kernel = Kernel_;
+  using Marker = Marker_;
+  using Region = Region_;
   using Point_2 = typename Kernel::Point_2;
   /// what names a point on all ranks
   using Global_id = std::int64_t;
@@ -67,19 +91,27 @@ public:
     MPI_Comm_size(comm, &m_number_of_ranks);
   }
 
-  Mesh_2(const Bubble_relaxation_2::internal::Distributed_mesh_2& mesh, const Mesh_quality_2<double>& quality,
-         MPI_Comm comm)
+  /// `tags`: of the edges of the domain, which all ranks have
+  template <class Tags>
+  Mesh_2(const Bubble_relaxation_2::internal::Distributed_mesh_2& mesh,
+         const Bubble_relaxation_2::internal::Domain_2& domain, const Tags& tags,
+         const Mesh_quality_2<double>& quality, MPI_Comm comm)
     : Mesh_2(comm)
   {
+    using namespace Bubble_relaxation_2::internal;
     m_quality = quality;
+    const Domain_regions_2 regions(domain);
+    take(tags, regions);
+    Triangle_places_2 places(domain, regions, mesh);
     std::vector<Index> local(mesh.bubbles.size(), -1);
     add_points(mesh, local);
     const auto triangles = static_cast<std::size_t>(std::count(mesh.is_final.begin(), mesh.is_final.end(), 1));
     m_vertices.reserve(triangles);
-    m_is_constrained.reserve(triangles);
-    add_triangles(mesh, true, local);
+    m_edges.reserve(triangles);
+    m_parts.reserve(triangles);
+    add_triangles(mesh, true, local, places);
     m_owned_triangles = m_vertices.size();
-    add_triangles(mesh, false, local);
+    add_triangles(mesh, false, local, places);
   }
 #endif
 
@@ -123,7 +155,28 @@ public:
   }
 
   /// whether the side opposite to the vertex `i` of a triangle lies on an edge of the domain
-  bool is_constrained(std::size_t t, int i) const { return m_is_constrained[t][i] != 0; }
+  bool is_constrained(std::size_t t, int i) const { return m_edges[t][i] != -1; }
+
+  /// The number of the edge of the domain on which the side opposite to the vertex `i` of a triangle lies, the same on
+  /// all ranks, or -1. Edges of the domain are straight from corner to corner; the property `edge` of points has the same
+  /// numbers.
+  std::int32_t edge(std::size_t t, int i) const { return m_edges[t][i]; }
+
+  /// the number of the part of the domain, as constraints part it, in which a triangle is, the same on all ranks
+  std::int32_t part(std::size_t t) const { return m_parts[t]; }
+  /// @}
+
+  /// \name Tags
+  /// @{
+  bool has_markers() const { return !m_markers.empty(); } ///< whether `edge_marker_map` was given
+  bool has_regions() const { return !m_regions.empty(); } ///< whether `face_region_map` was given
+
+  /// the marker of the constraint on which the side opposite to the vertex `i` of a triangle lies
+  /// \pre `has_markers()` and `is_constrained(t, i)`
+  Marker marker(std::size_t t, int i) const { return m_markers[static_cast<std::size_t>(m_edges[t][i])]; }
+
+  /// the region of a triangle \pre `has_regions()`
+  Region region(std::size_t t) const { return m_regions[static_cast<std::size_t>(m_parts[t])]; }
   /// @}
 
   /// The statistics of the mesh of all ranks, the same on each, and for any number of ranks. There are lengths
@@ -135,24 +188,29 @@ public:
 
   Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, and the first one
   `name.pvtu`, which refers to them. Points have the data `global_id`, `size`, and `rank`, their owner; triangles
-  `q`, the radius ratio, and `rank`.
+  `q`, the radius ratio, and `rank`. Sides on constraints are lines, each in one file; `dimension` is 2 for triangles and
+  1 for lines. There are also `marker`, of lines, and `region`, of triangles, if the mesh has them and they are numbers.
 
   \param path name of the file, which must end with `.pvtu`
+  \param of_points more data of points, such as a solution: numbers by local indices, of owned points and of ghosts
+  \param of_triangles more data of triangles, by local indices of owned ones
   \pre the communicator that the mesh was made with still exists
 
-  \throws std::invalid_argument if the name does not end so
+  \throws std::invalid_argument on all ranks if the name does not end so, or if data have not the same names on all
   \throws std::runtime_error on all ranks if one of the files cannot be written
   */
-  void write_pvtu(const std::string& path) const
+  void write_pvtu(const std::string& path, const std::vector<Mesh_data>& of_points = {},
+                  const std::vector<Mesh_data>& of_triangles = {}) const
   {
     using namespace Bubble_relaxation_2::internal;
     Communicator ranks(m_comm);
+    const Vtu_piece_2<Mesh_2> piece(*this, of_points, of_triangles);
+    check_same(ranks, piece.hash_of_names(), "the data of write_pvtu() have not the same names on all ranks");
     ranks.agree_after([&] {
       const std::string stem = pvtu_stem(path);
-      write_file(vtu_path(stem, m_rank),
-                 [&](std::ostream& out) { Vtu_piece_2<Mesh_2>(*this).write(out); });
+      write_file(vtu_path(stem, m_rank), [&](std::ostream& out) { piece.write(out); });
       if (m_rank == 0)
-        write_file(path, [&](std::ostream& out) { write_pvtu_header(out, stem, m_number_of_ranks); });
+        write_file(path, [&](std::ostream& out) { piece.write_header(out, stem); });
     });
   }
 
@@ -192,16 +250,36 @@ private:
     }
   }
 
-  void add_triangles(const Part& mesh, bool are_owned, const std::vector<Index>& local)
+  template <class Tags>
+  void take(const Tags& tags, const Bubble_relaxation_2::internal::Domain_regions_2& regions)
+  {
+    for (const auto& marker : tags.markers())
+      m_markers.push_back(*marker);
+    std::vector<const Region*> values(static_cast<std::size_t>(regions.number_of_regions()), nullptr);
+    const auto add = [&values](Index part, const auto& value) {
+      if (value)
+        values[static_cast<std::size_t>(part)] = &*value;
+    };
+    for (std::size_t e = 0; e < tags.left().size(); ++e) {
+      add(regions.left(static_cast<Index>(e)), tags.left()[e]);
+      add(regions.right(static_cast<Index>(e)), tags.right()[e]);
+    }
+    if (!tags.left().empty())
+      for (const Region* value : values)
+        m_regions.push_back(*value); // edges are all around each part
+  }
+
+  template <class Places>
+  void add_triangles(const Part& mesh, bool are_owned, const std::vector<Index>& local, Places& places)
   {
     const auto& marked = mesh.triangles;
     for (std::size_t t = 0; t < mesh.is_final.size(); ++t) {
       if (!mesh.is_final[t] || (mesh.is_owned[t] != 0) != are_owned)
         continue;
       const auto& v = marked.vertices[t];
-      const auto& e = marked.edges[t];
       m_vertices.push_back({local[v[0]], local[v[1]], local[v[2]]});
-      m_is_constrained.push_back({e[0] != -1, e[1] != -1, e[2] != -1});
+      m_edges.push_back(places.edges(t));
+      m_parts.push_back(places.region(t, m_edges.back()));
     }
   }
 
@@ -214,7 +292,10 @@ private:
   std::vector<double> m_sizes;
   std::vector<unsigned char> m_dimensions;
   std::vector<std::array<std::int32_t, 3>> m_vertices;
-  std::vector<std::array<char, 3>> m_is_constrained;
+  std::vector<std::array<Index, 3>> m_edges; // of the domain, behind the sides of each triangle
+  std::vector<Index> m_parts;                // of the domain, of each triangle
+  std::vector<Marker> m_markers;             // of edges of the domain
+  std::vector<Region> m_regions;             // of parts of the domain
   Mesh_quality_2<double> m_quality;
 };
 

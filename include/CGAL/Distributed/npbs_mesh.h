@@ -31,8 +31,9 @@ namespace CGAL::Distributed {
 What `CGAL::Distributed::npbs_mesh()` gives to a rank, beside its points.
 
 \tparam Kernel_ the kernel of the points
+\tparam Marker, Region as in `Mesh_2`
 */
-template <class Kernel_>
+template <class Kernel_, class Marker = int, class Region = int>
 struct Relaxed_mesh_2
 {
   using Kernel = Kernel_;
@@ -42,7 +43,7 @@ struct Relaxed_mesh_2
 
   /// This rank's part of the mesh. It owns the points that the rank got, in the same order, and knows the triangles
   /// around them.
-  Mesh_2<Kernel> mesh;
+  Mesh_2<Kernel, Marker, Region> mesh;
 };
 
 /*!
@@ -81,14 +82,17 @@ auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
 {
   using namespace Bubble_relaxation_2::internal;
   using Kernel = typename CDT::Geom_traits;
-  Relaxed_mesh_2<Kernel> result{{}, Mesh_2<Kernel>(comm)};
-  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto& sizing,
-                                                              const auto& report) {
+  using Tags = Tags_2<CDT, NamedParameters>;
+  using Mesh = Mesh_2<Kernel, typename Tags::Marker, typename Tags::Region>;
+  Relaxed_mesh_2<Kernel, typename Tags::Marker, typename Tags::Region> result{{}, Mesh(comm)};
+  const auto write = [&](const Relaxed_part_2& relaxed, const auto& reading, const auto& sizing, const auto& report) {
     relaxed.comm.agree_after([&] {
       ask_ghost_sizes(relaxed.mesh, relaxed.comm.rank(), sizing);
-      result.mesh = Mesh_2<Kernel>(relaxed.mesh, Mesh_quality_2<double>(report.quality), comm);
+      result.mesh = Mesh(relaxed.mesh, reading.domain, Tags(np, domain, reading),
+                         Mesh_quality_2<double>(report.quality), comm);
     });
-  });
+  };
+  result.report = relax_by_all(points, domain, comm, np, write);
   return result;
 }
 

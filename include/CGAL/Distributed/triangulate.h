@@ -73,6 +73,18 @@ the largest, or are numbered with the others. Its other vertices do not matter.
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_marker_map}
+    \cgalParamDescription{markers of constraints, as for `CGAL::npbs_relax()`, which the mesh has, see `Mesh_2::marker()`;
+                          those of the domain are the same on all ranks}
+    \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key}
+    \cgalParamDefault{no constraint has a marker}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_region_map}
+    \cgalParamDescription{regions of the faces of the domain, which the mesh has, see `Mesh_2::region()`; the same on all
+                          ranks}
+    \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Face_handle` as key}
+    \cgalParamDefault{faces have no regions}
+  \cgalParamNEnd
   \cgalParamNBegin{seeds}
     \cgalParamDescription{points in the holes of the domain, or in the domain, as for `CGAL::npbs_relax()`}
     \cgalParamType{a range of points}
@@ -117,7 +129,9 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   std::unique_ptr<Domain_reading_2<CDT>> reading;
   ranks.agree_after([&] {
     const Domain_marks_2<CDT> is_inside(domain, np);
-    reading = std::make_unique<Domain_reading_2<CDT>>(domain, is_inside, is_pinned<CDT>(np));
+    reading = std::make_unique<Domain_reading_2<CDT>>(domain, is_inside, is_pinned<CDT>(np),
+                                                      Marker_changes<NamedParameters>{np});
+    check_regions<CDT>(np, is_inside);
   });
   check_same_domain(ranks, reading->domain);
 
@@ -133,7 +147,12 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   const Distributed_mesh_2 mesh =
     distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
   const auto quality = distributed_quality(mesh, has_sizes ? &sizes : nullptr, ranks);
-  return Mesh_2<typename CDT::Geom_traits>(mesh, quality, comm);
+  using Tags = Tags_2<CDT, NamedParameters>;
+  Mesh_2<typename CDT::Geom_traits, typename Tags::Marker, typename Tags::Region> result(comm);
+  ranks.agree_after([&] {
+    result = decltype(result)(mesh, reading->domain, Tags(np, domain, *reading), quality, comm);
+  });
+  return result;
 }
 
 } // namespace CGAL::Distributed

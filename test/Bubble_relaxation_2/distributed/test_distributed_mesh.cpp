@@ -272,12 +272,13 @@ for piece in tree.parse(path).iter("Piece"):
     arrays = {a.get("Name"): a.text.split() for a in part.find("CellData")}
     arrays.update({a.get("Name"): a.text.split() for a in part.find("Cells")})
     n, points = int(part.get("NumberOfCells")), int(part.get("NumberOfPoints"))
-    assert len(arrays["q"]) == len(arrays["types"]) == n and len(arrays["connectivity"]) == 3 * n
-    assert all(0 < float(q) <= 1 for q in arrays["q"])
+    lines = arrays["types"].count("3")
+    assert len(arrays["q"]) == len(arrays["types"]) == n and len(arrays["connectivity"]) == 3 * n - lines
+    assert all(0 < float(q) <= 1 for q in arrays["q"][:n - lines])
     assert all(0 <= int(v) < points for v in arrays["connectivity"])
     assert len(part.find("Points/DataArray").text.split()) == 3 * points
     assert len(part.find("PointData/DataArray").text.split()) == points
-    cells += n
+    cells += n - lines
 assert cells == triangles, cells
 )";
     std::ofstream(stem + ".py") << script;

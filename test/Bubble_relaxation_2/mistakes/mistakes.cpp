@@ -12,6 +12,8 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Constraint_marker_map_2.h>
+#include <CGAL/Face_region_map_2.h>
 #include <CGAL/Projection_traits_3.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/npbs_relax.h>
@@ -36,6 +38,7 @@ int main()
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback([](double) { return true; }));
   CGAL::npbs_relax(terrain, [](const K::Point_2& p) { return 0.1 + p.x(); });
   CGAL::npbs_relax(terrain, P::elevation_function([](const K::Point_2&) { return 1; }));
+  CGAL::npbs_relax(terrain, P::edge_marker_map(CGAL::Constraint_marker_map_2<Terrain>()));
 #elif MISTAKE == 1 // what has no constraints has no domain
   CGAL::Delaunay_triangulation_2<K> unconstrained;
   CGAL::npbs_relax(unconstrained);
@@ -72,6 +75,10 @@ int main()
   CGAL::npbs_relax(cdt, P::elevation_function([](const K::Point_2&) { return 1; }));
 #elif MISTAKE == 10 // elevation_function must be callable
   CGAL::npbs_relax(terrain, P::elevation_function([](const K::Point_3& p) { return p.z(); }));
+#elif MISTAKE == 17 // edge_marker_map must be a property map
+  CGAL::npbs_relax(cdt, P::edge_marker_map(CGAL::Face_region_map_2<CDT>()));
+#elif MISTAKE == 18 // face_region_map must be a property map
+  CGAL::npbs_relax(cdt, P::sizing_function(0.1).face_region_map(CGAL::Constraint_marker_map_2<CDT>()));
 #elif MISTAKE == 11 // it takes no terrain
   CGAL::simplify_outline_2(terrain);
 #endif

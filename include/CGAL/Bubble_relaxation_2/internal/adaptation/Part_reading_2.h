@@ -24,11 +24,14 @@ class Part_reading_2 : public Read_domain_2
 public:
   using Vertex_handle = typename Cdt::Vertex_handle;
 
-  /// `is_pinned(vertex)`: what the user pinned
-  template <class Is_pinned>
-  Part_reading_2(const Cdt& cdt, const Marked_copy_2& copy, const Is_pinned& is_pinned)
+  /// with the pins and the tags of the user's
+  template <class NamedParameters>
+  Part_reading_2(const Cdt& cdt, const Marked_copy_2& copy, const NamedParameters& np)
     : Read_domain_2(copy, Vertex_order<Cdt>::is_before())
   {
+    const auto is_pinned = internal::is_pinned<Cdt>(np);
+    check_regions<Cdt>(np, copy);
+    Marker_changes<NamedParameters>{np}(m_edges, [this](Index v) { return vertex(v); }, m_is_given);
     for (std::size_t v = 0; v < m_is_pinned.size(); ++v)
       m_is_pinned[v] = is_pinned(vertex(static_cast<Index>(v)));
     keep_ends_of_others(cdt);

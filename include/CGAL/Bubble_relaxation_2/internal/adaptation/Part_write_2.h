@@ -85,6 +85,14 @@ public:
     m_exchange.finish(m_vertices.removed());
   }
 
+  /// when all is finished
+  template <class Tags>
+  void write_tags(const Tags& tags)
+  {
+    tags.write_part(m_reading.domain, m_mesh, [this](Index v) { return m_vertices(v); },
+                    [this](Index t) { return m_faces[t]; });
+  }
+
 private:
   void take_part()
   {

@@ -50,12 +50,12 @@ template <class Cdt>
 class Sizes_of_outline_2
 {
 public:
-  template <class Is_inside, class Is_pinned>
-  Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned, const Sizes_2& wanted,
+  template <class Is_inside, class NamedParameters>
+  Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const NamedParameters& np, const Sizes_2& wanted,
                     const Relaxation_options& options)
-    : m_reading(cdt, Outline_copy_2<Cdt>(cdt, is_in_domain), is_pinned), m_wanted(wanted)
+    : m_reading(cdt, Outline_copy_2<Cdt>(cdt, is_in_domain), np), m_wanted(wanted)
   {
-    add_pins(cdt, is_in_domain, is_pinned);
+    add_pins(cdt, is_in_domain, is_pinned<Cdt>(np));
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
     constexpr double reach = 0.5; // of circles, in sizes, with what is refined around them
     for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth)) {

@@ -66,7 +66,7 @@ Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const
                 "sizing_function is needed to find out where a mesh does not fit it");
   const Misfit_criteria criteria = read_misfit_criteria(np);
   check_has_domain(cdt, is_in_domain);
-  const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, is_pinned<Cdt>(np), *given_sizes<Cdt>(np), options);
+  const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, np, *given_sizes<Cdt>(np), options);
   Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
   return Misfits_2<Cdt>{search(), outline.sizes()};
 }

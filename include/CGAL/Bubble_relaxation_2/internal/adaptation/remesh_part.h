@@ -33,10 +33,10 @@ public:
   using Part = std::vector<typename Cdt::Face_handle>;
 
   /// `sizes`: those that are wanted; by default those of the mesh
-  template <class Is_inside, class Is_pinned>
-  Part_input_2(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain, const Is_pinned& is_pinned,
+  template <class Is_inside, class NamedParameters>
+  Part_input_2(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain, const NamedParameters& np,
                const Relaxation_options& options, const std::optional<Sizes_2>& sizes)
-    : Part_input_2(cdt, Part_copy_2<Cdt>(cdt, part, is_in_domain), is_in_domain, is_pinned, options, sizes)
+    : Part_input_2(cdt, Part_copy_2<Cdt>(cdt, part, is_in_domain), is_in_domain, np, options, sizes)
   {}
 
   const Part_reading_2<Cdt>& reading() const { return m_reading; }
@@ -51,10 +51,10 @@ private:
   /// Bubbles that are a little too dense stay so. Once that does not show, but many changes of a mesh would add up.
   static constexpr double little = 1.1;
 
-  template <class Is_inside, class Is_pinned>
-  Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_inside& is_in_domain, const Is_pinned& is_pinned,
+  template <class Is_inside, class NamedParameters>
+  Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_inside& is_in_domain, const NamedParameters& np,
                const Relaxation_options& o, const std::optional<Sizes_2>& sizes)
-    : m_options(o), m_reading(cdt, copy, is_pinned),
+    : m_options(o), m_reading(cdt, copy, np),
       m_wanted(sizes ? sizes_from_rim(cdt, is_in_domain, *sizes) : sizes_of_mesh(copy)),
       m_limits(limit_by_outline(m_reading.domain, m_reading.given, m_wanted, o, o.limit_by_outline && sizes))
   {
@@ -90,8 +90,8 @@ void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
 }
 
 /// Puts the mesh of a part into the triangulation, and tells the visitor.
-template <class Cdt, class Visitor>
-void write_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
+template <class Cdt, class NamedParameters, class Visitor>
+void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
                 Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation, Visitor& visitor, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
@@ -99,6 +99,7 @@ void write_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, co
   using Vertices = std::vector<typename Cdt::Vertex_handle>;
   const Elevations<Cdt> elevations = find_elevations(cdt, input.reading(), mesh.bubbles, elevation);
   const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh, elevations).removed_vertices();
+  const Tags_2<Cdt, NamedParameters> tags(np, cdt, input.reading());
   visitor.before_change(part, removed);
   Part_write_2<Cdt> write(cdt, part, input.reading(), mesh, elevations);
   write.build();
@@ -106,19 +107,21 @@ void write_part(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, co
   const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
   write.exchange();
   visitor.while_both_exist(part, removed, new_faces, new_vertices);
+  tags.forget_part(input.reading(), part);
   write.finish();
+  write.write_tags(tags);
   visitor.after_change(new_faces, new_vertices);
 }
 
 /// What is to be done with a part of a triangulation, and how.
-template <class Cdt, class Is_inside, class Is_pinned>
+template <class Cdt, class Is_inside, class NamedParameters>
 struct Part_task_2
 {
   using Part = std::vector<typename Cdt::Face_handle>;
 
   Cdt& cdt;
   const Is_inside& is_in_domain;
-  const Is_pinned& is_pinned;
+  const NamedParameters& np;
   const Relaxation_options& options;
   const std::optional<Sizes_2>& sizes;
   const Elevation_function<Cdt>& elevation;
@@ -130,7 +133,7 @@ struct Part_task_2
     const Part_input_2<Cdt> input = read(part, report);
     Bubble_mesh_2 mesh = make_mesh(input.problem(), report);
     options.progress->report(1);
-    write_part(cdt, part, input, std::move(mesh), elevation, visitor, report);
+    write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
   }
 
   /// The same. Where bad triangles are left at the rim, the part grows, and all is done once more.
@@ -147,7 +150,7 @@ struct Part_task_2
       Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
       if (larger.size() == part.size()) {
         options.progress->report(1);
-        write_part(cdt, part, input, std::move(mesh), elevation, visitor, report);
+        write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
         return;
       }
       part.swap(larger);
@@ -158,7 +161,7 @@ private:
   Part_input_2<Cdt> read(const Part& part, Report& report) const
   {
     const Phase_timer timer(report.seconds.reading);
-    return Part_input_2<Cdt>(cdt, part, is_in_domain, is_pinned, options, sizes);
+    return Part_input_2<Cdt>(cdt, part, is_in_domain, np, options, sizes);
   }
 
   bool is_treated(const Report& report) const

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/property_map.h>
 
 #include <functional>
 #include <iterator>
@@ -127,6 +128,30 @@ constexpr bool returns_elevation()
   return is_missing<Elevation>;
 }
 
+/// whether a map, if it was given, has keys of a kind
+template <class Map, class Key>
+constexpr bool has_keys()
+{
+  if constexpr (!is_missing<Map>)
+    return std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value;
+  return true;
+}
+
+/// Whether the maps of tags take what they are asked for.
+template <class Cdt, class NamedParameters>
+constexpr bool check_tags()
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  constexpr bool has_edges =
+    has_keys<Value_of<NamedParameters, internal_np::edge_marker_t>, std::pair<Vertex_handle, Vertex_handle>>();
+  static_assert(has_edges, "edge_marker_map must be a property map with std::pair<Vertex_handle, Vertex_handle> as "
+                           "key, such as Constraint_marker_map_2");
+  constexpr bool has_faces =
+    has_keys<Value_of<NamedParameters, internal_np::face_region_t>, typename Cdt::Face_handle>();
+  static_assert(has_faces, "face_region_map must be a property map with Face_handle as key, such as Face_region_map_2");
+  return has_edges && has_faces;
+}
+
 /// Whether the values of parameters are of types that can be meant.
 template <class Cdt, class NamedParameters>
 constexpr bool check_values()
@@ -146,7 +171,8 @@ constexpr bool check_values()
   constexpr bool has_elevation = !is_for_terrain || returns_elevation<Elevation, Cdt>();
   static_assert(has_elevation, "elevation_function must be callable, as a constant, with a Point_2, the place in the "
                                "plane of the projection, and return a number");
-  return has_callback && has_seeds && has_size && is_for_terrain && has_elevation;
+  return has_callback && has_seeds && has_size && is_for_terrain && has_elevation &&
+         check_tags<Cdt, NamedParameters>();
 }
 
 /// Calls `body` with a pack of named parameters, for a triangulation and parameters that can be meant; a size alone, a

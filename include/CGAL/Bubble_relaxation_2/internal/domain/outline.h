@@ -46,6 +46,37 @@ inline std::vector<Index> bubbles_on_corners(const Domain_2& domain, const Bubbl
   return on_corner;
 }
 
+/// The edge of the domain that has the piece between two bubbles.
+inline Index edge_of_piece(const Domain_2& domain, const Bubbles_2& b, Index i, Index j)
+{
+  if (b.is_on_edge(i))
+    return b.host[i];
+  return b.is_on_edge(j) ? b.host[j] : domain.edge_between(b.host[i], b.host[j]);
+}
+
+/// where a bubble is on an edge of the domain, or at an end of it: 0 at its source, 1 at its target
+inline double position_on(const Domain_2& domain, const Bubbles_2& b, Index edge, Index i)
+{
+  return b.is_on_edge(i) ? b.s[i] : b.host[i] == domain.edges()[edge].source ? 0 : 1;
+}
+
+/// Calls `visit(t, i, e, is_left)` for the sides `i` of triangles of a mesh that lie on an edge `e` of the domain:
+/// whether the triangle is left of it, seen from its source.
+template <class Visit>
+void for_each_piece(const Domain_2& domain, const Bubble_mesh_2& mesh, const Visit& visit)
+{
+  const Marked_triangles_2& tr = mesh.triangles;
+  for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      if (tr.edges[t][i] == no_index)
+        continue;
+      const Index a = tr.vertices[t][ccw(i)], b = tr.vertices[t][cw(i)],
+                  e = edge_of_piece(domain, mesh.bubbles, a, b);
+      const bool is_left = position_on(domain, mesh.bubbles, e, a) < position_on(domain, mesh.bubbles, e, b);
+      visit(static_cast<Index>(t), i, e, is_left);
+    }
+}
+
 /// The edges of the domain cut at their bubbles, between indices of bubbles.
 inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubbles_2& b)
 {

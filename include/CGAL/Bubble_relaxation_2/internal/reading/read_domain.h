@@ -107,6 +107,14 @@ struct Vertex_order
   }
 };
 
+/// where a user's constraints have no markers
+struct No_changes
+{
+  template <class Vertex>
+  void operator()(const std::vector<Constrained_edge_2>&, const Vertex&, std::vector<char>&) const
+  {}
+};
+
 /// What is read from a triangulation of a certain type. It knows the handles of vertices.
 template <class Cdt>
 class Domain_reading_2 : public Read_domain_2
@@ -114,11 +122,14 @@ class Domain_reading_2 : public Read_domain_2
 public:
   using Vertex_handle = typename Cdt::Vertex_handle;
 
-  /// `is_pinned(vertex)`: what the user pinned
-  template <class Is_pinned>
-  Domain_reading_2(const Cdt& cdt, const Domain_marks_2<Cdt>& marks, const Is_pinned& is_pinned)
+  /// `is_pinned(vertex)`: what the user pinned; `find_changes(edges, vertex, stays)` sets which vertices of edges
+  /// are no mere splits of a line
+  template <class Is_pinned, class Find_changes = No_changes>
+  Domain_reading_2(const Cdt& cdt, const Domain_marks_2<Cdt>& marks, const Is_pinned& is_pinned,
+                   const Find_changes& find_changes = Find_changes())
     : Read_domain_2(marks, Vertex_order<Cdt>::is_before())
   {
+    find_changes(m_edges, [this](Index v) { return vertex(v); }, m_is_given);
     for (std::size_t v = 0; v < m_is_pinned.size(); ++v)
       if (m_is_of_domain[v])
         m_is_pinned[v] = is_pinned(vertex(static_cast<Index>(v)));

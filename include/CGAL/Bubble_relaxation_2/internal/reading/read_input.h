@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/Tags_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/elevations.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
 
@@ -121,12 +122,13 @@ private:
 
   template <class NamedParameters>
   Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
-    : options(o), reading(cdt, marks, is_pinned<Cdt>(np)), wanted(wanted_sizes(np, marks, reading)),
+    : options(o), reading(cdt, marks, is_pinned<Cdt>(np), Marker_changes<NamedParameters>{np}), wanted(wanted_sizes(np, marks, reading)),
       limits(limit_by_outline(reading.domain, reading.given, wanted, options,
                               options.limit_by_outline &&
                                 (reading.free.empty() || has_sizing_function<NamedParameters>))),
       elevation(given_elevation<Cdt>(np))
   {
+    check_regions<Cdt>(np, marks);
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept
       reading.look_around(marks);

@@ -49,7 +49,8 @@ class Direct_write_2
 
 public:
   Direct_write_2(Cdt& cdt, const Reading& reading, const Bubble_mesh_2& mesh, const Elevations<Cdt>& elevations)
-    : m_cdt(cdt), m_reading(reading), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles), m_elevations(elevations)
+    : m_cdt(cdt), m_reading(reading), m_bubble_mesh(mesh), m_bubbles(mesh.bubbles), m_mesh(mesh.triangles),
+      m_elevations(elevations)
   {}
 
   /// whether the triangulation holds nothing but the domain
@@ -61,12 +62,14 @@ public:
     return known == cdt.number_of_vertices() && !reading.graph->touches_other_constraints();
   }
 
-  void operator()()
+  template <class Tags>
+  void operator()(const Tags& tags)
   {
     m_cdt.tds().faces().clear();
     make_vertices();
     make_triangles();
     surround_hull();
+    tags.write([this](const auto& visit) { this->for_each_piece(visit); });
   }
 
 private:
@@ -134,6 +137,18 @@ private:
     infinite->set_face(face(hull.front()));
   }
 
+  /// what `Tags_2::write()` wants to know
+  template <class Visit>
+  void for_each_piece(const Visit& visit) const
+  {
+    internal::for_each_piece(m_reading.domain, m_bubble_mesh, [&](Index t, int i, Index e, bool is_left) {
+      if (m_mesh.neighbors[t][i] > t)
+        return; // is seen from the other side
+      const Index source = m_mesh.vertices[t][is_left ? ccw(i) : cw(i)];
+      visit(typename Cdt::Edge(face(m_faces[t]), i), vertex(source), static_cast<std::size_t>(e));
+    });
+  }
+
   Vertex_handle vertex(Index bubble) const { return Handles<Cdt>::vertex(m_vertices[bubble]); }
 
   static Face_handle face(void* address) { return Handles<Cdt>::face(address); }
@@ -146,6 +161,7 @@ private:
 
   Cdt& m_cdt;
   const Reading& m_reading;
+  const Bubble_mesh_2& m_bubble_mesh;
   const Bubbles_2& m_bubbles;
   const Marked_triangles_2& m_mesh;
   const Elevations<Cdt>& m_elevations;

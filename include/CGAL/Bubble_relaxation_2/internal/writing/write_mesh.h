@@ -47,7 +47,8 @@ public:
     : m_cdt(cdt), m_reading(reading), m_bubbles(bubbles), m_elevations(elevations)
   {}
 
-  void operator()()
+  template <class Tags>
+  void operator()(const Tags& tags)
   {
     for (Index v : m_reading.free)
       m_cdt.remove(m_reading.vertex(v));
@@ -56,7 +57,13 @@ public:
     split_constraints();
     make_hull_convex();
     insert_in_faces();
-    mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
+    mark_domain(m_cdt, [this](const auto& visit) {
+      this->for_each_piece([&](const Edge& edge, Vertex_handle source, std::size_t chain) {
+        const Chain& c = m_reading.graph->chains()[chain];
+        visit(edge, source, c.inside_left, c.inside_right);
+      });
+    });
+    tags.write([this](const auto& visit) { this->for_each_piece(visit); });
   }
 
 private:
@@ -306,15 +313,13 @@ private:
   }
 
   template <class Visit>
-  void for_each_side(const Visit& visit) const
+  void for_each_piece(const Visit& visit) const
   {
-    for (std::size_t e = 0; e < m_paths.size(); ++e) {
-      const Chain& chain = m_reading.graph->chains()[e];
+    for (std::size_t e = 0; e < m_paths.size(); ++e)
       for (std::size_t k = 1; k < m_paths[e].size(); ++k) {
         const Vertex_handle from = vertex(m_paths[e][k - 1]);
-        visit(next_towards(from, vertex(m_paths[e][k])).first, from, chain.inside_left, chain.inside_right);
+        visit(next_towards(from, vertex(m_paths[e][k])).first, from, e);
       }
-    }
   }
 
   Cdt& m_cdt;
@@ -346,17 +351,18 @@ void count_in_domain(const Cdt& cdt, Report& report)
 
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
 /// nothing else in it, else by insertion.
-template <class Cdt>
+template <class Cdt, class Tags>
 void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mesh_2& mesh,
-                const Elevations<Cdt>& elevations, Report& report)
+                const Elevations<Cdt>& elevations, const Tags& tags, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
+  tags.forget_old(cdt, reading);
   if constexpr (Is_plain<Cdt>::value)
     if (Direct_write_2<Cdt>::is_possible(cdt, reading)) {
-      Direct_write_2<Cdt>(cdt, reading, mesh, elevations)();
+      Direct_write_2<Cdt>(cdt, reading, mesh, elevations)(tags);
       return;
     }
-  Write_back_2<Cdt>(cdt, reading, mesh.bubbles, elevations)();
+  Write_back_2<Cdt>(cdt, reading, mesh.bubbles, elevations)(tags);
   if constexpr (Domain_marks_2<Cdt>::has_marks)
     count_in_domain(cdt, report);
 }

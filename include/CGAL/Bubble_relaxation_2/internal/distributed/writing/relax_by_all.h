@@ -68,7 +68,7 @@ struct Relaxed_part_2
 };
 
 /// Collective. What `Distributed::npbs_relax()` and `Distributed::npbs_mesh()` have in common: all but what they
-/// return, which `write(part, sizes, report)` prepares by all ranks. If it throws, it throws on all.
+/// return, which `write(part, reading, sizes, report)` prepares by all ranks. If it throws, it throws on all.
 template <class PointSet, class CDT, class NamedParameters, class Write>
 auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const NamedParameters& np, const Write& write)
 {
@@ -106,7 +106,8 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
       ask_own_sizes(mesh, ranks.rank(), input->limits.sizes);
       bubbles = own_bubbles(mesh, ranks.rank());
     });
-    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->limits.sizes, report);
+    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->reading, input->limits.sizes,
+          report);
     ranks.agree_after([&] {
       replacement.prepare(bubbles);
       input->options.progress->report(1);

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_DEMO_MESH_OPTIONS_H
+#define BUBBLE_RELAXATION_2_DEMO_MESH_OPTIONS_H
+
+#include "files/domain.h"
+#include "files/simplify_domain.h"
+#include "size_formula.h"
+
+#include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Gradation_limited_sizing_field_2.h>
+#include <CGAL/property_map.h>
+
+#include <boost/program_options.hpp>
+
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+// What the programs for one rank and for several have in common on their command lines.
+
+namespace po = boost::program_options;
+
+using Size = std::function<double(const Point&)>;
+
+/// the options that tell what mesh is wanted
+inline po::options_description mesh_options()
+{
+  namespace defaults = CGAL::Bubble_relaxation_2::internal;
+  po::options_description options;
+  options.add_options()
+    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y and region, the attribute of a "
+                                         "region of the domain; default: that of the domain's own edges")
+    ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
+                                         "default: as --size asks")
+    ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),
+     "by how much the length grows per unit of length away from where the domain is finer than it")
+    ("minimum-angle", po::value<double>()->default_value(defaults::default_minimum_angle),
+     "smaller angles are refined, in degrees, but for those between two segments; 0: never")
+    ("tolerance", po::value<double>(), "replace the outline by one with pieces as long as --size, within this share of "
+                                       "it, such as 0.1")
+    ("min-island", po::value<double>()->default_value(0), "with --tolerance: drop islands with a smaller area")
+    ("min-gap", po::value<double>()->default_value(0), "with --tolerance: fill where the domain is narrower")
+    ("simplification-report", po::value<std::string>(), "with --tolerance: a text file with the places of what was "
+                                                        "dropped and filled")
+    ("paper", "the parameters of the paper instead of the defaults")
+    ("rounds", po::value<int>()->default_value(defaults::default_number_of_rounds),
+     "rounds of simulation at most; with --paper 6")
+    ("iterations", po::value<int>()->default_value(defaults::default_number_of_iterations),
+     "steps in a round at most; with --paper 250")
+    ("max-bubbles", po::value<long>()->default_value(20000000), "refuse sizes that ask for more vertices")
+    ("quiet,q", "no progress and no statistics");
+  return options;
+}
+
+/// \throws std::runtime_error if options do not go together
+inline void check_mesh_options(const po::variables_map& arguments)
+{
+  if (arguments.count("gradation") > 0 && !(arguments["gradation"].as<double>() > 0))
+    throw std::runtime_error("--gradation must be positive");
+  if (arguments.count("tolerance") > 0 && arguments.count("size") == 0)
+    throw std::runtime_error("--tolerance needs --size");
+  if (arguments.count("tolerance") == 0 && arguments.count("simplification-report") > 0)
+    throw std::runtime_error("--simplification-report needs --tolerance");
+  if (arguments.count("tolerance") == 0 && !(arguments["min-island"].defaulted() && arguments["min-gap"].defaulted()))
+    throw std::runtime_error("--min-island and --min-gap need --tolerance");
+}
+
+/// what the user asks for, else what `parameters` hold, else the default that --help shows
+template <class Parameters, class Tag>
+int count(const po::variable_value& argument, const Parameters& parameters, Tag tag)
+{
+  using namespace CGAL::parameters;
+  if (!argument.defaulted())
+    return argument.as<int>();
+  return static_cast<int>(choose_parameter(get_parameter(parameters, tag), argument.as<int>()));
+}
+
+/// what the options say, on top of `parameters`
+template <class Parameters>
+auto mesh_parameters(Domain& domain, const Region_map& regions, const po::variables_map& arguments,
+                     const Parameters& parameters)
+{
+  namespace np = CGAL::internal_np;
+  using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
+  return parameters.number_of_rounds(count(arguments["rounds"], parameters, np::number_of_rounds))
+    .number_of_iterations(count(arguments["iterations"], parameters, np::number_of_iterations))
+    .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>())
+    .size_growth(arguments["size-growth"].as<double>())
+    .minimum_angle(arguments["minimum-angle"].as<double>())
+    .vertex_is_constrained_map(Pinned(domain.pinned))
+    .edge_marker_map(Segment_marker_map{&domain})
+    .face_region_map(regions);
+}
+
+/// what npbs_relax says, in the words of the command line
+inline std::string in_words_of_options(std::string text)
+{
+  const std::pair<std::string, std::string> words[] = {
+    {"Bubble_relaxation_2: ", ""},
+    {"maximum_number_of_bubbles", "--max-bubbles"},
+    {"gradation", "--gradation"},
+    {"size_growth", "--size-growth"},
+    {"minimum_angle", "--minimum-angle"},
+    {"relative_outline_tolerance", "--tolerance"},
+    {"minimum_island_area", "--min-island"},
+    {"minimum_gap", "--min-gap"},
+    {"number_of_rounds", "--rounds"},
+    {"number_of_iterations", "--iterations"},
+    {"parameter --", "--"},
+    {"the sizing function", "--size"}};
+  for (const auto& word : words) {
+    const std::size_t found = text.find(word.first);
+    if (found != std::string::npos)
+      text.replace(found, word.first.size(), word.second);
+  }
+  return text;
+}
+
+/// the input as messages call it
+inline std::string input_name(const po::variables_map& arguments)
+{
+  const std::string input = arguments["input"].as<std::string>();
+  return input == "-" ? "standard input" : input;
+}
+
+/// The size, limited as --gradation asks.
+/// \throws std::runtime_error with the name of the input
+inline Size limited_size(Domain& domain, const po::variables_map& arguments, const Size& size)
+try {
+  using Limited = CGAL::Gradation_limited_sizing_field_2<CDT>;
+  using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
+  if (arguments.count("gradation") == 0)
+    return size;
+  const double g = arguments["gradation"].as<double>();
+  if (!size)
+    return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::vertex_is_constrained_map(Pinned(domain.pinned))
+                                    .edge_marker_map(Segment_marker_map{&domain}));
+  return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::sizing_function(size));
+} catch (const std::exception& e) {
+  throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
+}
+
+/// The sizes that --size asks for, nothing without it.
+/// \throws std::runtime_error with the name of the input
+inline Size wanted_size(const Domain& domain, const po::variables_map& arguments,
+                        const std::optional<Size_formula>& formula)
+try {
+  return formula ? size_in_domain(*formula, domain) : Size();
+} catch (const std::exception& e) {
+  throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
+}
+
+/// Replaces the outline if --tolerance asks for it. `tells`: whether it says and writes what it was replaced by
+/// \throws std::runtime_error with the name of the input
+inline void simplify(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
+                     bool tells = true)
+try {
+  if (arguments.count("tolerance") == 0)
+    return;
+  const Size size = wanted_size(domain, arguments, formula);
+  const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
+                                                .relative_outline_tolerance(arguments["tolerance"].as<double>())
+                                                .minimum_island_area(arguments["min-island"].as<double>())
+                                                .minimum_gap(arguments["min-gap"].as<double>()));
+  if (!tells)
+    return;
+  if (arguments.count("quiet") == 0)
+    std::cout << "outline\n" << report;
+  if (arguments.count("simplification-report") > 0)
+    write_simplification(arguments["simplification-report"].as<std::string>(), report);
+} catch (const std::exception& e) {
+  throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
+}
+
+#endif // BUBBLE_RELAXATION_2_DEMO_MESH_OPTIONS_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_CONSTRAINT_MARKER_MAP_2_H
+#define CGAL_CONSTRAINT_MARKER_MAP_2_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/core/Address_map.h>
+
+#include <CGAL/property_map.h>
+
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgBubbleRelaxation2Tags
+
+Markers of the constraints of a triangulation, such as numbers of boundary conditions, for the parameter
+`edge_marker_map` of `npbs_relax()`.
+
+It holds a marker for each pair of vertices that it is told, whichever is named first. Copies share what they hold. When
+a triangulation is meshed, the markers of edges that go are forgotten; any other change of the triangulation leaves
+the map as it is.
+
+\cgalModels{ReadWritePropertyMap}
+
+\tparam CDT_ a `Constrained_Delaunay_triangulation_2` or a `Constrained_triangulation_plus_2` of one
+\tparam Marker a type that can be copied and compared by `==`
+
+\sa `npbs_relax()`
+\sa `Face_region_map_2`
+*/
+template <class CDT_, class Marker = int>
+class Constraint_marker_map_2
+{
+public:
+  using CDT = CDT_;
+  using Vertex_handle = typename CDT::Vertex_handle;
+
+  using key_type = std::pair<Vertex_handle, Vertex_handle>; ///< the ends of an edge
+  using value_type = Marker;
+  using reference = const Marker&;
+  using category = boost::read_write_property_map_tag;
+
+  /// \param others the marker of the edges that the map is told nothing of
+  explicit Constraint_marker_map_2(const Marker& others = Marker()) : m_markers(others) {}
+
+  /// returns the marker of the edge between two vertices.
+  const Marker& operator()(Vertex_handle u, Vertex_handle v) const { return m_markers(addresses(u, v)); }
+
+  /// sets the marker of the edge between two vertices.
+  void set(Vertex_handle u, Vertex_handle v, const Marker& marker) const { m_markers.set(addresses(u, v), marker); }
+
+  /// sets the marker of all edges of `cdt` on the straight line between two vertices, as `insert_constraint(u, v)` has
+  /// left them: vertices on the line cut it.
+  void set(const CDT& cdt, Vertex_handle u, Vertex_handle v, const Marker& marker) const
+  {
+    typename CDT::Face_handle f;
+    int i = 0;
+    Vertex_handle next;
+    for (; u != v && cdt.includes_edge(u, v, next, f, i); u = next)
+      set(u, next, marker);
+  }
+
+  friend const Marker& get(const Constraint_marker_map_2& map, const key_type& edge)
+  {
+    return map(edge.first, edge.second);
+  }
+
+  friend void put(const Constraint_marker_map_2& map, const key_type& edge, const Marker& marker)
+  {
+    map.set(edge.first, edge.second, marker);
+  }
+
+#ifndef DOXYGEN_RUNNING
+  friend void forget(const Constraint_marker_map_2& map, const key_type& edge)
+  {
+    map.m_markers.forget(addresses(edge.first, edge.second));
+  }
+#endif
+
+private:
+  using Map = Bubble_relaxation_2::internal::Address_map<2, Marker>;
+
+  static typename Map::Addresses addresses(Vertex_handle u, Vertex_handle v)
+  {
+    const void *p = &*u, *q = &*v;
+    if (std::less<const void*>()(q, p))
+      std::swap(p, q);
+    return {p, q};
+  }
+
+  Map m_markers;
+};
+
+} // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
+
+#endif // CGAL_CONSTRAINT_MARKER_MAP_2_H
