@@ -76,14 +76,14 @@ inline bool is_forced_by_outline(const Report& report)
 }
 
 /// what to say about it, and what can be done
-inline std::string forced_by_outline_message(const Report& report, bool is_simplified)
+inline std::string forced_by_outline_message(const Report& report, bool is_simplified, bool may_grow_faster)
 {
   std::ostringstream text;
   text << "--size alone asks for about " << report.number_of_wanted_vertices << " vertices, the outline forces "
        << report.number_of_vertices - report.number_of_wanted_vertices << " more, where it is finer or narrower; "
        << (is_simplified ? "larger --min-island and --min-gap take islands and narrows away"
                          : "--tolerance 0.1 replaces it by one with longer pieces")
-       << ", a larger --size-growth makes fewer triangles, and worse ones";
+       << (may_grow_faster ? ", a larger --size-growth makes fewer triangles, and worse ones" : "");
   return text.str();
 }
 

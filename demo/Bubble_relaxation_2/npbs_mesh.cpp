@@ -248,7 +248,8 @@ try {
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
   if (arguments.count("quiet") == 0 && arguments.count("size") > 0 && is_forced_by_outline(report))
     std::cerr << "npbs_mesh: hint: " << input_name(arguments) << ": "
-              << forced_by_outline_message(report, arguments.count("tolerance") > 0) << '\n';
+              << forced_by_outline_message(report, arguments.count("tolerance") > 0,
+                                           arguments["size-growth"].as<double>() < 1) << '\n';
   warn_of_mesh(domain, report, arguments, size, warn);
   write_files(domain, regions, report, arguments, size);
 } catch (const std::exception& e) {

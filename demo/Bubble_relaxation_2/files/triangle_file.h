@@ -98,7 +98,8 @@ struct Numbered_points
   {
     const auto found = points.find(number);
     if (found == points.end())
-      reader.fail(std::string(what) + " ends in a point that does not exist");
+      reader.fail(std::string(what) + " ends in the point " +
+                  std::to_string(static_cast<long long>(number)) + ", which does not exist");
     Numbered_point& p = found->second;
     if (p.vertex == CDT::Vertex_handle()) {
       p.vertex = domain.cdt.insert(p.point);
