@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARK_TRIANGULATION_IMPL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARK_TRIANGULATION_IMPL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
