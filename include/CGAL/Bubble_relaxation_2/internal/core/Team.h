@@ -149,8 +149,8 @@ public:
   /// adds what others propose and might be in the way of ours
   virtual void share_proposals(std::vector<Growth_proposal_2>&) {}
 
-  /// keeps of the new bubbles those that this rank has to know, and adds such of others
-  virtual void exchange_new(std::vector<Growth_proposal_2>&) {}
+  /// keeps of the new bubbles those that this rank has to know
+  virtual void forget_far(std::vector<Growth_proposal_2>&) const {}
 
   /// adds bubbles of others, older ones too, that the new ones need around them
   virtual void complete(Crystal_2&, std::vector<Growth_proposal_2>&) {}

@@ -137,7 +137,7 @@ private:
   {
     m_new.clear();
     m_choice.for_each_chosen([this](Index k) { m_new.push_back(m_proposals[k]); });
-    m_team.exchange_new(m_new);
+    m_team.forget_far(m_new);
     for (const Growth_proposal_2& p : m_new)
       m_crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
     m_team.complete(m_crystal, m_new);

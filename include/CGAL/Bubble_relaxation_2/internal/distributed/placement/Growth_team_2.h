@@ -14,10 +14,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_holders_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_proposals_2.h>
 
@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -63,7 +62,6 @@ public:
   {
     m_partition =
       std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
-    m_holders = std::make_unique<Growth_holders_2>(*m_partition, m_comm.rank());
   }
 
   /// Bubbles of faces that are there before the growth begins, which are on any ranks, come to those in whose parts
@@ -100,14 +98,8 @@ public:
     for (std::size_t i = 0; i < b.size(); ++i) {
       const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
                                  (i < m_number_of_common ? 0 : m_seeds[i - m_number_of_common]);
-      crystal.add_birth(Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]});
-      m_holders->add(b.x[i], b.y[i], reach * b.d[i], no_index);
+      enter(crystal, Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]}, b.d[i], 0, no_index);
     }
-    m_is_in_front.assign(b.size(), 0);
-    m_keys.assign(b.size(), 0);
-    m_others = std::make_unique<Bubble_buckets_2>(reach, b.d[0], b.x[0], b.y[0], b.size());
-    for (std::size_t i = 0; i < b.size(); ++i)
-      add_if_of_other(b, static_cast<Index>(i));
     for (std::size_t i = 0, n = b.size(); i < n; ++i)
       tell_those_who_need(crystal, static_cast<Index>(i));
     std::vector<Growth_proposal_2> late; // seeds near larger bubbles of this rank
@@ -126,60 +118,38 @@ public:
   void take(const std::vector<Growth_proposer>& generation) override
   {
     for (const Growth_proposer& p : generation)
-      m_is_in_front[p.index] = 0;
+      m_key[p.index] = -1;
   }
 
-  bool owns(Index i) const override { return m_holders->is_ours(i); }
+  bool owns(Index i) const override { return m_owner[i] == m_comm.rank(); }
 
   void share_proposals(std::vector<Growth_proposal_2>& proposals) override
   {
-    m_proposals = {};
-    Messages<Growth_proposal_2> out;
     const std::size_t own = proposals.size();
-    for (std::size_t k = 0; k < own; ++k)
-      for (int rank : m_holders->others(proposals[k].from))
-        m_proposals.send(rank, proposals, k, out);
-    m_proposals.deliver_to(proposals, out, m_comm);
+    m_proposals = share_around(m_comm, reach, proposals, [this](const Growth_proposal_2& p, double radius) {
+      return owners_within(p.x, p.y, radius, p.from);
+    });
     for (std::size_t k = own; k < proposals.size(); ++k)
       proposals[k].from = foreign;
   }
 
   void share_choice(std::vector<char>& states) override { m_proposals.share(m_comm, states); }
 
-  void exchange_new(std::vector<Growth_proposal_2>& bubbles) override
+  /// Others' proposals were told for the sake of ours as well: such bubbles come in late if they are needed.
+  void forget_far(std::vector<Growth_proposal_2>& bubbles) const override
   {
-    Messages<Growth_proposal_2> out;
-    std::vector<Growth_proposal_2> ours;
-    ours.reserve(bubbles.size());
-    for (const Growth_proposal_2& p : bubbles) {
-      const Index parent = p.from == foreign ? no_index : p.from;
-      if (m_holders->is_ours_alone(p.x, p.y, reach * p.d, parent)) {
-        ours.push_back(p);
-        continue;
-      }
-      for (int rank : m_partition->owners_in_disc(p.x, p.y, reach * p.d))
-        if (rank == m_comm.rank())
-          ours.push_back(p);
-        else if (p.from != foreign && !m_holders->has(p.from, rank)) // else it has decided on it too
-          out[rank].push_back(p);
-    }
-    const std::size_t own = ours.size(); // which are the best first
-    for (const auto& message : deliver(m_comm, out))
-      for (Growth_proposal_2 p : message.second) {
-        p.from = foreign;
-        ours.push_back(p);
-      }
-    merge_tail(ours, own, [](const Growth_proposal_2& p, const Growth_proposal_2& q) {
-      return std::tie(p.misfit, p.x, p.y) < std::tie(q.misfit, q.x, q.y);
-    });
-    bubbles.swap(ours);
+    const auto is_far = [this](const Growth_proposal_2& p) {
+      const auto owners = owners_within(p.x, p.y, reach * p.d, p.from);
+      return !owners.empty() && std::find(owners.begin(), owners.end(), m_comm.rank()) == owners.end();
+    };
+    bubbles.erase(std::remove_if(bubbles.begin(), bubbles.end(), is_far), bubbles.end());
   }
 
   void complete(Crystal_2& crystal, std::vector<Growth_proposal_2>& bubbles) override
   {
     m_first = static_cast<Index>(crystal.size() - bubbles.size());
     for (const Growth_proposal_2& p : bubbles)
-      enter(crystal, p, Growth_birth_2{m_generation, p.misfit, p.x, p.y});
+      enter(crystal, Growth_birth_2{m_generation, p.misfit, p.x, p.y}, p.d, p.key, p.from);
     for (Index i = m_first, n = static_cast<Index>(crystal.size()); i < n; ++i)
       tell_those_who_need(crystal, i);
     exchange_late(crystal, bubbles);
@@ -191,12 +161,12 @@ public:
   /// A bubble has its place and its size. Where d jumps, it may be larger than it was thought to be.
   void enter_front(const Crystal_2& crystal, Index i, double key) override
   {
-    m_keys[i] = key;
-    m_is_in_front[i] = 1;
+    m_key[i] = key;
     const Bubbles_2& b = crystal.bubbles();
-    if (m_place_among_others[i] != no_index)
-      m_others->move(static_cast<std::size_t>(m_place_among_others[i]), b.x[i], b.y[i], b.d[i]);
-    else if (!m_holders->is_known_within(i, b.x[i], b.y[i], needed_reach * b.d[i]))
+    if (!owns(i))
+      return;
+    const auto owners = owners_within(b.x[i], b.y[i], needed_reach * b.d[i], i);
+    if (std::any_of(owners.begin(), owners.end(), [&](int rank) { return !has(i, rank); }))
       m_grown.push_back(i);
   }
 
@@ -214,28 +184,23 @@ public:
     exchange_late(crystal, late);
     // whoever has one that has grown knows what it needs
     for (std::size_t i = m_number_of_common, n = crystal.size(); i < n; ++i)
-      if (m_is_in_front[i])
+      if (m_key[i] >= 0)
         tell_those_who_need(crystal, static_cast<Index>(i));
     exchange_late(crystal, late);
   }
 
 private:
-  /// makes room for `n` more bubbles than the crystal has
-  void make_room_for(std::size_t n, Crystal_2& crystal)
-  {
-    const std::size_t all = crystal.size() + n;
-    crystal.make_room_for_births(all);
-    m_holders->make_room_for(all);
-    m_is_in_front.reserve(all);
-    m_keys.reserve(all);
-    m_place_among_others.reserve(all);
-  }
-
   /// a bubble that another rank needs only now
   struct Late
   {
     Growth_birth_2 birth;
     Growth_proposal_2 bubble; ///< as it is now; the key is negative if it has left the front
+  };
+
+  /// where a bubble came in, and how far from there nothing belongs to other ranks; 0 if that is not known
+  struct Place
+  {
+    double x, y, clearance;
   };
 
   /// In sizes of the larger of two bubbles: links and proposals depend on what is nearer than the first, and
@@ -245,21 +210,67 @@ private:
   /// instead of the bubble that proposes, if another rank owns it
   static constexpr Index foreign = (std::numeric_limits<Index>::max)();
 
-  /// the next bubble, when it is known who owns it
-  void add_if_of_other(const Bubbles_2& b, Index i)
+  /// makes room for `n` more bubbles than the crystal has
+  void make_room_for(std::size_t n, Crystal_2& crystal)
   {
-    m_place_among_others.push_back(owns(i) ? no_index : static_cast<Index>(m_others->size()));
-    if (!owns(i))
-      m_others->insert(i, b.x[i], b.y[i], b.d[i]);
+    const std::size_t all = crystal.size() + n;
+    crystal.make_room_for_births(all);
+    m_owner.reserve(all);
+    m_places.reserve(all);
+    m_holders.make_room_for(all);
+    m_key.reserve(all);
   }
 
-  void enter(Crystal_2& crystal, const Growth_proposal_2& p, const Growth_birth_2& birth)
+  /// how far from (x, y) all is of this rank, as far as that is known from `parent`, a bubble nearby, or none
+  double clearance_at(double x, double y, Index parent) const
   {
-    m_holders->add(birth.x, birth.y, reach * p.d, p.from == foreign ? no_index : p.from);
-    m_is_in_front.push_back(0);
-    m_keys.push_back(p.key);
+    if (parent == no_index || parent == foreign || m_places[parent].clearance == 0)
+      return 0;
+    const Place& p = m_places[parent];
+    constexpr double rounding = 1e-9;
+    return (std::max)(0., (1 - rounding) * p.clearance - length_at_most(x - p.x, y - p.y));
+  }
+
+  /// looks ahead, for all that come after it
+  double find_clearance(double x, double y, double radius) const
+  {
+    for (double factor : {4., 1.2})
+      if (m_partition->owns_disc(m_comm.rank(), x, y, factor * radius))
+        return factor * radius;
+    return 0;
+  }
+
+  /// the ranks of which something lies within `radius`, none if it is known to be this one only
+  Hilbert_partition_2::Ranks owners_within(double x, double y, double radius, Index parent) const
+  {
+    if (clearance_at(x, y, parent) >= radius)
+      return {};
+    return m_partition->owners_in_disc(x, y, radius);
+  }
+
+  /// the next bubble of the crystal comes in: it is known within `reach`, by its owner and those whose parts are near
+  void enter(Crystal_2& crystal, const Growth_birth_2& birth, double d, double key, Index parent)
+  {
+    const Index i = static_cast<Index>(m_owner.size());
+    double clearance = clearance_at(birth.x, birth.y, parent);
+    if (clearance < reach * d)
+      clearance = find_clearance(birth.x, birth.y, reach * d);
+    m_places.push_back(Place{birth.x, birth.y, clearance});
+    m_owner.push_back(clearance > 0 ? m_comm.rank() : m_partition->owner(birth.x, birth.y));
+    m_holders.resize(m_owner.size());
+    m_key.push_back(key);
     crystal.add_birth(birth);
-    add_if_of_other(crystal.bubbles(), static_cast<Index>(m_place_among_others.size()));
+    if (clearance == 0 && owns(i))
+      for (int rank : m_partition->owners_in_disc(birth.x, birth.y, reach * d))
+        add_holder(i, rank);
+  }
+
+  bool has(Index i, int rank) const { return rank == m_comm.rank() || m_holders.has(i, rank); }
+
+  void add_holder(Index i, int rank)
+  {
+    if (rank != m_comm.rank())
+      m_holders.add_once(i, rank);
   }
 
   /// Tells of a bubble of ours the owners of larger ones near it, and the owner of another's of those of ours
@@ -267,33 +278,30 @@ private:
   void tell_those_who_need(const Crystal_2& crystal, Index i)
   {
     const Bubbles_2& b = crystal.bubbles();
-    const double least = (std::max)(b.d[i], m_holders->clearance(i) / reach);
+    const double least = (std::max)(b.d[i], m_places[i].clearance / reach);
+    const auto tell = [&](Index ours, Index others) {
+      if (owns(ours) && !owns(others))
+        send_late(crystal, ours, m_owner[others]);
+      return true;
+    };
     if (owns(i))
-      m_others->for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) {
-        send_late(crystal, i, m_holders->owner(e.id));
-        return true;
-      });
+      crystal.buckets().for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) { return tell(i, e.id); });
     else
-      crystal.buckets().for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) {
-        if (owns(e.id))
-          send_late(crystal, e.id, m_holders->owner(i));
-        return true;
-      });
+      crystal.buckets().for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) { return tell(e.id, i); });
   }
 
   void send_late(const Crystal_2& crystal, Index i, int rank)
   {
-    if (m_holders->has(i, rank))
+    if (has(i, rank))
       return;
-    m_holders->add_holder(i, rank);
+    add_holder(i, rank);
     if (static_cast<std::size_t>(i) < m_number_of_common)
       return; // all have it, but this one is now told of its proposals
     const Bubbles_2& b = crystal.bubbles();
-    const bool is_new = crystal.birth(i).generation == m_generation && m_is_in_front[i] == 0;
-    m_late[rank].push_back(Late{crystal.birth(i),
-                                Growth_proposal_2{0, is_new || m_is_in_front[i] ? m_keys[i] : -1., b.x[i], b.y[i],
-                                                  b.d[i], crystal.direction(i), b.host[i],
-                                                  is_new ? foreign : no_index}});
+    const bool is_new = crystal.birth(i).generation == m_generation;
+    m_late[rank].push_back(Late{crystal.birth(i), Growth_proposal_2{0, m_key[i], b.x[i], b.y[i], b.d[i],
+                                                                    crystal.direction(i), b.host[i],
+                                                                    is_new ? foreign : no_index}});
   }
 
   /// adds the bubbles that this rank gets to know to the crystal and to `bubbles`
@@ -303,7 +311,7 @@ private:
       for (const Late& late : message.second) {
         const Growth_proposal_2& p = late.bubble;
         crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
-        enter(crystal, p, late.birth);
+        enter(crystal, late.birth, p.d, p.key, no_index);
         bubbles.push_back(p);
       }
     m_late.clear();
@@ -318,9 +326,9 @@ private:
       if (crystal.birth(i).generation != m_generation)
         continue;
       if (!owns(index))
-        m_new.received[m_holders->owner(i)].push_back(index - m_first);
+        m_new.received[m_owner[i]].push_back(index - m_first);
       else
-        for (int rank : m_holders->others(index))
+        for (int rank : m_holders[index])
           m_new.sent[rank].push_back(index - m_first);
     }
     for (auto* lists : {&m_new.sent, &m_new.received})
@@ -331,15 +339,14 @@ private:
 
   Communicator& m_comm;
   std::unique_ptr<Hilbert_partition_2> m_partition;
-  std::unique_ptr<Growth_holders_2> m_holders;
-  std::unique_ptr<Bubble_buckets_2> m_others; // the bubbles that this rank has but does not own
-  std::vector<Index> m_place_among_others;    // of each bubble in these, if it is one of them
+  std::vector<int> m_owner;     // of each bubble: the rank in whose part it came in
+  std::vector<Place> m_places;
+  Lists_of_few<int> m_holders;  // the other ranks that have a bubble of ours
+  std::vector<double> m_key;    // in the front; negative if it has left it
   std::size_t m_number_of_common = 0;
   std::vector<std::int64_t> m_seeds; // numbers of those that this rank has, in the order of the crystal's bubbles
   std::int64_t m_generation = 0;
-  std::vector<double> m_keys;      // of each bubble in the front
-  std::vector<char> m_is_in_front;
-  std::vector<Index> m_grown;      // of ours, not known to all that need them
+  std::vector<Index> m_grown;   // of ours, not known to all that need them
   Messages<Late> m_late;
   // of the present generation
   Index m_first = 0; // of the new bubbles

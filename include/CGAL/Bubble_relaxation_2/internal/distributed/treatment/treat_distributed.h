@@ -102,25 +102,8 @@ private:
   {
     const std::size_t renewals = piece.mesh.number_of_renewals;
     const Bubbles_2 own = own_bubbles(piece.mesh, m_comm.rank());
-    piece = piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(own)), m_partition, reach);
+    piece = piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(m_comm, m_partition, own)), m_partition, reach);
     piece.mesh.number_of_renewals = renewals + 1;
-  }
-
-  /// how far from the part of its owner a bubble is at most, on any rank, or a bit more
-  double farthest_stray(const Bubbles_2& own) const
-  {
-    double farthest = 0;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      if (m_partition.owner(own.x[i], own.y[i]) == m_comm.rank())
-        continue;
-      double radius = 0.1 * own.d[i];
-      for (bool is_near = false; !is_near; radius *= 2) {
-        const auto ranks = m_partition.owners_in_disc(own.x[i], own.y[i], radius);
-        is_near = std::binary_search(ranks.begin(), ranks.end(), m_comm.rank());
-      }
-      farthest = (std::max)(farthest, radius); // twice that of the disc, beside which the part may be
-    }
-    return m_comm.largest(farthest);
   }
 
   /// moves vertices, unless the mesh gets worse by that; returns how many were moved
