@@ -12,7 +12,8 @@
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,8 @@ struct Ranks
       distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), with_gaps);
     const Distributed_mesh_2 mesh = distributed_triangulate(
       c.domain(), distributed::own_part(c.bubbles, numbers, partition, comm.rank()), partition, comm);
-    return distributed_quality(mesh, sizes, comm);
+    Team_of_ranks team(comm);
+    return quality_of(mesh, sizes, Threads(), team);
   }
 };
 

@@ -312,6 +312,7 @@ inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles
   const double factor = factor_of_large_bubbles(sizing.expected_number);
   if (factor == 1) {
     fill_in_better_way(domain, sizing, bubbles, threads);
+    team.note_common(bubbles);
     return;
   }
   Bubbles_2 large = enlarge(domain, bubbles, factor);

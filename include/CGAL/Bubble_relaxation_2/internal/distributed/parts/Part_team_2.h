@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
@@ -89,13 +90,11 @@ Shared_lists share_around(Communicator& comm, const Hilbert_partition_2& partiti
 }
 
 /// Ranks of which each works on its own part of the plane, and which choose together among places for new bubbles.
-class Part_team_2 : public Team
+class Part_team_2 : public Team_of_ranks
 {
 public:
-  Part_team_2(Communicator& comm, const Hilbert_partition_2& partition) : Part_team_2(comm, &partition) {}
+  explicit Part_team_2(Communicator& comm) : Team_of_ranks(comm) {}
 
-  bool is_alone() const override { return false; }
-  bool any(bool here) const override { return m_comm.any(here); }
   bool owns_place(const Point& p) const override { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
 
   Share_of_disc share_of(const Point& p, double radius) const override
@@ -110,21 +109,15 @@ public:
   {
     holes = send_home(m_comm, *m_partition, std::move(holes));
     const std::size_t number_of_ours = holes.size();
-    m_holes = share_around(m_comm, *m_partition, reach, 0, holes);
+    m_candidates = share_around(m_comm, *m_partition, reach, 0, holes);
     return number_of_ours;
   }
 
-  void share_choice(std::vector<char>& states) override { m_holes.share(m_comm, states); }
+  void share_choice(std::vector<char>& states) override { m_candidates.share(m_comm, states); }
 
 protected:
-  /// `partition`: `nullptr` until it is known, before anything is asked
-  Part_team_2(Communicator& comm, const Hilbert_partition_2* partition) : m_comm(comm), m_partition(partition) {}
-
-  Communicator& m_comm;
-  const Hilbert_partition_2* m_partition; ///< who owns what
-
-private:
-  Shared_lists m_holes;
+  const Hilbert_partition_2* m_partition = nullptr; ///< who owns what, when it is known
+  Shared_lists m_candidates;                        ///< among which is chosen
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -40,14 +40,15 @@ struct Placed_part_2
   Hilbert_partition_2 partition;
 };
 
-/// brings each of some records with places to the rank that owns its place
+/// brings each of some records with places and sizes to the rank that owns its place
 template <class Record>
 std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& partition, std::vector<Record> records)
 {
   Messages<Record> out;
   std::vector<Record> home;
+  Clearance_2 clearance(partition, comm.rank());
   for (const Record& r : records) {
-    const int owner = partition.owner(r.x, r.y);
+    const int owner = clearance(r.x, r.y, r.d) > 0 ? comm.rank() : partition.owner(r.x, r.y);
     (owner == comm.rank() ? home : out[owner]).push_back(r);
   }
   records.clear();
@@ -57,27 +58,16 @@ std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& par
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
-inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, Bubbles_2 bubbles)
+inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, const Bubbles_2& bubbles)
 {
-  const Bubbles_2& b = bubbles;
-  std::vector<Index> home;
-  home.reserve(b.size());
-  Messages<Bubble_record_2> out;
-  Clearance_2 clearance(partition, comm.rank());
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    const int owner = clearance(b.x[i], b.y[i], b.d[i]) > 0 ? comm.rank() : partition.owner(b.x[i], b.y[i]);
-    if (owner == comm.rank())
-      home.push_back(static_cast<Index>(i));
-    else
-      out[owner].push_back(record(b, i));
-  }
-  if (home.size() < b.size())
-    bubbles.select(home);
-  for (const auto& message : deliver(comm, out))
-    for (const Bubble_record_2& r : message.second)
-      add_own(bubbles, r);
-  bubbles.sort_by_id();
-  return bubbles;
+  std::vector<Bubble_record_2> records;
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    records.push_back(record(bubbles, i));
+  Bubbles_2 home;
+  for (const Bubble_record_2& r : send_home(comm, partition, std::move(records)))
+    add_own(home, r);
+  home.sort_by_id();
+  return home;
 }
 
 /// The order of a rank's bubbles along the curve. Bubbles stay where they are in memory until the end: what is sorted

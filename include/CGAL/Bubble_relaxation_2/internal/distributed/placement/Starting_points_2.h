@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -33,60 +32,44 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The bubbles to start from, which are given as points on any ranks; or, if no rank has any, as the vertices of
 /// the domain's triangulation, which all ranks have. All ranks get those on the outline and the pinned ones, and
-/// each an equal share of the others.
+/// each an equal share of the others, along the curve.
 class Starting_points_2
 {
 public:
-  /// one in a face
-  struct Free
-  {
-    Point point;
-    std::int64_t number; ///< along the curve, among all
-  };
-
   /// Collective. `points`: what this rank has of them, in the domain before corners were cut off.
   /// \throws std::invalid_argument on all ranks if two points have the same coordinates
   Starting_points_2(Communicator& comm, const Problem_2& problem, const Bubbles_2& points)
-    : m_comm(comm), m_domain(problem.whole_domain()), m_given(problem.given),
-      m_are_points(comm.any(points.size() > 0)), m_distribution(m_domain, comm)
+    : m_comm(comm), m_domain(problem.whole_domain())
   {
-    m_outline.pinned = m_given.pinned;
-    m_outline.on_edge = m_given.on_edge;
-    if (m_are_points) {
-      distribute(points);
-      if (problem.cut != nullptr)
-        problem.cut->cut(m_outline);
-    } else
-      take_share();
-    m_has_free = comm.any(!m_free.empty());
+    if (!comm.any(points.size() > 0)) {
+      take_share(problem.given);
+      return;
+    }
+    distribute(points);
+    if (problem.cut != nullptr)
+      problem.cut->cut(m_here);
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_points.is_in_face(i))
+        m_here.free.push_back(m_points.point(i));
+    if (!problem.options.placement_is_given && comm.any(!m_here.free.empty()))
+      look_around();
   }
 
-  const Given_mesh_2& outline() const { return m_outline; }
-
-  /// whether there are any in faces
-  bool has_free() const { return m_has_free; }
-
-  /// this rank's share of those in faces, along the curve
-  const std::vector<Free>& free() const { return m_free; }
-
-  /// Collective. How the mesh of all given bubbles looks around those of `free()`.
-  std::vector<Mesh_star_2> stars() const
-  {
-    if (m_are_points)
-      return stars_of_points();
-    std::vector<Mesh_star_2> result;
-    for (const Free& f : m_free)
-      result.push_back(m_given.around[static_cast<std::size_t>(f.number)]);
-    return result;
-  }
+  /// what this rank gets of them
+  const Given_mesh_2& here() const { return m_here; }
 
 private:
-  void take_share()
+  void take_share(const Given_mesh_2& given)
   {
-    const std::size_t n = m_given.free.size(), ranks = static_cast<std::size_t>(m_comm.size()),
+    const std::size_t n = given.free.size(), ranks = static_cast<std::size_t>(m_comm.size()),
                       rank = static_cast<std::size_t>(m_comm.rank());
-    for (std::size_t k = n * rank / ranks; k < n * (rank + 1) / ranks; ++k)
-      m_free.push_back(Free{m_given.free[k], static_cast<std::int64_t>(k)});
+    m_here.pinned = given.pinned;
+    m_here.on_edge = given.on_edge;
+    for (std::size_t k = n * rank / ranks; k < n * (rank + 1) / ranks; ++k) {
+      m_here.free.push_back(given.free[k]);
+      if (!given.around.empty())
+        m_here.around.push_back(given.around[k]);
+    }
   }
 
   void distribute(const Bubbles_2& points)
@@ -97,14 +80,11 @@ private:
       if (!is_pinned(points.point(i)))
         add_own(others, record(points, i, no_index));
     if (m_comm.rank() == 0)
-      for (const Point& p : m_outline.pinned) {
+      for (const Point& p : m_here.pinned) {
         others.add(p, std::numeric_limits<double>::quiet_NaN(), Bubbles_2::CORNER, no_index);
         others.id.push_back(no_index);
       }
     m_points = m_distribution(std::move(others), false);
-    for (std::size_t i = 0; i < m_points.size(); ++i)
-      if (m_points.is_in_face(i))
-        m_free.push_back(Free{m_points.point(i), m_points.id[i]});
   }
 
   void gather_outline(const Bubbles_2& b)
@@ -119,16 +99,16 @@ private:
     std::sort(placed.begin(), placed.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) {
       return std::tie(p.host, p.s, p.x, p.y) < std::tie(q.host, q.s, q.x, q.y);
     });
-    m_outline.on_edge.assign(m_domain.edges().size(), {});
+    m_here.on_edge.assign(m_domain.edges().size(), {});
     for (const Bubble_record_2& p : placed)
-      (p.host == no_index ? m_outline.pinned : m_outline.on_edge[p.host]).push_back(Point(p.x, p.y));
+      (p.host == no_index ? m_here.pinned : m_here.on_edge[p.host]).push_back(Point(p.x, p.y));
     sort_pinned();
   }
 
   /// along the curve, as those of the domain are, and each once
   void sort_pinned()
   {
-    std::vector<Point>& pinned = m_outline.pinned;
+    std::vector<Point>& pinned = m_here.pinned;
     std::vector<Point> sorted;
     for (Index i : hilbert_order(hilbert_curve(m_domain), pinned))
       sorted.push_back(pinned[i]);
@@ -143,7 +123,8 @@ private:
     return std::binary_search(m_pinned_by_place.begin(), m_pinned_by_place.end(), p);
   }
 
-  std::vector<Mesh_star_2> stars_of_points() const
+  /// Collective. How the mesh of all given bubbles looks around those in faces.
+  void look_around()
   {
     const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm);
     const Marked_triangles_2& tr = mesh.triangles;
@@ -151,14 +132,11 @@ private:
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
       for (Index v : tr.vertices[t])
         beside[v] = static_cast<Index>(t);
-    std::vector<Mesh_star_2> result;
-    std::size_t v = 0;
-    for (const Free& f : m_free) { // in the order of their numbers, as the known ones
-      while (mesh.bubbles.id[v] != f.number)
-        ++v;
-      result.push_back(mesh_star(f.point, ring(mesh, beside[v], static_cast<Index>(v))));
-    }
-    return result;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_points.is_in_face(i)) {
+        const Index v = mesh.bubbles.index_of(m_points.id[i]);
+        m_here.around.push_back(mesh_star(m_points.point(i), ring(mesh, beside[v], v)));
+      }
   }
 
   /// the neighbours of an inner vertex of the triangle `t`, counterclockwise from the lexicographically smallest on
@@ -178,13 +156,10 @@ private:
 
   Communicator& m_comm;
   const Domain_2& m_domain;
-  const Given_mesh_2& m_given;
-  Given_mesh_2 m_outline; // of it, or of the points
+  Given_mesh_2 m_here;
   std::vector<Point> m_pinned_by_place;
-  bool m_are_points, m_has_free = false;
-  Point_distribution_2 m_distribution;
+  Point_distribution_2 m_distribution{m_domain, m_comm};
   Bubbles_2 m_points; // if there are points: as many on each rank, with corners and pinned ones
-  std::vector<Free> m_free;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

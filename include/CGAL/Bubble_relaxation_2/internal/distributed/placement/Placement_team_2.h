@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACEMENT_TEAM_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACEMENT_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
@@ -26,62 +26,58 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A bubble of a face that is there before the growth begins, and its place among all such.
-struct Growth_seed_2
-{
-  double x, y, d;
-  double direction; ///< angle of the lattice
-  std::int64_t number;
-  Index triangle;   ///< of the domain
-};
-
-/// The ranks that grow one crystal together, each in its part of the domain. What comes out is what one rank
-/// would have grown, to the last bit.
+/// The ranks that place bubbles together, each in its part of the domain, and grow one crystal. What comes out is what
+/// one rank would have placed, to the last bit.
 ///
 /// A bubble belongs to the rank in whose part it came in. The owner proposes places around it, decides about
 /// these proposals, and settles it. Two bubbles nearer to each other than `needed_reach` times the size of the
 /// larger one are known to the owners of both: each is sent to the ranks whose parts a disc around it meets,
 /// and a rank that gets to know one that is larger than its own sends those to its owner. All that a proposal or
 /// a bubble depends on lies within.
-class Growth_team_2 : public Team
+class Placement_team_2 : public Part_team_2
 {
 public:
-  explicit Growth_team_2(Communicator& comm) : m_comm(comm) {}
+  explicit Placement_team_2(Communicator& comm) : Part_team_2(comm) {}
 
-  /// whether bubbles have grown in parts
-  bool is_divided() const { return m_partition != nullptr; }
+  /// whether this rank brings a placed bubble home, as one does of each
+  bool brings(Index i) const
+  {
+    const std::size_t k = static_cast<std::size_t>(i);
+    return k < m_owner.size() ? owns(i) : k >= m_number_of_common || m_comm.rank() == 0;
+  }
 
-  bool is_alone() const override { return false; }
-  bool any(bool here) const override { return m_comm.any(here); }
+  void note_common(const Bubbles_2& bubbles) override { m_number_of_common = bubbles.size(); }
 
   void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
-    m_partition =
-      std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
+    m_division = std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
+    m_partition = m_division.get();
   }
 
-  /// Bubbles of faces that are there before the growth begins, which are on any ranks, come to those in whose parts
-  /// they are or near whose parts. They and their directions are added to `bubbles`, which are what all ranks have.
-  void bring_seeds(const std::vector<Growth_seed_2>& seeds, Bubbles_2& bubbles, std::vector<double>& directions)
+  void share_seeds(Bubbles_2& bubbles, std::vector<double>& directions) override
   {
-    Messages<Growth_seed_2> out;
-    for (const Growth_seed_2& s : seeds)
+    Messages<Seed> out;
+    std::int64_t number = m_comm.sum_before(static_cast<std::int64_t>(bubbles.size() - m_number_of_common));
+    for (std::size_t i = m_number_of_common; i < bubbles.size(); ++i) {
+      const Seed s{bubbles.x[i], bubbles.y[i], bubbles.d[i], directions[i], number++, bubbles.host[i]};
       for (int rank : m_partition->owners_in_disc(s.x, s.y, reach * s.d))
         out[rank].push_back(s);
-    std::vector<Growth_seed_2> here;
-    for (const auto& message : deliver(m_comm, out))
-      here.insert(here.end(), message.second.begin(), message.second.end());
-    std::sort(here.begin(), here.end(),
-              [](const Growth_seed_2& s, const Growth_seed_2& t) { return s.number < t.number; });
-    for (const Growth_seed_2& s : here) {
-      bubbles.add(Point(s.x, s.y), s.d, Bubbles_2::FACE, s.triangle);
-      directions.push_back(s.direction);
-      m_seeds.push_back(s.number);
     }
+    std::vector<Index> common(m_number_of_common);
+    std::iota(common.begin(), common.end(), Index(0));
+    bubbles.select(common);
+    directions.resize(m_number_of_common);
+    for (const auto& message : deliver(m_comm, out)) // from lower ranks come lower numbers
+      for (const Seed& s : message.second) {
+        bubbles.add(Point(s.x, s.y), s.d, Bubbles_2::FACE, s.triangle);
+        directions.push_back(s.direction);
+        m_seeds.push_back(s.number);
+      }
   }
 
   std::size_t part_of(double number) const override
@@ -94,7 +90,6 @@ public:
   {
     const Bubbles_2& b = crystal.bubbles();
     make_room_for(expected, crystal);
-    m_number_of_common = b.size() - m_seeds.size();
     for (std::size_t i = 0; i < b.size(); ++i) {
       const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
                                  (i < m_number_of_common ? 0 : m_seeds[i - m_number_of_common]);
@@ -126,14 +121,12 @@ public:
   void share_proposals(std::vector<Growth_proposal_2>& proposals) override
   {
     const std::size_t own = proposals.size();
-    m_proposals = share_around(m_comm, reach, proposals, [this](const Growth_proposal_2& p, double radius) {
+    m_candidates = share_around(m_comm, reach, proposals, [this](const Growth_proposal_2& p, double radius) {
       return owners_within(p.x, p.y, radius, p.from);
     });
     for (std::size_t k = own; k < proposals.size(); ++k)
       proposals[k].from = foreign;
   }
-
-  void share_choice(std::vector<char>& states) override { m_proposals.share(m_comm, states); }
 
   /// Others' proposals were told for the sake of ours as well: such bubbles come in late if they are needed.
   void forget_far(std::vector<Growth_proposal_2>& bubbles) const override
@@ -190,6 +183,15 @@ public:
   }
 
 private:
+  /// A bubble of a face that is there before the growth begins, and its place among all such.
+  struct Seed
+  {
+    double x, y, d;
+    double direction; // angle of the lattice
+    std::int64_t number;
+    Index triangle;   // of the domain
+  };
+
   /// a bubble that another rank needs only now
   struct Late
   {
@@ -337,8 +339,7 @@ private:
                   [&](Index i, Index j) { return crystal.came_before(m_first + i, m_first + j); });
   }
 
-  Communicator& m_comm;
-  std::unique_ptr<Hilbert_partition_2> m_partition;
+  std::unique_ptr<Hilbert_partition_2> m_division;
   std::vector<int> m_owner;     // of each bubble: the rank in whose part it came in
   std::vector<Place> m_places;
   Lists_of_few<int> m_holders;  // the other ranks that have a bubble of ours
@@ -350,9 +351,9 @@ private:
   Messages<Late> m_late;
   // of the present generation
   Index m_first = 0; // of the new bubbles
-  Shared_lists m_proposals, m_new;
+  Shared_lists m_new;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_GROWTH_TEAM_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACEMENT_TEAM_2_H
