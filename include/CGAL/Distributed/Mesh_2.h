@@ -149,9 +149,10 @@ public:
     Communicator ranks(m_comm);
     ranks.agree_after([&] {
       const std::string stem = pvtu_stem(path);
-      write_file(vtu_path(stem, m_rank), [&](std::ostream& out) { write_vtu(out, *this); });
+      write_file(vtu_path(stem, m_rank),
+                 [&](std::ostream& out) { Vtu_piece_2<Mesh_2>(*this).write(out); });
       if (m_rank == 0)
-        write_file(path, [&](std::ostream& out) { write_pvtu_header(out, *this, stem); });
+        write_file(path, [&](std::ostream& out) { write_pvtu_header(out, stem, m_number_of_ranks); });
     });
   }
 

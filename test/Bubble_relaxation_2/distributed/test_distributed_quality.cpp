@@ -140,10 +140,10 @@ TEST(Distributed_quality, a_sizing_function_that_throws_on_one_rank)
   }
 }
 
-TEST(Values_of_all_ranks, sorted_positions_are_those_of_all_values)
+TEST(Team_of_ranks, sorted_positions_are_those_of_all_values)
 {
   Communicator comm(MPI_COMM_WORLD);
-  const Values_of_all_ranks all(comm);
+  const Team_of_ranks all(comm);
   std::mt19937 engine(random_seeds::seed(7));
   std::vector<double> values{0., -0., std::numeric_limits<double>::denorm_min(),
                              std::numeric_limits<double>::infinity(), (std::numeric_limits<double>::max)(),

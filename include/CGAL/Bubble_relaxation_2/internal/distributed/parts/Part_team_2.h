@@ -62,10 +62,14 @@ Shared_lists share_around(Communicator& comm, double reach, std::vector<Record>&
       tell(static_cast<Index>(k), rank);
   lists.deliver_to(records, out, comm);
   out.clear();
-  if (own != 0 && records.size() != own) {
-    Bubble_buckets_2 ours(2 * reach, records[0].d, records[0].x, records[0].y, own);
+  double largest = 0;
+  for (std::size_t l = own; l < records.size(); ++l)
+    largest = (std::max)(largest, records[l].d);
+  if (own != 0 && largest > 0) {
+    Bubble_buckets_2 ours(2 * reach, records[0].d, records[0].x, records[0].y, 0);
     for (std::size_t k = 0; k < own; ++k)
-      ours.insert(static_cast<Index>(k), records[k].x, records[k].y, records[k].d);
+      if (records[k].d < largest) // others were told where they are not smaller
+        ours.insert(static_cast<Index>(k), records[k].x, records[k].y, records[k].d);
     for (const auto& list : lists.received)
       for (Index l : list.second)
         ours.for_each_within(records[l].x, records[l].y, reach * records[l].d, [&](const auto& e, double) {

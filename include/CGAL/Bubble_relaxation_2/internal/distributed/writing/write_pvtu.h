@@ -14,10 +14,12 @@
 #include <CGAL/radius_ratio_2.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -51,77 +53,105 @@ inline std::string in_xml(const std::string& text)
   return result;
 }
 
-/// Calls `array(type, name, n, text)` for what ParaView gets of `n` points or triangles; `text(i)` is what stands there.
-template <class Mesh, class Array>
-void for_each_point_array(const Mesh& mesh, const Array& array)
-{
-  const std::size_t n = mesh.number_of_points();
-  array("Int64", "global_id", n, [&mesh](std::size_t i) { return std::to_string(mesh.global_id(i)); });
-  array("Float64", "size", n, [&mesh](std::size_t i) { return in_words(mesh.size(i)); });
-  array("Int32", "rank", n, [&mesh](std::size_t i) { return std::to_string(mesh.owner(i)); });
-}
-
-template <class Mesh, class Array>
-void for_each_triangle_array(const Mesh& mesh, const Array& array)
-{
-  const std::size_t n = mesh.number_of_owned_triangles();
-  array("Float64", "q", n, [&mesh](std::size_t t) {
-    const auto point = [&](std::size_t k) { return mesh.point(static_cast<std::size_t>(mesh.vertices(t)[k])); };
-    return in_words(CGAL::to_double(CGAL::radius_ratio_2(point(0), point(1), point(2))));
-  });
-  array("Int32", "rank", n, [&mesh](std::size_t) { return std::to_string(mesh.rank()); });
-}
-
-constexpr const char vtk_head[] = " version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
-constexpr const char vtk_points[] = "Float64\" NumberOfComponents=\"3";
-
-/// Writes one rank's triangles, and all points that it knows.
+/// Writes one rank's triangles for ParaView, with the points that they need.
 template <class Mesh>
-void write_vtu(std::ostream& out, const Mesh& mesh)
+class Vtu_piece_2
 {
-  const auto array = [&out](const char* type, const char* name, std::size_t n, const auto& text) {
+public:
+  explicit Vtu_piece_2(const Mesh& mesh) : m_mesh(mesh), m_number(mesh.number_of_points(), -1)
+  {
+    for (std::size_t i = 0; i < mesh.number_of_owned_points(); ++i)
+      take(i);
+    for (std::size_t t = 0; t < mesh.number_of_owned_triangles(); ++t)
+      for (auto v : mesh.vertices(t))
+        take(static_cast<std::size_t>(v));
+  }
+
+  void write(std::ostream& out) const
+  {
+    const std::size_t triangles = m_mesh.number_of_owned_triangles();
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+        << "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+        << "<Piece NumberOfPoints=\"" << m_points.size() << "\" NumberOfCells=\"" << triangles << "\">\n"
+        << "<PointData>\n";
+    array(out, "Int64", "global_id", m_points, [&](std::size_t i) { return in_text(m_mesh.global_id(i)); });
+    array(out, "Float64", "size", m_points, [&](std::size_t i) { return in_words(m_mesh.size(i)); });
+    array(out, "Int32", "rank", m_points, [&](std::size_t i) { return in_text(m_mesh.owner(i)); });
+    out << "</PointData>\n<CellData Scalars=\"q\">\n";
+    std::vector<std::size_t> cells;
+    for (std::size_t t = 0; t < triangles; ++t)
+      cells.push_back(t);
+    array(out, "Float64", "q", cells, [&](std::size_t t) { return in_words(quality(t)); });
+    array(out, "Int32", "rank", cells, [&](std::size_t) { return in_text(m_mesh.rank()); });
+    out << "</CellData>\n<Points>\n";
+    array(out, "Float64\" NumberOfComponents=\"3", "Points", m_points, [&](std::size_t i) {
+      const auto p = m_mesh.point(i);
+      return in_words(CGAL::to_double(p.x())) + " " + in_words(CGAL::to_double(p.y())) + " 0";
+    });
+    out << "</Points>\n<Cells>\n";
+    array(out, "Int64", "connectivity", cells, [&](std::size_t t) { return connectivity(t); });
+    array(out, "Int64", "offsets", cells, [&](std::size_t t) { return in_text(3 * (t + 1)); });
+    array(out, "UInt8", "types", cells, [](std::size_t) { return std::string("5"); }); // VTK_TRIANGLE
+    out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  }
+
+private:
+  template <class Number>
+  static std::string in_text(Number n)
+  {
+    return std::to_string(n);
+  }
+
+  void take(std::size_t i)
+  {
+    if (m_number[i] != -1)
+      return;
+    m_number[i] = static_cast<std::int64_t>(m_points.size());
+    m_points.push_back(i);
+  }
+
+  double quality(std::size_t t) const
+  {
+    const auto& v = m_mesh.vertices(t);
+    const auto point = [&](int k) { return m_mesh.point(static_cast<std::size_t>(v[k])); };
+    return CGAL::to_double(CGAL::radius_ratio_2(point(0), point(1), point(2)));
+  }
+
+  std::string connectivity(std::size_t t) const
+  {
+    std::string text;
+    for (auto v : m_mesh.vertices(t))
+      text += (text.empty() ? "" : " ") + std::to_string(m_number[static_cast<std::size_t>(v)]);
+    return text;
+  }
+
+  template <class Text>
+  static void array(std::ostream& out, const char* type, const char* name,
+                    const std::vector<std::size_t>& indices, const Text& text)
+  {
     out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n";
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i : indices)
       out << text(i) << "\n";
     out << "</DataArray>\n";
-  };
-  const std::size_t points = mesh.number_of_points(), triangles = mesh.number_of_owned_triangles();
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\"" << vtk_head << "<UnstructuredGrid>\n"
-      << "<Piece NumberOfPoints=\"" << points << "\" NumberOfCells=\"" << triangles << "\">\n<PointData>\n";
-  for_each_point_array(mesh, array);
-  out << "</PointData>\n<CellData Scalars=\"q\">\n";
-  for_each_triangle_array(mesh, array);
-  out << "</CellData>\n<Points>\n";
-  array(vtk_points, "Points", points, [&mesh](std::size_t i) {
-    return in_words(CGAL::to_double(mesh.point(i).x())) + " " + in_words(CGAL::to_double(mesh.point(i).y())) + " 0";
-  });
-  out << "</Points>\n<Cells>\n";
-  array("Int64", "connectivity", triangles, [&mesh](std::size_t t) {
-    const auto& v = mesh.vertices(t);
-    return std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]);
-  });
-  array("Int64", "offsets", triangles, [](std::size_t t) { return std::to_string(3 * (t + 1)); });
-  array("UInt8", "types", triangles, [](std::size_t) { return std::string("5"); }); // VTK_TRIANGLE
-  out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-}
+  }
 
-/// writes the file that names those of all ranks
-template <class Mesh>
-void write_pvtu_header(std::ostream& out, const Mesh& mesh, const std::string& stem)
+  const Mesh& m_mesh;
+  std::vector<std::size_t> m_points;  // that are written
+  std::vector<std::int64_t> m_number; // of each point, in the file
+};
+
+/// the file that names those of all ranks
+inline void write_pvtu_header(std::ostream& out, const std::string& stem, int ranks)
 {
-  const auto array = [&out](const char* type, const char* name, std::size_t, const auto&) {
-    out << "<PDataArray type=\"" << type << "\" Name=\"" << name << "\"/>\n";
-  };
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\"" << vtk_head
-      << "<PUnstructuredGrid GhostLevel=\"0\">\n<PPointData>\n";
-  for_each_point_array(mesh, array);
-  out << "</PPointData>\n<PCellData Scalars=\"q\">\n";
-  for_each_triangle_array(mesh, array);
-  out << "</PCellData>\n<PPoints>\n";
-  array(vtk_points, "Points", 0, 0);
-  out << "</PPoints>\n";
   const std::string name = stem.substr(stem.find_last_of('/') + 1); // beside this file
-  for (int rank = 0; rank < mesh.number_of_ranks(); ++rank)
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
+      << "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
+      << "<PPointData>\n<PDataArray type=\"Int64\" Name=\"global_id\"/>\n"
+      << "<PDataArray type=\"Float64\" Name=\"size\"/>\n<PDataArray type=\"Int32\" Name=\"rank\"/>\n"
+      << "</PPointData>\n<PCellData Scalars=\"q\">\n<PDataArray type=\"Float64\" Name=\"q\"/>\n"
+      << "<PDataArray type=\"Int32\" Name=\"rank\"/>\n</PCellData>\n<PPoints>\n"
+      << "<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
+  for (int rank = 0; rank < ranks; ++rank)
     out << "<Piece Source=\"" << in_xml(vtu_path(name, rank)) << "\"/>\n";
   out << "</PUnstructuredGrid>\n</VTKFile>\n";
 }
