@@ -89,16 +89,21 @@ private:
 inline Placed_part_2 send_home_evenly(Communicator& comm, const Hilbert_curve_2& curve,
                                       const std::vector<Bubble_record_2>& bubbles)
 {
-  std::vector<Bubble_on_curve_2> places, home;
+  const auto at = [&](Hilbert_curve_2::Key key, Index i) { return Bubble_on_curve_2{key, bubbles[i]}; };
+  std::vector<std::pair<Hilbert_curve_2::Key, Index>> places; // what is sorted are keys: bubbles are large
   places.reserve(bubbles.size());
-  for (const Bubble_record_2& r : bubbles)
-    places.push_back(Bubble_on_curve_2{curve.key(r.x, r.y), r});
-  std::stable_sort(places.begin(), places.end());
-  Placed_part_2 result{{}, even_partition(comm, curve, places, [](const Bubble_on_curve_2& p) { return p.key; })};
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    places.emplace_back(curve.key(bubbles[i].x, bubbles[i].y), static_cast<Index>(i));
+  std::sort(places.begin(), places.end(), [&at](const auto& p, const auto& q) {
+    return p.first != q.first ? p.first < q.first : at(p.first, p.second) < at(q.first, q.second);
+  });
+  Placed_part_2 result{{}, even_partition(comm, curve, places, [](const auto& p) { return p.first; })};
+  std::vector<Bubble_on_curve_2> home;
+  home.reserve(bubbles.size() + bubbles.size() / 8);
   Messages<Bubble_on_curve_2> out;
-  for (const Bubble_on_curve_2& p : places) {
-    const int owner = result.partition.owner(p.key);
-    (owner == comm.rank() ? home : out[owner]).push_back(p);
+  for (const auto& p : places) {
+    const int owner = result.partition.owner(p.first);
+    (owner == comm.rank() ? home : out[owner]).push_back(at(p.first, p.second));
   }
   const std::size_t own = home.size();
   for (const auto& message : deliver(comm, out))
