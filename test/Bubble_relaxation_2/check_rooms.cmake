@@ -39,14 +39,12 @@ room(distributed/checkpoint Checkpoints_2.h)
 room(distributed/placement place_distributed.h)
 room(distributed/simulation simulate_distributed.h)
 room(distributed/treatment treat_distributed.h)
-room(distributed/quality evaluate_distributed.h)
 room(distributed/writing Point_replacement_2.h relax_by_all.h write_neighbors.h write_pvtu.h)
 
 # what several ranks do together is made of the parts of what one does alone
 set(behind_of_distributed/placement placement)
 set(behind_of_distributed/simulation simulation population)
 set(behind_of_distributed/treatment treatment)
-set(behind_of_distributed/quality quality)
 set(behind_of_distributed/writing quality)
 
 set(prefix CGAL/Bubble_relaxation_2/internal)

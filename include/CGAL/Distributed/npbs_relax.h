@@ -153,9 +153,9 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
   Relaxation_2<typename CDT::Geom_traits> result;
   result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto&, const auto&,
                                                               const auto&) {
-    const Bubbles_with_ghosts_2 surrounded =
-      with_neighbors(relaxed.bubbles, relaxed.partition, relaxed.options.neighbor_radius, relaxed.comm);
-    relaxed.comm.agree_after([&] { write_neighbors(surrounded, result); });
+    const double radius = relaxed.options.neighbor_radius;
+    const Bubbles_2 known = with_neighbors(relaxed.bubbles, relaxed.partition, radius, relaxed.comm);
+    relaxed.comm.agree_after([&] { write_neighbors(known, radius, result); });
   });
   return result;
 }

@@ -19,7 +19,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Distributed/Mesh_2.h>
@@ -146,7 +147,8 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
   own = distribute(std::move(own), points.template has_property_map<std::int64_t>("global_id"));
   const Distributed_mesh_2 mesh =
     distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
-  const auto quality = distributed_quality(mesh, has_sizes ? &sizes : nullptr, ranks);
+  Team_of_ranks team(ranks);
+  const auto quality = quality_of(mesh, has_sizes ? &sizes : nullptr, Threads(), team);
   using Tags = Tags_2<CDT, NamedParameters>;
   Mesh_2<typename CDT::Geom_traits, typename Tags::Marker, typename Tags::Region> result(comm);
   ranks.agree_after([&] {

@@ -196,7 +196,7 @@ TEST_F(Halo, neighbors_tell_where_they_are_at_a_stage)
       x[i] = 3 * m_here.x[i] + 1;
       y[i] = 2 * m_here.y[i];
     }
-    share.send(m_halo, sets, x, y);
+    share.send(m_halo, x, y);
     share.receive(m_halo, x, y);
     for (std::size_t i = 0; i < m_number_of_own; ++i)
       for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j) {

@@ -12,7 +12,8 @@
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,8 @@ struct Ranks
       distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), with_gaps);
     const Distributed_mesh_2 mesh = distributed_triangulate(
       c.domain(), distributed::own_part(c.bubbles, numbers, partition, comm.rank()), partition, comm);
-    return distributed_quality(mesh, sizes, comm);
+    Team_of_ranks team(comm);
+    return quality_of(mesh, sizes, Threads(), team);
   }
 };
 
@@ -138,10 +140,10 @@ TEST(Distributed_quality, a_sizing_function_that_throws_on_one_rank)
   }
 }
 
-TEST(Values_of_all_ranks, sorted_positions_are_those_of_all_values)
+TEST(Team_of_ranks, sorted_positions_are_those_of_all_values)
 {
   Communicator comm(MPI_COMM_WORLD);
-  const Values_of_all_ranks all(comm);
+  const Team_of_ranks all(comm);
   std::mt19937 engine(random_seeds::seed(7));
   std::vector<double> values{0., -0., std::numeric_limits<double>::denorm_min(),
                              std::numeric_limits<double>::infinity(), (std::numeric_limits<double>::max)(),

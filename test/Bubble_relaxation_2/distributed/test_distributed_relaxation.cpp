@@ -202,7 +202,7 @@ TEST(Distributed_relaxation, neighbors_of_all_sizes)
       add_own(own, record(all, i, 3 * static_cast<std::int64_t>(i)));
   }
   CGAL::Distributed::Relaxation_2<paper::K> written;
-  write_neighbors(with_neighbors(own, partition, 0.4, comm), written);
+  write_neighbors(with_neighbors(own, partition, 0.4, comm), 0.4, written);
   ASSERT_EQ(written.neighbor_offsets.size(), own.size() + 1);
   std::set<std::int64_t> ghosts;
   for (std::size_t k = 0; k < own.size(); ++k) {

@@ -63,15 +63,18 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
 {
   Bubble_mesh_2 whole = mesh_of(c);
   const Relaxation_options all;
-  const Treatment_counts expected = treat_defects(c.domain(), all, whole);
+  const Sizes_2 any_size([](double, double) { return 1.; });
+  const Problem_2 problem{c.domain(), c.given(), all, any_size, any_size};
+  const Treatment_counts expected = treat_defects(Whole_treatment_2(problem), whole);
 
   Communicator comm(MPI_COMM_WORLD);
   const Hilbert_partition_2 partition =
     distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), options.with_gaps);
-  Distributed_treatment_2 treat(c.domain(), partition, comm, options.reach);
+  const Bubbles_2 no_points;
+  const Distributed_treatment_2 treat(problem, no_points, partition, comm, options.reach);
   Distributed_mesh_2 mesh =
     treat.triangulate(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
-  const Treatment_counts counts = treat(mesh, true);
+  const Treatment_counts counts = treat_defects(treat, mesh);
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);
   EXPECT_EQ(counts.deleted, expected.deleted);

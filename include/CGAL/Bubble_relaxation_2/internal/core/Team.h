@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -102,6 +103,9 @@ public:
   /// whether it holds on any rank
   virtual bool any(bool here) const { return here; }
 
+  /// does what may fail on one rank, and then fails on all
+  virtual void agree_after(const std::function<void()>& f) { f(); }
+
   virtual double smallest(double value) const { return value; } ///< of all ranks
   virtual double largest(double value) const { return value; }  ///< of all ranks
 
@@ -125,11 +129,18 @@ public:
 
   virtual Share_of_disc share_of(const Point&, double /* radius */) const { return Share_of_disc::ALL; }
 
+  /// All ranks have these bubbles, and more will come.
+  virtual void note_common(const Bubbles_2&) {}
+
   /// divides the domain by bubbles that are some times as large, which all ranks have
   virtual void divide(const Domain_2&, const Bubbles_2& /* large */) {}
 
   /// how many of so many bubbles come to this rank, about
   virtual std::size_t part_of(double number) const { return static_cast<std::size_t>(number); }
+
+  /// Brings the bubbles after the common ones, which are there before the growth begins, and the directions of their
+  /// lattices to where they are needed.
+  virtual void share_seeds(Bubbles_2&, std::vector<double>& /* directions */) {}
 
   /// The crystal has its first bubbles, which all ranks have or which were given to the team; so many will come.
   virtual void start_growth(Crystal_2&, std::size_t /* expected */) {}
@@ -149,8 +160,8 @@ public:
   /// adds what others propose and might be in the way of ours
   virtual void share_proposals(std::vector<Growth_proposal_2>&) {}
 
-  /// keeps of the new bubbles those that this rank has to know, and adds such of others
-  virtual void exchange_new(std::vector<Growth_proposal_2>&) {}
+  /// keeps of the new bubbles those that this rank has to know
+  virtual void forget_far(std::vector<Growth_proposal_2>&) const {}
 
   /// adds bubbles of others, older ones too, that the new ones need around them
   virtual void complete(Crystal_2&, std::vector<Growth_proposal_2>&) {}
@@ -184,9 +195,7 @@ public:
   virtual void share_sets(const Bubbles_2&, Neighbor_sets_2&) {}
 
   /// begins to tell other ranks where bubbles are within a step
-  virtual void send_positions(const Neighbor_sets_2&, const std::vector<double>& /* x */,
-                              const std::vector<double>& /* y */)
-  {}
+  virtual void send_positions(const std::vector<double>& /* x */, const std::vector<double>& /* y */) {}
 
   /// puts in where theirs are
   virtual void receive_positions(std::vector<double>& /* x */, std::vector<double>& /* y */) {}

@@ -23,6 +23,8 @@
 
 #include <CGAL/Bubble_relaxation_enums.h>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -81,11 +83,26 @@ inline void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, con
   keep_in_faces(domain, given, sizing, [](std::size_t, double) { return true; }, bubbles);
 }
 
+/// Shares the domain out among ranks by large bubbles that fill it, the same on all: where they are many, bubbles will be
+/// many.
+inline void share_out(const Domain_2& domain, const Sizes_2& sizing, const Bubbles_2& on_outline, Team& team,
+                      const Threads& threads)
+{
+  if (team.is_alone())
+    return;
+  const double factor = factor_of_large_bubbles(sizing.expected_number);
+  Bubbles_2 large = enlarge(domain, on_outline, factor);
+  Team alone;
+  grow_from_all(domain, scaled(sizing, factor), {}, large, alone, threads);
+  team.divide(domain, large);
+}
+
 /// Bubbles where the free vertices of an existing mesh are, as far as it is about as fine there as d
 /// asks; the rest of the domain is filled by a front.
 inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& sizing, Bubbles_2& bubbles,
-                           const Threads& threads)
+                           Team& team, const Threads& threads)
 {
+  share_out(domain, sizing, bubbles, team, threads);
   std::vector<double> directions(bubbles.size(), 0);
   const auto is_kept = [&](std::size_t k, double d) {
     const bool is_fitting = given.around[k].fits(d, given.largest_misfit);
@@ -94,8 +111,8 @@ inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, co
     return is_fitting;
   };
   keep_in_faces(domain, given, sizing, is_kept, bubbles);
-  Team alone;
-  grow_from_all(domain, sizing, directions, bubbles, alone, threads);
+  team.share_seeds(bubbles, directions);
+  grow_from_all(domain, sizing, directions, bubbles, team, threads);
 }
 
 /// whether the user gives all bubbles, as vertices of an existing mesh
@@ -105,35 +122,55 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
 }
 
 /// The bubbles that the user gives, all of them, whatever d asks for.
-inline Bubbles_2 given_bubbles(const Problem_2& p)
+inline Bubbles_2 given_bubbles(const Problem_2& p, Team& team)
 {
   Bubbles_2 bubbles = place_on_outline(p.domain, p.given, On_edges::KEEP, p.sizes);
+  team.note_common(bubbles);
   keep_in_faces(p.domain, p.given, p.sizes, bubbles);
+  return bubbles;
+}
+
+/// the initial bubbles (section 2.1.2 of the paper); if the user leaves the choice, an existing mesh is kept where it
+/// fits
+inline Bubbles_2 place_bubbles(const Problem_2& p, Team& team)
+{
+  const Threads& threads = p.options.threads;
+  const bool adapts = !p.options.placement_is_given && team.any(!p.given.free.empty());
+  const bool keeps = keeps_given_bubbles(p.options);
+  Bubbles_2 bubbles = place_on_outline(
+    p.domain, p.given, adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW, p.sizes);
+  team.note_common(bubbles);
+  if (adapts)
+    adapt_in_faces(p.domain, p.given, p.sizes, bubbles, team, threads);
+  else if (keeps)
+    keep_in_faces(p.domain, p.given, p.sizes, bubbles);
+  else if (p.options.placement == Bubble_placement::RHOMBIC) {
+    share_out(p.domain, p.sizes, bubbles, team, threads);
+    Rhombic_placement(p.domain, p.sizes, bubbles, team)();
+  } else
+    place_frontal(p.domain, p.sizes, bubbles, team, threads);
+  return bubbles;
+}
+
+/// the same bubbles, or given ones, without coincident ones and sorted in space: on vertices, then edges, then faces, in
+/// this order
+inline Bubbles_2 sorted_in_space(const Problem_2& p, Bubbles_2 bubbles)
+{
   remove_coincident(p.domain, bubbles);
   sort_in_space(p.domain, bubbles, p.options.threads);
   return bubbles;
 }
 
-/// the initial bubbles (section 2.1.2 of the paper), sorted in space: on vertices, then edges, then faces, in this
-/// order; if the user leaves the choice, an existing mesh is kept where it fits
+inline Bubbles_2 given_bubbles(const Problem_2& p)
+{
+  Team alone;
+  return sorted_in_space(p, given_bubbles(p, alone));
+}
+
 inline Bubbles_2 place_bubbles(const Problem_2& p)
 {
-  const bool adapts = !p.options.placement_is_given && !p.given.free.empty();
-  const bool keeps = keeps_given_bubbles(p.options);
-  Bubbles_2 bubbles = place_on_outline(
-    p.domain, p.given, adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW, p.sizes);
   Team alone;
-  if (adapts)
-    adapt_in_faces(p.domain, p.given, p.sizes, bubbles, p.options.threads);
-  else if (keeps)
-    keep_in_faces(p.domain, p.given, p.sizes, bubbles);
-  else if (p.options.placement == Bubble_placement::RHOMBIC)
-    Rhombic_placement(p.domain, p.sizes, bubbles, alone)();
-  else
-    place_frontal(p.domain, p.sizes, bubbles, alone, p.options.threads);
-  remove_coincident(p.domain, bubbles);
-  sort_in_space(p.domain, bubbles, p.options.threads);
-  return bubbles;
+  return sorted_in_space(p, place_bubbles(p, alone));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

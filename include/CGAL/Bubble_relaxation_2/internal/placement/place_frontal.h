@@ -137,7 +137,7 @@ private:
   {
     m_new.clear();
     m_choice.for_each_chosen([this](Index k) { m_new.push_back(m_proposals[k]); });
-    m_team.exchange_new(m_new);
+    m_team.forget_far(m_new);
     for (const Growth_proposal_2& p : m_new)
       m_crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
     m_team.complete(m_crystal, m_new);
@@ -312,6 +312,7 @@ inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles
   const double factor = factor_of_large_bubbles(sizing.expected_number);
   if (factor == 1) {
     fill_in_better_way(domain, sizing, bubbles, threads);
+    team.note_common(bubbles);
     return;
   }
   Bubbles_2 large = enlarge(domain, bubbles, factor);

@@ -100,7 +100,7 @@ public:
 
   /// Puts it into the report. Of edges with the same gradient it tells that with the lexicographically smallest
   /// midpoint.
-  void tell(Report& report, const Team& all = Team()) const
+  void tell(Report& report, const Team& all) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double largest = all.largest(m_largest);
@@ -165,7 +165,7 @@ public:
     }
   }
 
-  void tell(Report& report, const Team& all = Team()) const
+  void tell(Report& report, const Team& all) const
   {
     m_forced.tell(report.number_of_forced_triangles, report.forced_x, report.forced_y, all);
     m_others.tell(report.number_of_small_angles, report.small_x, report.small_y, all);
@@ -236,37 +236,57 @@ inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& 
     [&](std::size_t v) { return mesh.bubbles.is_ours(v); }, accumulator);
 }
 
-/// Puts the statistics of a mesh into the report. It is the mesh in arrays: the user's d may throw, and
+/// The statistics of a mesh, of all ranks. `sizing`: null if there are to be no lengths
+inline Mesh_quality_2<double> quality_of(const Bubble_mesh_2& mesh, const Sizes_2* sizing, const Threads& threads,
+                                         Team& team)
+{
+  constexpr std::size_t block_size = 4096;
+  Mesh_quality_accumulator_2 all;
+  team.agree_after([&] {
+    const std::size_t n = mesh.triangles.number_of_triangles();
+    std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);
+    parallel_for(
+      threads, blocks.size(),
+      [&](std::size_t k) {
+        const std::size_t first = k * block_size, last = (std::min)(first + block_size, n);
+        add_triangles(mesh, first, last, blocks[k]);
+        if (sizing != nullptr)
+          add_lengths(mesh, first, last, *sizing, blocks[k]);
+      },
+      1);
+    add_vertices(mesh, all);
+    for (const Mesh_quality_accumulator_2& block : blocks) {
+      tick();
+      all.add(block);
+    }
+  });
+  return Mesh_quality_2<double>(all.statistics(team));
+}
+
+/// Puts the statistics of a mesh, of all ranks, into the report. It is the mesh in arrays: the user's d may throw, and
 /// then the user's triangulation must not have been changed yet.
-inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Report& report)
+inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Team& team, Report& report)
 {
   const Threads& threads = problem.options.threads;
   const Phase_timer timer(report.seconds.evaluation);
   tell_wanted_number(problem, report);
-  constexpr std::size_t block_size = 4096;
-  const std::size_t n = mesh.triangles.number_of_triangles();
-  std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);
-  parallel_for(
-    threads, blocks.size(),
-    [&](std::size_t k) {
-      const std::size_t first = k * block_size, last = (std::min)(first + block_size, n);
-      add_triangles(mesh, first, last, blocks[k]);
-      add_lengths(mesh, first, last, problem.sizes, blocks[k]);
-    },
-    1);
-  size_gradient(mesh, problem.wanted, threads).tell(report);
-  Small_angles_2 small(problem.whole_domain(), problem.options.minimum_angle);
-  small.add(mesh);
-  small.tell(report);
-  Mesh_quality_accumulator_2 all;
-  add_vertices(mesh, all);
-  for (const Mesh_quality_accumulator_2& block : blocks) {
-    tick();
-    all.add(block);
-  }
-  report.quality = Mesh_quality_2<double>(all.statistics());
+  report.quality = quality_of(mesh, &problem.sizes, threads, team);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
+  Size_gradient_2 gradient(Report::steep_size_gradient);
+  Small_angles_2 small(problem.whole_domain(), problem.options.minimum_angle);
+  team.agree_after([&] {
+    gradient = size_gradient(mesh, problem.wanted, threads);
+    small.add(mesh);
+  });
+  gradient.tell(report, team);
+  small.tell(report, team);
+}
+
+inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Report& report)
+{
+  Team alone;
+  evaluate(mesh, problem, alone, report);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -175,7 +175,7 @@ public:
       const bool is_last = stage.ahead == 0;
       if (!is_last) {
         find_next_places(stage, b, active);
-        team.send_positions(neighbors, m_next_x, m_next_y);
+        team.send_positions(m_next_x, m_next_y);
       }
       advance(stage, b, active, neighbors, boundary, displacements);
       if (!is_last) {

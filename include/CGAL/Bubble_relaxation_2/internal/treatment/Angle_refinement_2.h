@@ -266,27 +266,28 @@ inline bool insert_points(const Problem_2& problem, const std::vector<Steiner_po
 }
 
 /// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so; none if that is endless, or has made
-/// angles in a crack smaller. Returns how many.
-inline std::size_t refine_small_angles(const Problem_2& problem, Bubble_mesh_2& mesh)
+/// angles in a crack smaller. Returns how many. `treatment`: by one rank or all
+template <class Treatment>
+std::size_t refine_small_angles(const Treatment& treatment, typename Treatment::Mesh& mesh)
 {
-  Bubble_mesh_2 refined;
-  for (std::size_t result = 0;;) {
-    const Bubble_mesh_2& last = result == 0 ? mesh : refined;
-    std::vector<Steiner_point_2> points =
-      wanted_points(problem, last, triangles_to_refine(problem, last, last.triangles.inside));
-    if (is_endless(result + points.size(), mesh.bubbles.size()))
+  if (!treatment.is_to_be_refined(mesh))
+    return 0;
+  typename Treatment::Mesh refined = treatment.triangulated_anew(mesh);
+  const std::size_t number_of_vertices = treatment.number_of_bubbles(mesh);
+  std::size_t result = 0;
+  for (;;) {
+    std::vector<Steiner_point_2> points = treatment.wanted_points(refined);
+    if (is_endless(result + points.size(), number_of_vertices))
       return 0;
     points = Angle_refinement_2::independent(std::move(points));
-    Bubble_mesh_2 next{last.bubbles, {}};
-    if (points.empty() || is_stop_wanted() || !insert_points(problem, points, next)) {
-      if (result == 0 || smallest_free_sine(refined, refined.triangles.inside) < smallest_free_sine(mesh, mesh.triangles.inside))
-        return 0;
-      mesh = std::move(refined);
-      return result;
-    }
+    if (points.empty() || treatment.is_stop_wanted() || !treatment.insert(points, refined))
+      break;
     result += points.size();
-    refined = std::move(next);
   }
+  if (result == 0 || treatment.smallest_free_sine(refined) < treatment.smallest_free_sine(mesh))
+    return 0;
+  mesh = std::move(refined);
+  return result;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

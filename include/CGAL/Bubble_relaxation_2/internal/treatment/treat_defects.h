@@ -130,7 +130,7 @@ constexpr int sweeps_before_surgery = 2;
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
 inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
-                                  double& smallest, int most_sweeps = Smoothing_sweeps_2::number_of_sweeps)
+                                  double& smallest, int most_sweeps)
 {
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
@@ -168,20 +168,6 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
   mesh = std::move(changed);
 }
 
-/// Treats the last defects of a mesh. The smallest q never gets smaller. Sizes of bubbles that move are not
-/// renewed.
-inline Treatment_counts treat_defects(const Domain_2& domain, const Relaxation_options& options, Bubble_mesh_2& mesh)
-{
-  const Threads& threads = options.threads;
-  Treatment_counts counts;
-  double smallest = smallest_quality(mesh, threads);
-  counts.treated = smooth_defects(domain, threads, mesh, smallest, sweeps_before_surgery);
-  if (options.population != Bubble_population::NONE)
-    operate_on_defects(domain, threads, mesh, smallest, counts);
-  counts.treated += smooth_defects(domain, threads, mesh, smallest);
-  return counts;
-}
-
 /// Whether a triangle is more than twice as large as an equilateral one with d as side, or less than half as large.
 template <class Mesh>
 bool is_misfit(const Mesh& mesh, Index t)
@@ -215,32 +201,129 @@ Misfit_counts count_misfits(const Mesh& mesh, const std::vector<char>& counts)
   return result;
 }
 
+/// What the treatment of a mesh is made of, where one rank has all of it. `Distributed_treatment_2` is the same by several;
+/// `treat()` puts the parts together for both.
+class Whole_treatment_2
+{
+public:
+  using Mesh = Bubble_mesh_2;
+  using Piece = Bubble_mesh_2; ///< of it, in which a rank works
+
+  explicit Whole_treatment_2(const Problem_2& problem) : m_problem(problem), m_threads(problem.options.threads) {}
+
+  const Problem_2& problem() const { return m_problem; }
+
+  static Piece piece_of(Mesh&& mesh) { return std::move(mesh); }
+  static Mesh mesh_of(Piece&& piece) { return std::move(piece); }
+
+  double smallest_quality(const Mesh& mesh) const { return internal::smallest_quality(mesh, m_threads); }
+
+  std::size_t smooth(Piece& mesh, double& smallest, int most_sweeps) const
+  {
+    return smooth_defects(m_problem.domain, m_threads, mesh, smallest, most_sweeps);
+  }
+
+  void operate(Piece& mesh, double& smallest, Treatment_counts& counts) const
+  {
+    operate_on_defects(m_problem.domain, m_threads, mesh, smallest, counts);
+  }
+
+  /// makes the mesh of the given bubbles; returns with what it is treated
+  Whole_treatment_2 triangulate_given(Mesh& given) const
+  {
+    given.bubbles = given_bubbles(m_problem);
+    triangulate(m_problem.domain, given);
+    return *this;
+  }
+
+  Misfit_counts count_misfits(const Mesh& mesh) const { return internal::count_misfits(mesh, mesh.triangles.inside); }
+
+  bool is_stop_wanted() const { return internal::is_stop_wanted(); }
+
+  /// \name Refinement
+  /// @{
+  std::size_t number_of_bubbles(const Mesh& mesh) const { return mesh.bubbles.size(); }
+  bool is_to_be_refined(const Mesh& mesh) const { return !to_be_refined(mesh).empty(); }
+  Mesh triangulated_anew(const Mesh& mesh) const { return mesh; }
+
+  std::vector<Steiner_point_2> wanted_points(const Mesh& mesh) const
+  {
+    return internal::wanted_points(m_problem, mesh, to_be_refined(mesh));
+  }
+
+  /// returns whether that can be done; if not, the mesh is as it was
+  bool insert(const std::vector<Steiner_point_2>& points, Mesh& mesh) const
+  {
+    Mesh next{mesh.bubbles, {}};
+    if (!insert_points(m_problem, points, next))
+      return false;
+    mesh = std::move(next);
+    return true;
+  }
+
+  double smallest_free_sine(const Mesh& mesh) const { return internal::smallest_free_sine(mesh, mesh.triangles.inside); }
+  Mesh to_be_treated_again(const Mesh& mesh) const { return mesh; }
+
+  std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
+  {
+    return internal::left_to_refine(m_problem, mesh, mesh.triangles.inside);
+  }
+  /// @}
+
+private:
+  std::vector<Index> to_be_refined(const Mesh& mesh) const
+  {
+    return triangles_to_refine(m_problem, mesh, mesh.triangles.inside);
+  }
+
+  const Problem_2& m_problem;
+  const Threads& m_threads;
+};
+
+/// Treats the last defects of a mesh. The smallest q never gets smaller. Sizes of bubbles that move are not
+/// renewed.
+template <class Treatment>
+Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::Mesh& mesh)
+{
+  Treatment_counts counts;
+  double smallest = treatment.smallest_quality(mesh);
+  if (smallest >= Smoothing_sweeps_2::treated_quality)
+    return counts;
+  typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
+  counts.treated = treatment.smooth(piece, smallest, sweeps_before_surgery);
+  if (treatment.problem().options.population != Bubble_population::NONE)
+    treatment.operate(piece, smallest, counts);
+  counts.treated += treatment.smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps);
+  mesh = treatment.mesh_of(std::move(piece));
+  return counts;
+}
+
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is larger, treated
 /// too, unless it fits d worse, if only in one place, and the number of bubbles was free.
-inline void keep_the_better(const Problem_2& problem, Bubble_mesh_2& mesh, Treatment_counts& counts)
+template <class Treatment>
+void keep_the_better(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
 {
-  const Threads& threads = problem.options.threads;
-  Bubble_mesh_2 given;
-  given.bubbles = given_bubbles(problem);
-  triangulate(problem.domain, given);
-  if (smallest_quality(given, threads) <= smallest_quality(mesh, threads) ||
-      (problem.options.population != Bubble_population::NONE &&
-       count_misfits(given, given.triangles.inside).is_worse_than(count_misfits(mesh, mesh.triangles.inside))))
+  typename Treatment::Mesh given;
+  const Treatment treatment_of_given = treatment.triangulate_given(given);
+  if (treatment.smallest_quality(given) <= treatment.smallest_quality(mesh) ||
+      (treatment.problem().options.population != Bubble_population::NONE &&
+       treatment.count_misfits(given).is_worse_than(treatment.count_misfits(mesh))))
     return;
-  counts = treat_defects(problem.domain, problem.options, given);
+  counts = treat_defects(treatment_of_given, given);
   mesh = std::move(given);
 }
 
 /// Refines, and treats what has come of it: new vertices stand where angles ask for them, not where they fit in best.
-inline void refine_and_treat(const Problem_2& problem, Bubble_mesh_2& mesh, Treatment_counts& counts)
+template <class Treatment>
+void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
 {
-  const std::size_t inserted = refine_small_angles(problem, mesh);
+  const std::size_t inserted = refine_small_angles(treatment, mesh);
   if (inserted == 0)
     return;
   counts.inserted += inserted;
-  Bubble_mesh_2 treated = mesh;
-  const Treatment_counts more = treat_defects(problem.domain, problem.options, treated);
-  if (left_to_refine(problem, mesh, mesh.triangles.inside) < left_to_refine(problem, treated, treated.triangles.inside))
+  typename Treatment::Mesh treated = treatment.to_be_treated_again(mesh);
+  const Treatment_counts more = treat_defects(treatment, treated);
+  if (treatment.left_to_refine(mesh) < treatment.left_to_refine(treated))
     return;
   mesh = std::move(treated);
   counts += more;
@@ -253,23 +336,31 @@ inline bool is_treatment_due(const Relaxation_options& options, const Report& re
          report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK;
 }
 
-/// The triangulation of the simulated bubbles, and what is done to it before it is written.
+/// What is done to the triangulation of the simulated bubbles before it is written.
+template <class Treatment>
+void treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Report& report)
+{
+  const Relaxation_options& options = treatment.problem().options;
+  if (is_treatment_due(options, report)) {
+    Treatment_counts counts = treat_defects(treatment, mesh);
+    if (keeps_given_bubbles(options))
+      keep_the_better(treatment, mesh, counts);
+    if (options.population != Bubble_population::NONE)
+      refine_and_treat(treatment, mesh, counts);
+    counts.add_to(report);
+  }
+  if (treatment.is_stop_wanted()) // what was left of it was not done
+    tell_that_it_was_stopped(report);
+}
+
+/// The triangulation of the simulated bubbles, treated.
 inline Bubble_mesh_2 triangulate_and_treat(const Problem_2& problem, Bubbles_2 bubbles, Report& report)
 {
   const Phase_timer timer(report.seconds.treatment);
   problem.options.progress->start_phase(Bubble_phase::TREATMENT);
   Bubble_mesh_2 mesh{std::move(bubbles), {}};
   triangulate(problem.domain, mesh);
-  if (is_treatment_due(problem.options, report)) {
-    Treatment_counts counts = treat_defects(problem.domain, problem.options, mesh);
-    if (keeps_given_bubbles(problem.options))
-      keep_the_better(problem, mesh, counts);
-    if (problem.options.population != Bubble_population::NONE)
-      refine_and_treat(problem, mesh, counts);
-    counts.add_to(report);
-  }
-  if (is_stop_wanted()) // what was left of it was not done
-    tell_that_it_was_stopped(report);
+  treat(Whole_treatment_2(problem), mesh, report);
   return mesh;
 }
 

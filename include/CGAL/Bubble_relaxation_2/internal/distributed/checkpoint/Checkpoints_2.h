@@ -30,18 +30,20 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// what all ranks count alike
-inline std::array<std::size_t*, 5> counts_of_all(Report& report)
-{
-  return {{&report.number_of_initial_bubbles, &report.number_of_rounds, &report.number_of_steps,
-           &report.number_of_force_evaluations, &report.number_of_renewals}};
-}
-
 /// what each rank counts for itself
 inline std::array<std::size_t*, 4> counts_of_rank(Report& report)
 {
   return {{&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
            &report.number_of_deletions}};
+}
+
+/// what the report counts: what all ranks count alike comes first
+inline std::array<std::size_t*, 9> counts_of(Report& report)
+{
+  const auto of_rank = counts_of_rank(report);
+  return {{&report.number_of_initial_bubbles, &report.number_of_rounds, &report.number_of_steps,
+           &report.number_of_force_evaluations, &report.number_of_renewals, of_rank[0], of_rank[1], of_rank[2],
+           of_rank[3]}};
 }
 
 /// What stands at the beginning of a checkpoint. After it come the states of bubbles, along the curve: so the file has
@@ -55,8 +57,7 @@ struct Checkpoint_header_2
   std::array<double, std::tuple_size<decltype(steering_parameters(Relaxation_options()))>::value> parameters{};
   std::int64_t number_of_all = 0; ///< that ever were, which is the number of the next
   std::int32_t is_coarse = 0, is_roused = 0;
-  std::array<std::int64_t, 5> counts_of_all{};
-  std::array<std::int64_t, 4> counts_of_ranks{}; ///< their sums
+  std::array<std::int64_t, 9> counts{}; ///< of all ranks
   std::uint64_t hash_of_header = 0;              ///< of all before
 
   std::int64_t offset(std::int64_t record) const { return std::int64_t(sizeof *this) + record * record_size; }
@@ -161,10 +162,10 @@ public:
     if (!m_header.is_coarse)
       simulation.rest_finely();
     simulation.restart(m_memories, m_header.is_roused != 0);
-    for (std::size_t k = 0; k < m_header.counts_of_all.size(); ++k)
-      *counts_of_all(report)[k] = static_cast<std::size_t>(m_header.counts_of_all[k]);
-    for (std::size_t k = 0; k < m_header.counts_of_ranks.size() && m_comm.rank() == 0; ++k) // they are nobody's
-      *counts_of_rank(report)[k] = static_cast<std::size_t>(m_header.counts_of_ranks[k]);
+    const auto counts = counts_of(report);
+    for (std::size_t k = 0; k < counts.size(); ++k)
+      if (k < number_of_common || m_comm.rank() == 0) // the others are nobody's
+        *counts[k] = static_cast<std::size_t>(m_header.counts[k]);
   }
 
   /// Writes a checkpoint if it is time, after a round and what it did to the population.
@@ -184,15 +185,17 @@ public:
     h.number_of_all = number_of_all;
     h.is_coarse = simulation.rests_coarsely();
     h.is_roused = simulation.is_roused();
-    for (std::size_t k = 0; k < h.counts_of_all.size(); ++k)
-      h.counts_of_all[k] = static_cast<std::int64_t>(*counts_of_all(report)[k]);
-    for (std::size_t k = 0; k < h.counts_of_ranks.size(); ++k)
-      h.counts_of_ranks[k] = m_comm.sum(static_cast<std::int64_t>(*counts_of_rank(report)[k]));
+    for (std::size_t k = 0; k < h.counts.size(); ++k) {
+      const std::int64_t count = static_cast<std::int64_t>(*counts_of(report)[k]);
+      h.counts[k] = k < number_of_common ? count : m_comm.sum(count);
+    }
     h.hash_of_header = h.own_hash();
     replace_file(h, first, states);
   }
 
 private:
+  static constexpr std::size_t number_of_common = 5; // of the counts: those that all ranks count alike
+
   std::vector<Bubble_state_2> along_curve(const Simulation_2& simulation, const Bubbles_2& bubbles,
                                           const Hilbert_partition_2& partition) const
   {
@@ -239,7 +242,7 @@ private:
       if (h.parameters[k] != now[k].value)
         refuse(std::string("was written with another ") + now[k].name + ": " + now[k].text(h.parameters[k]) +
                ", and now it is " + now[k].text(now[k].value));
-    const auto rounds = static_cast<std::size_t>(h.counts_of_all[1]);
+    const auto rounds = static_cast<std::size_t>(h.counts[1]);
     if (rounds >= m_options.number_of_rounds)
       refuse("was written after " + std::to_string(rounds) + " rounds, and number_of_rounds is " +
              std::to_string(m_options.number_of_rounds));

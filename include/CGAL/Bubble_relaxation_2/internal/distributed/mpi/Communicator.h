@@ -218,24 +218,17 @@ private:
   {
     try {
       std::rethrow_exception(m_failure);
-    } catch (const std::bad_alloc& e) {
-      return NO_MEMORY;
-    } catch (const std::invalid_argument& e) {
-      text = e.what();
-      return INVALID_ARGUMENT;
-    } catch (const std::length_error& e) {
-      text = e.what();
-      return LENGTH_ERROR;
-    } catch (const std::domain_error& e) {
-      text = e.what();
-      return DOMAIN_ERROR;
     } catch (const std::exception& e) {
       text = e.what();
+      return dynamic_cast<const std::bad_alloc*>(&e)          ? NO_MEMORY
+             : dynamic_cast<const std::invalid_argument*>(&e) ? INVALID_ARGUMENT
+             : dynamic_cast<const std::length_error*>(&e)     ? LENGTH_ERROR
+             : dynamic_cast<const std::domain_error*>(&e)     ? DOMAIN_ERROR
+                                                              : OTHER;
     } catch (...) {
-      text = "Bubble_relaxation_2: an exception that is no std::exception on rank " +
-             std::to_string(m_rank);
+      text = "Bubble_relaxation_2: an exception that is no std::exception on rank " + std::to_string(m_rank);
+      return OTHER;
     }
-    return OTHER;
   }
 
   MPI_Comm m_comm = MPI_COMM_NULL;

@@ -50,19 +50,6 @@ public:
 
   int owner(double x, double y) const { return owner(m_curve.key(x, y)); }
 
-  /// calls `visit(owner, first, last)` for the intervals of elements that one rank owns; they are sorted by their `key`
-  template <class Iterator, class Visit>
-  void for_each_owner(Iterator first, Iterator end, const Visit& visit) const
-  {
-    while (first != end) { // the owners ascend, too
-      const int rank = owner(first->key);
-      const Iterator last =
-        std::partition_point(first, end, [&](const auto& element) { return owner(element.key) == rank; });
-      visit(rank, first, last);
-      first = last;
-    }
-  }
-
   /// All ranks that own a part of the disc, and perhaps some that own something beside it; sorted.
   Ranks owners_in_disc(double x, double y, double radius) const
   {

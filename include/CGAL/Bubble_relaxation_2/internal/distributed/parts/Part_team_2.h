@@ -12,24 +12,93 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
+/// Collective. How far from the part of its owner a bubble is at most, on any rank, or a bit more.
+inline double farthest_stray(const Communicator& comm, const Hilbert_partition_2& partition, const Bubbles_2& own)
+{
+  double farthest = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (partition.owner(own.x[i], own.y[i]) == comm.rank())
+      continue;
+    double radius = 0.1 * own.d[i];
+    for (bool is_near = false; !is_near; radius *= 2) {
+      const auto ranks = partition.owners_in_disc(own.x[i], own.y[i], radius);
+      is_near = std::binary_search(ranks.begin(), ranks.end(), comm.rank());
+    }
+    farthest = (std::max)(farthest, radius); // twice that of the disc, beside which the part may be
+  }
+  return comm.largest(farthest);
+}
+
+/// Collective. Adds to the records of this rank such of others, so that two which are nearer to each other than `reach`
+/// times the size of the larger one are known to the owners of both: each goes to the ranks `others(record, radius)` of
+/// which something lies within that of it, and who gets to know a larger one tells its owner of smaller ones around it.
+/// Returns who has what.
+template <class Record, class Others>
+Shared_lists share_around(Communicator& comm, double reach, std::vector<Record>& records, const Others& others)
+{
+  const std::size_t own = records.size();
+  Shared_lists lists;
+  Lists_of_few<int> told(own);
+  Messages<Record> out;
+  const auto tell = [&](Index k, int rank) {
+    if (rank != comm.rank() && told.add_once(k, rank))
+      lists.send(rank, records, static_cast<std::size_t>(k), out);
+  };
+  for (std::size_t k = 0; k < own; ++k)
+    for (int rank : others(records[k], reach * records[k].d))
+      tell(static_cast<Index>(k), rank);
+  lists.deliver_to(records, out, comm);
+  out.clear();
+  double largest = 0;
+  for (std::size_t l = own; l < records.size(); ++l)
+    largest = (std::max)(largest, records[l].d);
+  if (own != 0 && largest > 0) {
+    Bubble_buckets_2 ours(2 * reach, records[0].d, records[0].x, records[0].y, 0);
+    for (std::size_t k = 0; k < own; ++k)
+      if (records[k].d < largest) // others were told where they are not smaller
+        ours.insert(static_cast<Index>(k), records[k].x, records[k].y, records[k].d);
+    for (const auto& list : lists.received)
+      for (Index l : list.second)
+        ours.for_each_within(records[l].x, records[l].y, reach * records[l].d, [&](const auto& e, double) {
+          tell(e.id, list.first);
+          return true;
+        });
+  }
+  lists.deliver_to(records, out, comm);
+  return lists;
+}
+
+/// Collective. The same of records that may lie up to `stray` beside the part of their owner.
+template <class Record>
+Shared_lists share_around(Communicator& comm, const Hilbert_partition_2& partition, double reach, double stray,
+                          std::vector<Record>& records)
+{
+  constexpr double slack = 1 + 1e-9; // coordinates are rounded to cells of the curve
+  Clearance_2 clearance(partition, comm.rank());
+  return share_around(comm, reach, records, [&](const Record& r, double radius) {
+    return clearance.others_in_disc(r.x, r.y, slack * radius + stray);
+  });
+}
+
 /// Ranks of which each works on its own part of the plane, and which choose together among places for new bubbles.
-class Part_team_2 : public Team
+class Part_team_2 : public Team_of_ranks
 {
 public:
-  Part_team_2(Communicator& comm, const Hilbert_partition_2& partition) : Part_team_2(comm, &partition) {}
+  explicit Part_team_2(Communicator& comm) : Team_of_ranks(comm) {}
 
-  bool is_alone() const override { return false; }
-  bool any(bool here) const override { return m_comm.any(here); }
   bool owns_place(const Point& p) const override { return m_partition->owner(p.x(), p.y()) == m_comm.rank(); }
 
   Share_of_disc share_of(const Point& p, double radius) const override
@@ -42,63 +111,17 @@ public:
 
   std::size_t share_holes(std::vector<Hole_2>& holes, double reach) override
   {
-    Messages<Hole_2> out;
-    for (const Hole_2& h : holes)
-      out[m_partition->owner(h.x, h.y)].push_back(h);
-    holes.clear();
-    for (const auto& message : deliver(m_comm, out))
-      holes.insert(holes.end(), message.second.begin(), message.second.end());
+    holes = send_home(m_comm, *m_partition, std::move(holes));
     const std::size_t number_of_ours = holes.size();
-    m_holes = {};
-    Lists_of_few<int> told(number_of_ours);
-    out.clear();
-    for (std::size_t k = 0; k < number_of_ours; ++k)
-      for (int rank : m_partition->owners_in_disc(holes[k].x, holes[k].y, reach * holes[k].d))
-        tell(holes, static_cast<Index>(k), rank, told, out);
-    m_holes.deliver_to(holes, out, m_comm);
-    out.clear();
-    tell_of_smaller(holes, number_of_ours, reach, told, out);
-    m_holes.deliver_to(holes, out, m_comm);
+    m_candidates = share_around(m_comm, *m_partition, reach, 0, holes);
     return number_of_ours;
   }
 
-  void share_choice(std::vector<char>& states) override { m_holes.share(m_comm, states); }
+  void share_choice(std::vector<char>& states) override { m_candidates.share(m_comm, states); }
 
 protected:
-  /// `partition`: `nullptr` until it is known, before anything is asked
-  Part_team_2(Communicator& comm, const Hilbert_partition_2* partition) : m_comm(comm), m_partition(partition) {}
-
-  Communicator& m_comm;
-  const Hilbert_partition_2* m_partition; ///< who owns what
-
-private:
-  /// who was told of a larger one tells of smaller ones near it
-  void tell_of_smaller(const std::vector<Hole_2>& holes, std::size_t number_of_ours, double reach,
-                       Lists_of_few<int>& told, Messages<Hole_2>& out)
-  {
-    if (number_of_ours == 0 || holes.size() == number_of_ours)
-      return;
-    Bubble_buckets_2 ours(2 * reach, holes[0].d, holes[0].x, holes[0].y, number_of_ours);
-    for (std::size_t k = 0; k < number_of_ours; ++k)
-      ours.insert(static_cast<Index>(k), holes[k].x, holes[k].y, holes[k].d);
-    for (const auto& list : m_holes.received)
-      for (Index l : list.second) {
-        const double far = reach * holes[l].d;
-        ours.for_each_near(holes[l].x, holes[l].y, holes[l].d, [&](Index k, double squared, double) {
-          if (squared < far * far)
-            tell(holes, k, list.first, told, out);
-          return true;
-        });
-      }
-  }
-
-  void tell(const std::vector<Hole_2>& holes, Index k, int rank, Lists_of_few<int>& told, Messages<Hole_2>& out)
-  {
-    if (rank != m_comm.rank() && told.add_once(k, rank))
-      m_holes.send(rank, holes, static_cast<std::size_t>(k), out);
-  }
-
-  Shared_lists m_holes;
+  const Hilbert_partition_2* m_partition = nullptr; ///< who owns what, when it is known
+  Shared_lists m_candidates;                        ///< among which is chosen
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -40,14 +39,15 @@ struct Placed_part_2
   Hilbert_partition_2 partition;
 };
 
-/// brings each of some records with places to the rank that owns its place
+/// brings each of some records with places and sizes to the rank that owns its place
 template <class Record>
 std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& partition, std::vector<Record> records)
 {
   Messages<Record> out;
   std::vector<Record> home;
+  Clearance_2 clearance(partition, comm.rank());
   for (const Record& r : records) {
-    const int owner = partition.owner(r.x, r.y);
+    const int owner = clearance(r.x, r.y, r.d) > 0 ? comm.rank() : partition.owner(r.x, r.y);
     (owner == comm.rank() ? home : out[owner]).push_back(r);
   }
   records.clear();
@@ -57,115 +57,63 @@ std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& par
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
-inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, Bubbles_2 bubbles)
+inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, const Bubbles_2& bubbles)
 {
-  const Bubbles_2& b = bubbles;
-  std::vector<Index> home;
-  home.reserve(b.size());
-  Messages<Bubble_record_2> out;
-  Clearance_2 clearance(partition, comm.rank());
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    const int owner = clearance(b.x[i], b.y[i], b.d[i]) > 0 ? comm.rank() : partition.owner(b.x[i], b.y[i]);
-    if (owner == comm.rank())
-      home.push_back(static_cast<Index>(i));
-    else
-      out[owner].push_back(record(b, i));
-  }
-  if (home.size() < b.size())
-    bubbles.select(home);
-  for (const auto& message : deliver(comm, out))
-    for (const Bubble_record_2& r : message.second)
-      add_own(bubbles, r);
-  bubbles.sort_by_id();
-  return bubbles;
+  std::vector<Bubble_record_2> records;
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    records.push_back(record(bubbles, i));
+  Bubbles_2 home;
+  for (const Bubble_record_2& r : send_home(comm, partition, std::move(records)))
+    add_own(home, r);
+  home.sort_by_id();
+  return home;
 }
 
-/// The order of a rank's bubbles along the curve. Bubbles stay where they are in memory until the end: what is sorted
-/// are their keys.
-class Curve_sort_2
+/// a bubble on its way, and where it is on the curve
+struct Bubble_on_curve_2
 {
-public:
-  Curve_sort_2(const Hilbert_curve_2& curve, Bubbles_2& bubbles) : m_curve(curve), m_bubbles(bubbles)
-  {
-    m_places.reserve(bubbles.size());
-  }
+  Hilbert_curve_2::Key key;
+  Bubble_record_2 bubble;
 
-  void add(Index i) { m_places.push_back(Place{m_curve.key(m_bubbles.x[i], m_bubbles.y[i]), i}); }
-
-  /// Collective. Cuts the curve so that all ranks own equally many bubbles; those that other ranks own then go there,
-  /// and others' come here.
-  Hilbert_partition_2 send_home_evenly(Communicator& comm)
-  {
-    sort_from(0);
-    Hilbert_partition_2 partition = even_partition(comm, m_curve, m_places, [](const Place& p) { return p.key; });
-    std::vector<Place> home;
-    Messages<Bubble_record_2> out;
-    partition.for_each_owner(m_places.begin(), m_places.end(), [&](int owner, auto first, auto last) {
-      if (owner == comm.rank())
-        home.assign(first, last);
-      else
-        std::transform(first, last, std::back_inserter(out[owner]), [this](const Place& p) {
-          return record(m_bubbles, static_cast<std::size_t>(p.index));
-        });
-    });
-    m_places.swap(home);
-    const std::size_t own = m_places.size();
-    for (const auto& message : deliver(comm, out))
-      for (const Bubble_record_2& r : message.second) {
-        add_own(m_bubbles, r);
-        add(static_cast<Index>(m_bubbles.size() - 1));
-      }
-    sort_from(own);
-    return partition;
-  }
-
-  /// Of bubbles in one place the one of the lowest dimension stays. \pre they are sorted
-  void forget_coincident()
-  {
-    m_places.erase(std::unique(m_places.begin(), m_places.end(),
-                               [this](const Place& p, const Place& q) {
-                                 return p.key == q.key && m_bubbles.x[p.index] == m_bubbles.x[q.index] &&
-                                        m_bubbles.y[p.index] == m_bubbles.y[q.index];
-                               }),
-                   m_places.end());
-  }
-
-  /// Keeps these bubbles in this order and forgets the others, once; makes room for those of other ranks that will be
-  /// added.
-  void select()
-  {
-    std::vector<Index> order;
-    order.reserve(m_places.size());
-    for (const Place& p : m_places)
-      order.push_back(p.index);
-    m_bubbles.select(order);
-  }
+  bool operator<(const Bubble_on_curve_2& other) const { return values() < other.values(); }
 
 private:
-  struct Place
+  std::tuple<Hilbert_curve_2::Key, double, double, std::int32_t> values() const
   {
-    Hilbert_curve_2::Key key;
-    Index index;
-  };
-
-  /// \pre those before `first` are sorted
-  void sort_from(std::size_t first)
-  {
-    merge_tail(m_places, first, [this](const Place& p, const Place& q) {
-      return p.key != q.key ? p.key < q.key : values(p) < values(q);
-    });
+    return std::make_tuple(key, bubble.x, bubble.y, bubble.dimension);
   }
-
-  std::tuple<double, double, int, Index> values(const Place& p) const
-  {
-    const Index i = p.index;
-    return std::make_tuple(m_bubbles.x[i], m_bubbles.y[i], int(m_bubbles.dimension[i]), i);
-  }
-
-  const Hilbert_curve_2 m_curve;
-  Bubbles_2& m_bubbles;
-  std::vector<Place> m_places;
 };
+
+/// Collective. Cuts the curve so that all ranks own equally many bubbles, which are on any ranks, and brings each to its
+/// owner, along the curve.
+inline Placed_part_2 send_home_evenly(Communicator& comm, const Hilbert_curve_2& curve,
+                                      const std::vector<Bubble_record_2>& bubbles)
+{
+  const auto at = [&](Hilbert_curve_2::Key key, Index i) { return Bubble_on_curve_2{key, bubbles[i]}; };
+  std::vector<std::pair<Hilbert_curve_2::Key, Index>> places; // what is sorted are keys: bubbles are large
+  places.reserve(bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    places.emplace_back(curve.key(bubbles[i].x, bubbles[i].y), static_cast<Index>(i));
+  std::sort(places.begin(), places.end(), [&at](const auto& p, const auto& q) {
+    return p.first != q.first ? p.first < q.first : at(p.first, p.second) < at(q.first, q.second);
+  });
+  Placed_part_2 result{{}, even_partition(comm, curve, places, [](const auto& p) { return p.first; })};
+  std::vector<Bubble_on_curve_2> home;
+  home.reserve(bubbles.size() + bubbles.size() / 8);
+  Messages<Bubble_on_curve_2> out;
+  for (const auto& p : places) {
+    const int owner = result.partition.owner(p.first);
+    (owner == comm.rank() ? home : out[owner]).push_back(at(p.first, p.second));
+  }
+  const std::size_t own = home.size();
+  for (const auto& message : deliver(comm, out))
+    home.insert(home.end(), message.second.begin(), message.second.end());
+  merge_tail(home, own);
+  result.bubbles.make_room_for(home.size() + home.size() / 8); // with those of other ranks that will be added
+  for (const Bubble_on_curve_2& p : home)
+    add_own(result.bubbles, p.bubble);
+  return result;
+}
 
 /// Collective. Numbers bubbles from 0 on, as they come: those of each rank before those of the next.
 inline void number_along_curve(Communicator& comm, Bubbles_2& bubbles)
@@ -194,11 +142,12 @@ public:
   {
     const bool are_numbered = check_numbers(points, has_numbers);
     add_missing_corners(points, are_numbered);
-    Curve_sort_2 on_curve(m_partition.curve(), points);
+    std::vector<Bubble_record_2> records;
     for (std::size_t i = 0; i < points.size(); ++i)
-      on_curve.add(static_cast<Index>(i));
-    m_partition = on_curve.send_home_evenly(m_comm);
-    on_curve.select();
+      records.push_back(record(points, i));
+    Placed_part_2 part = send_home_evenly(m_comm, m_partition.curve(), records);
+    points = std::move(part.bubbles);
+    m_partition = part.partition;
     m_comm.agree_after([&] {
       check_places(points);
       estimate_sizes(points);

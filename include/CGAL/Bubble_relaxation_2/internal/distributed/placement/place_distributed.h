@@ -9,160 +9,205 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACE_DISTRIBUTED_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PLACEMENT_PLACE_DISTRIBUTED_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Starting_points_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Growth_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/Placement_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/placement/place_rhombic.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Bubbles as they are placed: those that all ranks have, and after them those that only this rank has, or that
-/// others have too.
-struct Placement_2
+/// The bubbles to start from, which are given as points on any ranks; or, if no rank has any, as the vertices of
+/// the domain's triangulation, which all ranks have. All ranks get those on the outline and the pinned ones, and
+/// each an equal share of the others, along the curve.
+class Starting_points_2
 {
-  Bubbles_2 bubbles;
-  std::vector<char> is_ours; ///< each is on one rank only
+public:
+  /// Collective. `points`: what this rank has of them, in the domain before corners were cut off.
+  /// \throws std::invalid_argument on all ranks if two points have the same coordinates
+  Starting_points_2(Communicator& comm, const Problem_2& problem, const Bubbles_2& points)
+    : m_comm(comm), m_domain(problem.whole_domain())
+  {
+    if (!comm.any(points.size() > 0)) {
+      take_share(problem.given);
+      return;
+    }
+    distribute(points);
+    if (problem.cut != nullptr)
+      problem.cut->cut(m_here);
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_points.is_in_face(i))
+        m_here.free.push_back(m_points.point(i));
+    if (!problem.options.placement_is_given && comm.any(!m_here.free.empty()))
+      look_around();
+  }
 
-  /// of those that all ranks have it is the first
-  Placement_2(Bubbles_2 common, Communicator& comm)
-    : bubbles(std::move(common)), is_ours(bubbles.size(), comm.rank() == 0)
-  {}
+  /// what this rank gets of them
+  const Given_mesh_2& here() const { return m_here; }
+
+private:
+  void take_share(const Given_mesh_2& given)
+  {
+    const std::size_t n = given.free.size(), ranks = static_cast<std::size_t>(m_comm.size()),
+                      rank = static_cast<std::size_t>(m_comm.rank());
+    m_here.pinned = given.pinned;
+    m_here.on_edge = given.on_edge;
+    for (std::size_t k = n * rank / ranks; k < n * (rank + 1) / ranks; ++k) {
+      m_here.free.push_back(given.free[k]);
+      if (!given.around.empty())
+        m_here.around.push_back(given.around[k]);
+    }
+  }
+
+  void distribute(const Bubbles_2& points)
+  {
+    gather_outline(points);
+    Bubbles_2 others;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!is_pinned(points.point(i)))
+        add_own(others, record(points, i, no_index));
+    if (m_comm.rank() == 0)
+      for (const Point& p : m_here.pinned) {
+        others.add(p, std::numeric_limits<double>::quiet_NaN(), Bubbles_2::CORNER, no_index);
+        others.id.push_back(no_index);
+      }
+    m_points = m_distribution(std::move(others), false);
+  }
+
+  void gather_outline(const Bubbles_2& b)
+  {
+    std::vector<Bubble_record_2> placed;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] == no_index)) {
+        placed.push_back(record(b, i));
+        placed.back().s = b.is_on_edge(i) ? position_on_edge(m_domain, b.host[i], b.point(i)) : 0;
+      }
+    placed = gather_records(m_comm, placed);
+    std::sort(placed.begin(), placed.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) {
+      return std::tie(p.host, p.s, p.x, p.y) < std::tie(q.host, q.s, q.x, q.y);
+    });
+    m_here.on_edge.assign(m_domain.edges().size(), {});
+    for (const Bubble_record_2& p : placed)
+      (p.host == no_index ? m_here.pinned : m_here.on_edge[p.host]).push_back(Point(p.x, p.y));
+    sort_pinned();
+  }
+
+  /// along the curve, as those of the domain are, and each once
+  void sort_pinned()
+  {
+    std::vector<Point>& pinned = m_here.pinned;
+    std::vector<Point> sorted;
+    for (Index i : hilbert_order(hilbert_curve(m_domain), pinned))
+      sorted.push_back(pinned[i]);
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    pinned.swap(sorted);
+    m_pinned_by_place = pinned;
+    std::sort(m_pinned_by_place.begin(), m_pinned_by_place.end());
+  }
+
+  bool is_pinned(const Point& p) const
+  {
+    return std::binary_search(m_pinned_by_place.begin(), m_pinned_by_place.end(), p);
+  }
+
+  /// Collective. How the mesh of all given bubbles looks around those in faces.
+  void look_around()
+  {
+    const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm);
+    const Marked_triangles_2& tr = mesh.triangles;
+    std::vector<Index> beside(mesh.bubbles.size(), no_index); // a triangle at each vertex
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+      for (Index v : tr.vertices[t])
+        beside[v] = static_cast<Index>(t);
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_points.is_in_face(i)) {
+        const Index v = mesh.bubbles.index_of(m_points.id[i]);
+        m_here.around.push_back(mesh_star(m_points.point(i), ring(mesh, beside[v], v)));
+      }
+  }
+
+  /// the neighbours of an inner vertex of the triangle `t`, counterclockwise from the lexicographically smallest on
+  static std::vector<Point> ring(const Bubble_mesh_2& mesh, Index start, Index v)
+  {
+    const Marked_triangles_2& tr = mesh.triangles;
+    std::vector<Point> result;
+    Index t = start;
+    do {
+      const int i = tr.vertices[t][0] == v ? 0 : tr.vertices[t][1] == v ? 1 : 2;
+      result.push_back(mesh.point(t, ccw(i)));
+      t = tr.neighbors[t][ccw(i)];
+    } while (t != start);
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  Communicator& m_comm;
+  const Domain_2& m_domain;
+  Given_mesh_2 m_here;
+  std::vector<Point> m_pinned_by_place;
+  Point_distribution_2 m_distribution{m_domain, m_comm};
+  Bubbles_2 m_points; // if there are points: as many on each rank, with corners and pinned ones
 };
-
-/// Bubbles where those in faces were given.
-inline void keep_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing,
-                       Placement_2& placed)
-{
-  Index hint = 0;
-  for (const Starting_points_2::Free& f : given.free()) {
-    const Index triangle = domain.host_of(f.point, hint);
-    if (triangle == no_index) // rounded out of the domain
-      continue;
-    placed.bubbles.add(f.point, sizing(f.point), Bubbles_2::FACE, triangle);
-    placed.is_ours.push_back(1);
-  }
-}
-
-/// Large bubbles that fill the domain, the same on all ranks: where they are many, bubbles will be many.
-inline Bubbles_2 large_bubbles(const Domain_2& domain, const Sizes_2& sizing, const Bubbles_2& on_outline)
-{
-  const double factor = factor_of_large_bubbles(sizing.expected_number);
-  Bubbles_2 large = enlarge(domain, on_outline, factor);
-  Team alone;
-  grow_from_all(domain, scaled(sizing, factor), {}, large, alone, Threads());
-  return large;
-}
-
-/// Bubbles where those in faces were given, as far as they fit d; the rest is filled by a front of all ranks.
-inline void adapt_given(const Domain_2& domain, const Starting_points_2& given, const Sizes_2& sizing,
-                        Growth_team_2& team, Bubbles_2& bubbles)
-{
-  team.divide(domain, large_bubbles(domain, sizing, bubbles));
-  const std::vector<Mesh_star_2> stars = given.stars();
-  std::vector<Growth_seed_2> seeds;
-  Index hint = 0;
-  for (std::size_t k = 0; k < stars.size(); ++k) {
-    const Starting_points_2::Free& f = given.free()[k];
-    const Index triangle = domain.host_of(f.point, hint);
-    if (triangle == no_index)
-      continue;
-    const double d = sizing(f.point);
-    if (stars[k].fits(d))
-      seeds.push_back(Growth_seed_2{f.point.x(), f.point.y(), d, stars[k].direction, f.number, triangle});
-  }
-  std::vector<double> directions(bubbles.size(), 0);
-  team.bring_seeds(seeds, bubbles, directions);
-  grow_from_all(domain, sizing, directions, bubbles, team, Threads());
-}
-
-/// Bubbles in the cells of a rhombus: each rank makes those in its part.
-inline void place_rhombic_by_all(Communicator& comm, const Domain_2& domain,
-                          const Sizes_2& sizing, Placement_2& placed)
-{
-  const Hilbert_partition_2 partition = partition_of_common(
-    hilbert_curve(domain), large_bubbles(domain, sizing, placed.bubbles), comm.size());
-  Part_team_2 team(comm, partition); // each makes those whose centres are in its part
-  Rhombic_placement(domain, sizing, placed.bubbles, team)();
-  placed.is_ours.resize(placed.bubbles.size(), 1);
-}
-
-/// what `place_bubbles()` does, by all ranks together
-inline Placement_2 place_by_all(Communicator& comm, const Problem_2& problem, const Starting_points_2& given)
-{
-  const Domain_2& domain = problem.domain;
-  const Sizes_2& sizing = problem.sizes;
-  const Relaxation_options& options = problem.options;
-  const bool adapts = !options.placement_is_given && given.has_free(), keeps = keeps_given_bubbles(options);
-  const On_edges way = adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW;
-  Placement_2 placed(place_on_outline(domain, given.outline(), way, sizing), comm);
-  if (keeps) {
-    keep_given(domain, given, sizing, placed);
-    return placed;
-  }
-  if (!adapts && options.placement == Bubble_placement::RHOMBIC) {
-    place_rhombic_by_all(comm, domain, sizing, placed);
-    return placed;
-  }
-  Growth_team_2 team(comm);
-  if (adapts)
-    adapt_given(domain, given, sizing, team, placed.bubbles);
-  else
-    place_frontal(domain, sizing, placed.bubbles, team, Threads());
-  placed.is_ours.resize(placed.bubbles.size(), comm.rank() == 0);
-  for (std::size_t i = 0; team.is_divided() && i < placed.is_ours.size(); ++i)
-    placed.is_ours[i] = team.owns(static_cast<Index>(i));
-  return placed;
-}
 
 /// Brings placed bubbles to the ranks that own their places, as many to each, and numbers them. Of those that
 /// cannot be told apart one stays, as `remove_coincident()` has it.
-inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& domain, Placement_2& placed)
+inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& domain, const Placement_team_2& team,
+                                           Bubbles_2 bubbles)
 {
-  Bubbles_2& bubbles = placed.bubbles;
   remove_confusing_on_edges(domain, bubbles);
-  bubbles.id.assign(bubbles.size(), no_index); // as yet
-  Curve_sort_2 on_curve(hilbert_curve(domain), bubbles);
+  std::vector<Bubble_record_2> records;
   for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (!bubbles.is_gone(i) && placed.is_ours[i])
-      on_curve.add(static_cast<Index>(i));
-  const Hilbert_partition_2 partition = on_curve.send_home_evenly(comm);
-  on_curve.forget_coincident();
-  on_curve.select();
-  number_along_curve(comm, bubbles);
-  return Placed_part_2{std::move(bubbles), partition};
+    if (!bubbles.is_gone(i) && team.brings(static_cast<Index>(i)))
+      records.push_back(record(bubbles, i, no_index)); // as yet
+  bubbles = Bubbles_2();
+  Placed_part_2 result = send_home_evenly(comm, hilbert_curve(domain), records);
+  remove_those_in_one_place(result.bubbles);
+  result.bubbles.forget_gone();
+  number_along_curve(comm, result.bubbles);
+  return result;
+}
+
+/// Collective. What a rank places, in `place(problem, team)`, of a problem with its share of what is given. `points`: of
+/// those to start from, if any rank has some; they take the place of the free vertices of the domain's triangulation.
+template <class Place>
+Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, const Bubbles_2& points, const Place& place)
+{
+  const Starting_points_2 given(comm, problem, points);
+  const Problem_2 here{problem.domain, given.here(), problem.options, problem.wanted, problem.sizes};
+  Placement_team_2 team(comm);
+  Bubbles_2 bubbles = place(here, team);
+  comm.agree();
+  return bring_home_and_number(comm, problem.domain, team, std::move(bubbles));
 }
 
 /// The initial bubbles, each on the rank that owns its place. All ranks put bubbles on the outline, which all of
-/// them have; the faces are filled by all together. `points`: this rank's part of those to start from, if any rank
-/// has some; they take the place of the free vertices of the domain's triangulation.
+/// them have; the faces are filled by all together.
 inline Placed_part_2 place_distributed(Communicator& comm, const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Starting_points_2 given(comm, problem, points);
-  Placement_2 placed = place_by_all(comm, problem, given);
-  comm.agree();
-  return bring_home_and_number(comm, problem.domain, placed);
+  return place_by_all(comm, problem, points, [](const Problem_2& p, Team& team) { return place_bubbles(p, team); });
 }
 
 /// The bubbles that were given, all of them, whatever d asks for, as `given_bubbles()` has them.
 inline Placed_part_2 given_bubbles_distributed(Communicator& comm,
                                                const Problem_2& problem, const Bubbles_2& points = {})
 {
-  const Starting_points_2 given(comm, problem, points);
-  Placement_2 placed(place_on_outline(problem.domain, given.outline(), On_edges::KEEP, problem.sizes), comm);
-  keep_given(problem.domain, given, problem.sizes, placed);
-  comm.agree();
-  return bring_home_and_number(comm, problem.domain, placed);
+  return place_by_all(comm, problem, points, [](const Problem_2& p, Team& team) { return given_bubbles(p, team); });
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -196,26 +196,20 @@ private:
   Messages<Move> m_out, m_in;
 };
 
-/// Tells neighbouring ranks where bubbles are at the stages of a step: those that are neighbours of theirs, since
-/// forces look at no others. The halo is wider.
+/// Tells neighbouring ranks where bubbles are at the stages of a step.
 class Stage_messages_2
 {
 public:
   explicit Stage_messages_2(const Communicator& comm) : m_delivery(comm) {}
 
   /// Collective. Begins to tell where our bubbles are. `receive()` has to follow.
-  void send(const Halo_2& halo, const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y)
+  void send(const Halo_2& halo, const std::vector<double>& x, const std::vector<double>& y)
   {
-    if (m_halo_changes != halo.number_of_changes() || m_set_changes != sets.number_of_changes())
-      find_neighbors_of_others(halo, sets);
-    for (auto& message : m_out) {
-      const std::vector<Index>& list = halo.sent().at(message.first);
-      for (Place& p : message.second) {
-        const Index i = list[static_cast<std::size_t>(p.position)];
-        p.x = x[i];
-        p.y = y[i];
-      }
-    }
+    m_out.clear();
+    m_in.clear();
+    for (const auto& list : halo.sent())
+      for (Index i : list.second)
+        m_out[list.first].push_back(Place{x[i], y[i]});
     for (const auto& list : halo.received())
       m_in[list.first].resize(list.second.size());
     m_delivery.start(m_out, m_in);
@@ -226,10 +220,9 @@ public:
   {
     m_delivery.finish();
     for (const auto& list : halo.received())
-      for (const Place& p : m_in[list.first]) {
-        const Index i = list.second[static_cast<std::size_t>(p.position)];
-        x[i] = p.x;
-        y[i] = p.y;
+      for (std::size_t n = 0; n < list.second.size(); ++n) {
+        x[list.second[n]] = m_in[list.first][n].x;
+        y[list.second[n]] = m_in[list.first][n].y;
       }
   }
 
@@ -237,28 +230,10 @@ private:
   struct Place
   {
     double x, y;
-    std::int64_t position; ///< in the list of the halo
   };
-
-  void find_neighbors_of_others(const Halo_2& halo, const Neighbor_sets_2& sets)
-  {
-    m_out.clear();
-    m_in.clear();
-    for (const auto& list : halo.sent()) {
-      std::vector<Place>& message = m_out[list.first];
-      for (std::size_t n = 0; n < list.second.size(); ++n) {
-        const Index i = list.second[n];
-        if (std::any_of(sets.begin(i), sets.end(i), [&](Index j) { return halo.owner(j) == list.first; }))
-          message.push_back(Place{0, 0, static_cast<std::int64_t>(n)});
-      }
-    }
-    m_halo_changes = halo.number_of_changes();
-    m_set_changes = sets.number_of_changes();
-  }
 
   Expected_delivery<Place> m_delivery;
   Messages<Place> m_out, m_in;
-  std::size_t m_halo_changes = 0, m_set_changes = 0; // when the neighbours were found
 };
 
 /// Neighbour sets on their way from one rank to another, as numbers of bubbles.

@@ -18,12 +18,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -82,12 +79,9 @@ public:
   {
     std::vector<Bubble_state_2> ours;
     Messages<Bubble_state_2> out;
-    Census census{}; // before and after
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
       if (!is_here(bubbles, i))
         continue;
-      ++census[0];
-      census[1] += static_cast<std::uint64_t>(bubbles.id[i]);
       const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
       (owner == m_comm.rank() ? ours : out[owner])
         .push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
@@ -103,10 +97,7 @@ public:
     for (const Bubble_state_2& s : ours) {
       add(bubbles, s.bubble(), m_comm.rank());
       memories.push_back(s.memory());
-      ++census[2];
-      census[3] += static_cast<std::uint64_t>(s.id);
     }
-    check(census);
     simulation.restart(memories, simulation.is_roused());
   }
 
@@ -119,19 +110,6 @@ private:
 
   /// How often a bubble that is awake will still move, about; one that sleeps does so once, when all are roused.
   static constexpr std::int64_t moves_of_awake = 40;
-
-  /// How many bubbles there are, and the sum of their numbers modulo 2^64, before and after a migration, which may not
-  /// change these for all ranks together.
-  using Census = std::array<std::uint64_t, 4>;
-
-  /// Collective. \throws std::logic_error on all ranks if bubbles were lost
-  void check(Census census) const
-  {
-    m_comm.reduce_each(census, MPI_SUM);
-    if (census[0] != census[2] || census[1] != census[3])
-      m_comm.throw_on_all(std::logic_error("Bubble_relaxation_2: of " + std::to_string(census[0]) + " bubbles " +
-                                           std::to_string(census[2]) + " have arrived on other ranks, or not the same"));
-  }
 
   static bool is_here(const Bubbles_2& bubbles, std::size_t i) { return bubbles.is_ours(i) && !bubbles.is_gone(i); }
 

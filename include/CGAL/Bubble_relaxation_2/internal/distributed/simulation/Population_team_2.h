@@ -67,7 +67,7 @@ class Population_team_2 : public Part_team_2
 public:
   using Triangle = std::array<Index, 3>;
 
-  Population_team_2(Communicator& comm, const Halo_2& halo) : Part_team_2(comm, nullptr), m_halo(halo) {}
+  Population_team_2(Communicator& comm, const Halo_2& halo) : Part_team_2(comm), m_halo(halo) {}
 
   /// `number`: of all bubbles that ever were
   void start(const Hilbert_partition_2& partition, std::int64_t number)

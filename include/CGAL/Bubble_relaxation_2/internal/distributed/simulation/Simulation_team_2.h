@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
@@ -30,13 +31,11 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The ranks that simulate bubbles together: each moves its own, and is told of others' before the next step.
-class Simulation_team_2 : public Team
+class Simulation_team_2 : public Team_of_ranks
 {
 public:
-  bool is_alone() const override { return false; }
-
   Simulation_team_2(Communicator& comm, Checkpoints_2& checkpoints, const Relaxation_options& options)
-    : m_comm(comm), m_checkpoints(checkpoints),
+    : Team_of_ranks(comm), m_checkpoints(checkpoints),
       m_interval(options.exchange_interval), m_migration(comm, m_traffic),
       m_halo(comm, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
       m_population(comm, m_halo),
@@ -138,17 +137,14 @@ public:
 
   std::size_t number_of_all(const Bubbles_2&) const override { return static_cast<std::size_t>(m_number_of_all); }
 
-  bool any(bool here) const override { return m_comm.any(here); }
-
   Population_team_2& population() override { return m_population; }
 
   bool is_at_border(Index i) const override { return m_halo.is_at_border(i); }
 
-  /// where bubbles are within a step; `sets` are their neighbours
-  void send_positions(const Neighbor_sets_2& sets, const std::vector<double>& x, const std::vector<double>& y) override
+  void send_positions(const std::vector<double>& x, const std::vector<double>& y) override
   {
     if (!m_interval.is_used())
-      m_stages.send(m_halo, sets, x, y);
+      m_stages.send(m_halo, x, y);
   }
 
   void receive_positions(std::vector<double>& x, std::vector<double>& y) override
@@ -365,7 +361,6 @@ private:
     m_migration.send_home(simulation, bubbles);
   }
 
-  Communicator& m_comm;
   Checkpoints_2& m_checkpoints;
   Exchange_interval_2 m_interval;
   Traffic_2 m_traffic;

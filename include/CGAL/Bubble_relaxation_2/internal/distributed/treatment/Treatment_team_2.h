@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
@@ -31,12 +32,12 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// The ranks that treat the defects of a mesh together, see `Team`. Each treats its own vertices, and
 /// moves those of others as it is told. Its piece of the mesh gets narrower with each sweep, by what bubbles that it
 /// does not know may have changed; when triangles around its own vertices are concerned, the pieces are made anew.
-class Treatment_team_2 : public Team
+class Treatment_team_2 : public Team_of_ranks
 {
 public:
   /// `renew`: makes the pieces of all ranks anew from where their bubbles are
   Treatment_team_2(Communicator& comm, Mesh_piece_2& piece, std::function<void()> renew)
-    : m_comm(comm), m_piece(piece), m_renew(std::move(renew))
+    : Team_of_ranks(comm), m_piece(piece), m_renew(std::move(renew))
   {
     start();
   }
@@ -47,8 +48,6 @@ public:
   {
     return static_cast<std::size_t>(m_comm.largest(static_cast<std::int64_t>(here)));
   }
-
-  bool any(bool here) const override { return m_comm.any(here); }
 
   void share(std::vector<char>& values) override { m_piece.shared.share(m_comm, values); }
 
@@ -180,7 +179,6 @@ private:
     return m_was_moved[v[0]] || m_was_moved[v[1]] || m_was_moved[v[2]];
   }
 
-  Communicator& m_comm;
   Mesh_piece_2& m_piece;
   const std::function<void()> m_renew;
   std::optional<Mesh_piece_2> m_before; // the first that was made anew

@@ -32,103 +32,66 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// `treat_defects()` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the mesh
+/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all have
+/// smaller ones
+inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, const Hilbert_partition_2& partition,
+                                                    Communicator& comm, std::int64_t end, Bubbles_2 bubbles)
+{
+  remove_confusing_of_ours(comm, domain, bubbles);
+  return distributed_triangulate(domain, bring_home_and_number(comm, partition, end, std::move(bubbles)), partition, comm);
+}
+
+/// Collective. `Cut_domain_2::join()` by ranks.
+inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
+                                           const Hilbert_partition_2& partition, Communicator& comm)
+{
+  Bubbles_2 own = own_bubbles(mesh, comm.rank());
+  cut.join(own);
+  const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
+  return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
+}
+
+/// `Whole_treatment_2` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the mesh
 /// that is wider than its own triangles and gets narrower with what is done; when nothing wider is left, the pieces are
-/// made anew from where the bubbles are then.
+/// made anew from where the bubbles are then. All members are collective.
 class Distributed_treatment_2
 {
 public:
-  /// `reach`: how much wider the pieces are, in units of d \pre it is positive
-  Distributed_treatment_2(const Domain_2& domain, const Hilbert_partition_2& partition, Communicator& comm,
-                          double reach = usual_reach)
-    : m_domain(domain), m_partition(partition), m_comm(comm), m_reach(reach)
+  using Mesh = Distributed_mesh_2;
+  using Piece = Mesh_piece_2;
+
+  /// `points`: those that were given on this rank; `reach`: how much wider the pieces are, in units of d \pre it is
+  /// positive
+  Distributed_treatment_2(const Problem_2& problem, const Bubbles_2& points, const Hilbert_partition_2& partition,
+                          Communicator& comm, double reach = usual_reach)
+    : m_problem(problem), m_domain(problem.domain), m_points(points), m_partition(partition), m_comm(comm), m_reach(reach)
   {}
 
-  /// Collective. The mesh of all ranks' bubbles, each of which is at home.
-  Distributed_mesh_2 triangulate(const Bubbles_2& own) const { return triangulate(own, m_reach, 0); }
+  const Problem_2& problem() const { return m_problem; }
 
-  /// Collective.
-  double smallest_quality(const Distributed_mesh_2& mesh) const
+  /// The mesh of all ranks' bubbles, each of which is at home.
+  Mesh triangulate(const Bubbles_2& own) const { return triangulate(own, m_reach, 0); }
+
+  /// \pre `mesh` was made by `triangulate()`
+  Piece piece_of(Mesh&& mesh) const { return piece_of_whole(m_comm, std::move(mesh), m_partition, m_reach); }
+
+  /// bubbles may have left their homes
+  static Mesh mesh_of(Piece&& piece) { return std::move(piece.mesh); }
+
+  double smallest_quality(const Mesh& mesh) const
   {
     double smallest = 1;
-    for (std::size_t t = 0; t < mesh.is_owned.size(); ++t)
-      if (mesh.is_owned[t])
-        smallest = (std::min)(smallest, quality(mesh, static_cast<Index>(t)));
+    for (Index t : marked(mesh.is_owned))
+      smallest = (std::min)(smallest, quality(mesh, t));
     return m_comm.smallest(smallest);
   }
 
-  /// Collective.
-  Misfit_counts count_misfits(const Distributed_mesh_2& mesh) const
-  {
-    const Misfit_counts counts = internal::count_misfits(mesh, mesh.is_owned);
-    return {m_comm.sum(counts.misfits), m_comm.sum(counts.all)};
-  }
-
-  /// Collective. \pre `mesh` was made by `triangulate()`. Afterwards bubbles may have left their homes.
-  Treatment_counts operator()(Distributed_mesh_2& mesh, bool may_operate) const
-  {
-    Treatment_counts counts;
-    double smallest = smallest_quality(mesh);
-    if (smallest >= treated_quality)
-      return counts;
-    Mesh_piece_2 piece = piece_of_whole(m_comm, std::move(mesh), m_partition, m_reach);
-    counts.treated = smooth(piece, smallest, sweeps_before_surgery);
-    if (may_operate)
-      operate(piece, smallest, counts);
-    counts.treated += smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps);
-    mesh = std::move(piece.mesh);
-    return counts;
-  }
-
-  /// Collective.
-  std::int64_t number_of_bubbles(const Distributed_mesh_2& mesh) const
-  {
-    return m_comm.sum(std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_comm.rank()));
-  }
-
-private:
-  static constexpr double treated_quality = Smoothing_sweeps_2::treated_quality;
-  static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
-
-  Distributed_mesh_2 triangulate(const Bubbles_2& own, double reach, double stray) const
-  {
-    Distributed_mesh_2 mesh = distributed_triangulate(m_domain, own, m_partition, m_comm, reach, stray);
-    label_edges(mesh.triangles);
-    return mesh;
-  }
-
-  /// Makes pieces that are too narrow from where all bubbles are.
-  void renew(Mesh_piece_2& piece, double reach) const
-  {
-    const std::size_t renewals = piece.mesh.number_of_renewals;
-    const Bubbles_2 own = own_bubbles(piece.mesh, m_comm.rank());
-    piece = piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(own)), m_partition, reach);
-    piece.mesh.number_of_renewals = renewals + 1;
-  }
-
-  /// how far from the part of its owner a bubble is at most, on any rank, or a bit more
-  double farthest_stray(const Bubbles_2& own) const
-  {
-    double farthest = 0;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      if (m_partition.owner(own.x[i], own.y[i]) == m_comm.rank())
-        continue;
-      double radius = 0.1 * own.d[i];
-      for (bool is_near = false; !is_near; radius *= 2) {
-        const auto ranks = m_partition.owners_in_disc(own.x[i], own.y[i], radius);
-        is_near = std::binary_search(ranks.begin(), ranks.end(), m_comm.rank());
-      }
-      farthest = (std::max)(farthest, radius); // twice that of the disc, beside which the part may be
-    }
-    return m_comm.largest(farthest);
-  }
-
   /// moves vertices, unless the mesh gets worse by that; returns how many were moved
-  std::size_t smooth(Mesh_piece_2& piece, double& smallest, int most_sweeps) const
+  std::size_t smooth(Piece& piece, double& smallest, int most_sweeps) const
   {
-    if (smallest >= treated_quality)
+    if (smallest >= Smoothing_sweeps_2::treated_quality)
       return 0;
-    Distributed_mesh_2& mesh = piece.mesh;
+    Mesh& mesh = piece.mesh;
     Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
     Smoothing_sweeps_2 treat(m_domain, mesh, team);
     std::vector<Index> moved;
@@ -149,25 +112,15 @@ private:
       return 0;
     }
     smallest = smallest_now;
-    return static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(moved.size())));
+    return number_of_all(moved.size());
   }
 
-  bool has_valid_outline(const Distributed_mesh_2& mesh) const
-  {
-    Bubbles_2 bubbles;
-    for (const Bubble_record_2& r : gather_outline(m_comm, mesh.bubbles))
-      add_own(bubbles, r);
-    bubbles.sort_by_id();
-    Marked_triangles_2 outline;
-    return triangulate_outline(m_domain, bubbles, outline);
-  }
-
-  void operate(Mesh_piece_2& piece, double& smallest, Treatment_counts& counts) const
+  void operate(Piece& piece, double& smallest, Treatment_counts& counts) const
   {
     if (smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
     Treatment_counts changes;
-    Mesh_piece_2 last = piece;
+    Piece last = piece;
     bool has_changed_outline = false;
     double smallest_now = -1;
     try {
@@ -186,6 +139,104 @@ private:
     counts += changes;
   }
 
+  Distributed_treatment_2 triangulate_given(Mesh& given) const
+  {
+    const Placed_part_2 part = given_bubbles_distributed(m_comm, m_problem, m_points);
+    const Distributed_treatment_2 result(m_problem, m_points, part.partition, m_comm, m_reach);
+    given = result.triangulate(part.bubbles);
+    return result;
+  }
+
+  Misfit_counts count_misfits(const Mesh& mesh) const
+  {
+    const Misfit_counts counts = internal::count_misfits(mesh, mesh.is_owned);
+    return {m_comm.sum(counts.misfits), m_comm.sum(counts.all)};
+  }
+
+  bool is_stop_wanted() const { return m_comm.any(internal::is_stop_wanted()); }
+
+  std::size_t number_of_bubbles(const Mesh& mesh) const
+  {
+    return number_of_all(static_cast<std::size_t>(
+      std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_comm.rank())));
+  }
+
+  bool is_to_be_refined(const Mesh& mesh) const
+  {
+    bool is_any = false;
+    m_comm.agree_after([&] { is_any = !triangles_to_refine(m_problem, mesh, mesh.is_owned).empty(); });
+    return m_comm.any(is_any);
+  }
+
+  /// after treatment a rank does not know where others' bubbles on edges are
+  Mesh triangulated_anew(const Mesh& mesh) const { return with_points({}, mesh); }
+
+  /// of all ranks
+  std::vector<Steiner_point_2> wanted_points(const Mesh& mesh) const
+  {
+    std::vector<Steiner_point_2> points;
+    m_comm.agree_after(
+      [&] { points = internal::wanted_points(m_problem, mesh, triangles_to_refine(m_problem, mesh, mesh.is_owned)); });
+    return gather_records(m_comm, points);
+  }
+
+  bool insert(const std::vector<Steiner_point_2>& points, Mesh& mesh) const
+  {
+    try {
+      Mesh next = with_points(points, mesh);
+      if (number_of_bubbles(next) != number_of_bubbles(mesh) + points.size())
+        return false; // finer than coordinates can tell
+      mesh = std::move(next);
+      return true;
+    } catch (const std::runtime_error&) { // the same, on all ranks
+      return false;
+    }
+  }
+
+  double smallest_free_sine(const Mesh& mesh) const
+  {
+    return m_comm.smallest(internal::smallest_free_sine(mesh, mesh.is_owned));
+  }
+
+  /// what refinement triangulates is no wider than it needs
+  Mesh to_be_treated_again(const Mesh& mesh) const { return triangulate(own_bubbles(mesh, m_comm.rank())); }
+
+  std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
+  {
+    std::pair<std::int64_t, double> left;
+    m_comm.agree_after([&] { left = internal::left_to_refine(m_problem, mesh, mesh.is_owned); });
+    return {m_comm.sum(left.first), m_comm.largest(left.second)};
+  }
+
+private:
+  static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
+
+  Distributed_mesh_2 triangulate(const Bubbles_2& own, double reach, double stray) const
+  {
+    Distributed_mesh_2 mesh = distributed_triangulate(m_domain, own, m_partition, m_comm, reach, stray);
+    label_edges(mesh.triangles);
+    return mesh;
+  }
+
+  /// Makes pieces that are too narrow from where all bubbles are.
+  void renew(Mesh_piece_2& piece, double reach) const
+  {
+    const std::size_t renewals = piece.mesh.number_of_renewals;
+    const Bubbles_2 own = own_bubbles(piece.mesh, m_comm.rank());
+    piece = piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(m_comm, m_partition, own)), m_partition, reach);
+    piece.mesh.number_of_renewals = renewals + 1;
+  }
+
+  bool has_valid_outline(const Distributed_mesh_2& mesh) const
+  {
+    Bubbles_2 bubbles;
+    for (const Bubble_record_2& r : gather_outline(m_comm, mesh.bubbles))
+      add_own(bubbles, r);
+    bubbles.sort_by_id();
+    Marked_triangles_2 outline;
+    return triangulate_outline(m_domain, bubbles, outline);
+  }
+
   /// inserts and deletes bubbles around bad triangles; returns whether there was something to be done
   bool operate_once(Mesh_piece_2& piece, double bad_quality, Treatment_counts& counts, bool& has_changed_outline) const
   {
@@ -194,7 +245,7 @@ private:
       renew(piece, reach);
       surgery.emplace(m_domain, piece, m_comm);
     }
-    const std::int64_t end = number_of_bubbles(piece.mesh);
+    const std::int64_t end = static_cast<std::int64_t>(number_of_bubbles(piece.mesh));
     const Patch_changes_2 changes = surgery->operate(end);
     if (surgery->number_of_insertions + surgery->number_of_deletions == 0)
       return false;
@@ -207,150 +258,46 @@ private:
     return true;
   }
 
+  /// inserts points that all ranks want, each on the rank that owns its place, and triangulates
+  Mesh with_points(const std::vector<Steiner_point_2>& points, const Mesh& mesh) const
+  {
+    Bubbles_2 own = own_bubbles(mesh, m_comm.rank());
+    std::int64_t end = static_cast<std::int64_t>(number_of_bubbles(mesh));
+    m_comm.agree_after([&] {
+      for (const Steiner_point_2& p : points) {
+        Bubbles_2 one;
+        one.add(Point(p.x, p.y), m_problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
+        if (m_partition.owner(p.x, p.y) == m_comm.rank())
+          add_own(own, record(one, 0, end));
+        ++end;
+      }
+    });
+    return triangulate_from_anywhere(m_domain, m_partition, m_comm, end, std::move(own));
+  }
+
+  std::size_t number_of_all(std::size_t here) const
+  {
+    return static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(here)));
+  }
+
+  const Problem_2& m_problem;
   const Domain_2& m_domain;
-  const Hilbert_partition_2& m_partition;
+  const Bubbles_2& m_points;
+  const Hilbert_partition_2 m_partition;
   Communicator& m_comm;
   const double m_reach;
 };
-
-/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all have
-/// smaller ones
-inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, const Hilbert_partition_2& partition,
-                                                    Communicator& comm, std::int64_t end, Bubbles_2 bubbles)
-{
-  remove_confusing_of_ours(comm, domain, bubbles);
-  return distributed_triangulate(domain, bring_home_and_number(comm, partition, end, std::move(bubbles)), partition, comm);
-}
-
-/// Collective. `Cut_domain_2::join()` by ranks.
-inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
-                                           const Hilbert_partition_2& partition, Communicator& comm)
-{
-  Bubbles_2 own = own_bubbles(mesh, comm.rank());
-  cut.join(own);
-  const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
-  return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
-}
-
-/// `keep_the_better()` by ranks: given bubbles whose mesh is better than what was made of them are treated instead.
-inline void keep_the_better_of_all(const Problem_2& problem, const Bubbles_2& points, bool may_operate,
-                                   Communicator& comm, Distributed_mesh_2& mesh, Treatment_counts& counts)
-{
-  const Placed_part_2 given = given_bubbles_distributed(comm, problem, points);
-  const Distributed_treatment_2 treat(problem.domain, given.partition, comm);
-  Distributed_mesh_2 given_mesh = treat.triangulate(given.bubbles);
-  if (treat.smallest_quality(given_mesh) <= treat.smallest_quality(mesh) ||
-      (may_operate && treat.count_misfits(given_mesh).is_worse_than(treat.count_misfits(mesh))))
-    return;
-  counts = treat(given_mesh, may_operate);
-  mesh = std::move(given_mesh);
-}
-
-/// Collective. Inserts points that all ranks want, each on the rank that owns its place, and triangulates.
-inline Distributed_mesh_2 insert_points(const Problem_2& problem, const Hilbert_partition_2& partition, Communicator& comm,
-                                        const std::vector<Steiner_point_2>& points, const Distributed_mesh_2& mesh)
-{
-  Bubbles_2 own = own_bubbles(mesh, comm.rank());
-  std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
-  comm.agree_after([&] {
-    for (const Steiner_point_2& p : points) {
-      Bubbles_2 one;
-      one.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
-      if (partition.owner(p.x, p.y) == comm.rank())
-        add_own(own, record(one, 0, end));
-      ++end;
-    }
-  });
-  return triangulate_from_anywhere(problem.domain, partition, comm, end, std::move(own));
-}
-
-/// Collective. `refine_small_angles()` by ranks.
-inline std::size_t refine_small_angles_of_all(const Problem_2& problem, const Hilbert_partition_2& partition,
-                                              Communicator& comm, Distributed_mesh_2& mesh)
-{
-  const auto number_of_all = [&comm](std::size_t n) { return static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(n))); };
-  const std::size_t number_of_vertices = number_of_all(own_bubbles(mesh, comm.rank()).size());
-  Distributed_mesh_2 refined;
-  std::size_t result = 0;
-  for (;;) {
-    std::vector<Index> bad;
-    const auto find_bad = [&](const Distributed_mesh_2& m) {
-      comm.agree_after([&] { bad = triangles_to_refine(problem, m, m.is_owned); });
-      return number_of_all(bad.size());
-    };
-    if (find_bad(result == 0 ? mesh : refined) == 0)
-      break;
-    if (result == 0) { // after treatment a rank does not know where others' bubbles on edges are
-      refined = insert_points(problem, partition, comm, {}, mesh);
-      find_bad(refined);
-    }
-    std::vector<Steiner_point_2> points;
-    comm.agree_after([&] { points = wanted_points(problem, refined, bad); });
-    if (is_endless(result + number_of_all(points.size()), number_of_vertices))
-      return 0;
-    points = Angle_refinement_2::independent(gather_records(comm, points));
-    if (points.empty())
-      break;
-    try {
-      Distributed_mesh_2 next = insert_points(problem, partition, comm, points, refined);
-      if (number_of_all(own_bubbles(next, comm.rank()).size()) != number_of_vertices + result + points.size())
-        break; // finer than coordinates can tell
-      refined = std::move(next);
-    } catch (const std::runtime_error&) {
-      break; // the same, on all ranks
-    }
-    result += points.size();
-  }
-  const auto smallest = [&comm](const Distributed_mesh_2& m) { return comm.smallest(smallest_free_sine(m, m.is_owned)); };
-  if (result == 0 || smallest(refined) < smallest(mesh))
-    return 0;
-  mesh = std::move(refined);
-  return result;
-}
-
-/// Collective. `refine_and_treat()` by ranks.
-inline void refine_and_treat_of_all(const Problem_2& problem, const Distributed_treatment_2& treat,
-                                    const Hilbert_partition_2& partition, Communicator& comm, Distributed_mesh_2& mesh,
-                                    Treatment_counts& counts)
-{
-  const std::size_t inserted = refine_small_angles_of_all(problem, partition, comm, mesh);
-  if (inserted == 0)
-    return;
-  counts.inserted += inserted;
-  Distributed_mesh_2 treated = treat.triangulate(own_bubbles(mesh, comm.rank()));
-  const Treatment_counts more = treat(treated, true);
-  const auto left = [&](const Distributed_mesh_2& m) {
-    std::pair<std::int64_t, double> result;
-    comm.agree_after([&] { result = left_to_refine(problem, m, m.is_owned); });
-    return std::pair(comm.sum(result.first), comm.largest(result.second));
-  };
-  if (left(mesh) < left(treated))
-    return;
-  mesh = std::move(treated);
-  counts += more;
-}
 
 /// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one. What it
 /// adds to the report are counts of all ranks. `points`: those that were given on this rank.
 inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
                                             const Placed_part_2& part, Communicator& comm, Report& report)
 {
-  const Relaxation_options& options = problem.options;
   const Phase_timer timer(report.seconds.treatment);
-  options.progress->start_phase(Bubble_phase::TREATMENT);
-  const Distributed_treatment_2 treat(problem.domain, part.partition, comm);
-  Distributed_mesh_2 mesh = treat.triangulate(part.bubbles);
-  if (is_treatment_due(options, report)) {
-    const bool may_operate = options.population != Bubble_population::NONE;
-    Treatment_counts counts = treat(mesh, may_operate);
-    if (keeps_given_bubbles(options))
-      keep_the_better_of_all(problem, points, may_operate, comm, mesh, counts);
-    if (may_operate)
-      refine_and_treat_of_all(problem, treat, part.partition, comm, mesh, counts);
-    counts.add_to(report);
-  }
-  if (comm.any(is_stop_wanted())) // what was left of it was not done
-    tell_that_it_was_stopped(report);
+  problem.options.progress->start_phase(Bubble_phase::TREATMENT);
+  const Distributed_treatment_2 treatment(problem, points, part.partition, comm);
+  Distributed_mesh_2 mesh = treatment.triangulate(part.bubbles);
+  treat(treatment, mesh, report);
   return mesh;
 }
 

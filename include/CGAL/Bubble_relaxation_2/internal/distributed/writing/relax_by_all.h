@@ -18,12 +18,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/quality/evaluate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/Point_replacement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -97,7 +97,8 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     if (problem.cut != nullptr)
       mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
     input->options.progress->start_phase(Bubble_phase::EVALUATION);
-    evaluate_distributed(mesh, problem, ranks, report);
+    Team_of_ranks team(ranks);
+    evaluate(mesh, problem, team, report);
     input->options.progress->start_phase(Bubble_phase::WRITING);
     const Phase_timer writing_time(report.seconds.writing);
     Point_replacement_2<PointSet> replacement(points);
