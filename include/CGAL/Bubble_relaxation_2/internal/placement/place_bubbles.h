@@ -83,8 +83,8 @@ inline void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, con
   keep_in_faces(domain, given, sizing, [](std::size_t, double) { return true; }, bubbles);
 }
 
-/// Shares the domain out among ranks by large bubbles that fill it, the same on all: where they are many, bubbles will be
-/// many.
+/// Shares the domain out among ranks by large bubbles that fill it, the same on all: where they are many, bubbles will
+/// be many.
 inline void share_out(const Domain_2& domain, const Sizes_2& sizing, const Bubbles_2& on_outline, Team& team,
                       const Threads& threads)
 {
@@ -152,8 +152,8 @@ inline Bubbles_2 place_bubbles(const Problem_2& p, Team& team)
   return bubbles;
 }
 
-/// the same bubbles, or given ones, without coincident ones and sorted in space: on vertices, then edges, then faces, in
-/// this order
+/// the same bubbles, or given ones, without coincident ones and sorted in space: on vertices, then edges, then faces,
+/// in this order
 inline Bubbles_2 sorted_in_space(const Problem_2& p, Bubbles_2 bubbles)
 {
   remove_coincident(p.domain, bubbles);

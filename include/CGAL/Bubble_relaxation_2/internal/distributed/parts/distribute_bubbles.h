@@ -84,8 +84,8 @@ private:
   }
 };
 
-/// Collective. Cuts the curve so that all ranks own equally many bubbles, which are on any ranks, and brings each to its
-/// owner, along the curve.
+/// Collective. Cuts the curve so that all ranks own equally many bubbles, which are on any ranks, and brings each to
+/// its owner, along the curve.
 inline Placed_part_2 send_home_evenly(Communicator& comm, const Hilbert_curve_2& curve,
                                       const std::vector<Bubble_record_2>& bubbles)
 {

@@ -55,7 +55,8 @@ public:
 
   void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
-    m_division = std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
+    m_division =
+      std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
     m_partition = m_division.get();
   }
 
@@ -287,9 +288,11 @@ private:
       return true;
     };
     if (owns(i))
-      crystal.buckets().for_each_large(b.x[i], b.y[i], least, reach, [&](const auto& e, double) { return tell(i, e.id); });
+      crystal.buckets().for_each_large(b.x[i], b.y[i], least, reach,
+                                       [&](const auto& e, double) { return tell(i, e.id); });
     else
-      crystal.buckets().for_each_within(b.x[i], b.y[i], reach * b.d[i], [&](const auto& e, double) { return tell(e.id, i); });
+      crystal.buckets().for_each_within(b.x[i], b.y[i], reach * b.d[i],
+                                        [&](const auto& e, double) { return tell(e.id, i); });
   }
 
   void send_late(const Crystal_2& crystal, Index i, int rank)

@@ -183,8 +183,8 @@ inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& d
   return result;
 }
 
-/// Collective. What a rank places, in `place(problem, team)`, of a problem with its share of what is given. `points`: of
-/// those to start from, if any rank has some; they take the place of the free vertices of the domain's triangulation.
+/// Collective. What a rank places, in `place(problem, team)`, of a problem with its share of what is given. `points`:
+/// of those to start from, if any rank has some; they take the place of the free vertices of the domain's triangulation.
 template <class Place>
 Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, const Bubbles_2& points, const Place& place)
 {

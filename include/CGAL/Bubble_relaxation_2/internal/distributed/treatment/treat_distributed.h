@@ -51,8 +51,8 @@ inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distri
   return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
 }
 
-/// `Whole_treatment_2` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the mesh
-/// that is wider than its own triangles and gets narrower with what is done; when nothing wider is left, the pieces are
+/// `Whole_treatment_2` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the
+/// mesh that is wider than its own triangles and gets narrower with what is done; when nothing wider is left, the pieces are
 /// made anew from where the bubbles are then. All members are collective.
 class Distributed_treatment_2
 {
@@ -64,7 +64,8 @@ public:
   /// positive
   Distributed_treatment_2(const Problem_2& problem, const Bubbles_2& points, const Hilbert_partition_2& partition,
                           Communicator& comm, double reach = usual_reach)
-    : m_problem(problem), m_domain(problem.domain), m_points(points), m_partition(partition), m_comm(comm), m_reach(reach)
+    : m_problem(problem), m_domain(problem.domain), m_points(points), m_partition(partition), m_comm(comm),
+      m_reach(reach)
   {}
 
   const Problem_2& problem() const { return m_problem; }
@@ -223,7 +224,8 @@ private:
   {
     const std::size_t renewals = piece.mesh.number_of_renewals;
     const Bubbles_2 own = own_bubbles(piece.mesh, m_comm.rank());
-    piece = piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(m_comm, m_partition, own)), m_partition, reach);
+    const double stray = farthest_stray(m_comm, m_partition, own);
+    piece = piece_of_whole(m_comm, triangulate(own, reach, stray), m_partition, reach);
     piece.mesh.number_of_renewals = renewals + 1;
   }
 
