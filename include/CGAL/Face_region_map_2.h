@@ -14,11 +14,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Address_map.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/flood_faces.h>
 
 #include <CGAL/property_map.h>
 
 #include <unordered_set>
-#include <vector>
 
 namespace CGAL {
 
@@ -64,15 +64,8 @@ public:
   /// sets the region of all faces around a face that no constraint separates from it.
   void set_all_around(Face_handle f, const Region& region) const
   {
-    std::unordered_set<const void*> reached{&*f};
-    for (std::vector<Face_handle> stack{f}; !stack.empty();) {
-      f = stack.back();
-      stack.pop_back();
-      set(f, region);
-      for (int i = 0; i < 3; ++i)
-        if (!f->is_constrained(i) && reached.insert(&*f->neighbor(i)).second)
-          stack.push_back(f->neighbor(i));
-    }
+    std::unordered_set<const void*> reached;
+    Bubble_relaxation_2::internal::flood_faces(f, reached, [&](Face_handle g) { set(g, region); });
   }
 
   friend const Region& get(const Face_region_map_2& map, key_type f) { return map(f); }

@@ -68,9 +68,9 @@ for package in "$@"; do
 done
 
 if [ -x "$root/usr/bin/npbs_mesh" ]; then
-  cp "$domain" "$root/tmp/domain.wkt"
+  cp "$domain" "$root/domain.wkt"
   chroot "$root" /usr/bin/npbs_mesh --version
-  chroot "$root" /usr/bin/npbs_mesh /tmp/domain.wkt --size 0.2 --output /tmp/mesh.vtu
-  grep -q '<VTKFile' "$root/tmp/mesh.vtu"
+  chroot "$root" /usr/bin/npbs_mesh /domain.wkt --size 0.2 --output /mesh.vtu
+  grep -q '<VTKFile' "$root/mesh.vtu"
 fi
 echo "installed in a clean root: $*"

@@ -91,8 +91,9 @@ void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
 
 /// Puts the mesh of a part into the triangulation, and tells the visitor.
 template <class Cdt, class NamedParameters, class Visitor>
-void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename Cdt::Face_handle>& part, const Part_input_2<Cdt>& input,
-                Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation, Visitor& visitor, Report& report)
+void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename Cdt::Face_handle>& part,
+                const Part_input_2<Cdt>& input, Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation,
+                Visitor& visitor, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
   make_writable(cdt, part, input.reading(), input.problem(), mesh, report);

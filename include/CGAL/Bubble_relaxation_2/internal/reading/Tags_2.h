@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_TAGS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/flood_faces.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
@@ -189,7 +190,7 @@ public:
   void forget_old([[maybe_unused]] const Cdt& cdt, [[maybe_unused]] const Reading& reading) const
   {
     if constexpr (Maps::has_markers || Maps::has_regions) {
-      std::unordered_set<void*> reached;
+      std::unordered_set<const void*> reached;
       for (const Chain& c : reading.graph->chains()) {
         const std::vector<Vertex_handle> path = path_of(reading, c);
         if constexpr (Maps::has_markers)
@@ -199,9 +200,9 @@ public:
           const auto forget = [this](Face_handle f) { forget_if_possible(m_maps.regions(), f); };
           const Sides sides = sides_of(cdt, path);
           if (c.inside_left)
-            flood(sides.left, reached, forget);
+            flood_faces(sides.left, reached, forget);
           if (c.inside_right)
-            flood(sides.right, reached, forget);
+            flood_faces(sides.right, reached, forget);
         }
       }
     }
@@ -214,7 +215,7 @@ public:
   void write([[maybe_unused]] const For_each_piece& for_each_piece) const
   {
     if constexpr (Maps::has_markers || Maps::has_regions) {
-      std::unordered_set<void*> reached;
+      std::unordered_set<const void*> reached;
       for_each_piece([&](const typename Cdt::Edge& edge, Vertex_handle source, std::size_t chain) {
         const auto [f, i] = edge;
         const Vertex_handle u = f->vertex(Cdt::ccw(i)), v = f->vertex(Cdt::cw(i));
@@ -322,27 +323,10 @@ private:
 
   /// gives the faces around one of a region its value
   template <class Value>
-  void spread(Face_handle f, const Value& region, std::unordered_set<void*>& reached) const
+  void spread(Face_handle f, const Value& region, std::unordered_set<const void*>& reached) const
   {
     if (region)
-      flood(f, reached, [&](Face_handle g) { put(m_maps.regions(), g, *region); });
-  }
-
-  /// calls `visit(face)` for those not yet reached that no constraint separates from one of them
-  template <class Visit>
-  static void flood(Face_handle first, std::unordered_set<void*>& reached, const Visit& visit)
-  {
-    if (!reached.insert(&*first).second)
-      return;
-    std::vector<void*> stack{&*first};
-    while (!stack.empty()) {
-      const Face_handle f = Handles<Cdt>::face(stack.back());
-      stack.pop_back();
-      visit(f);
-      for (int i = 0; i < 3; ++i)
-        if (!f->is_constrained(i) && reached.insert(&*f->neighbor(i)).second)
-          stack.push_back(&*f->neighbor(i));
-    }
+      flood_faces(f, reached, [&](Face_handle g) { put(m_maps.regions(), g, *region); });
   }
 
   Maps m_maps;
