@@ -1,0 +1,22 @@
+# Half of the time that a test takes to compile goes into the headers of CGAL and of the relaxation, which nearly all
+# include: these are compiled once, with the given libraries and the options of this folder, for its programs.
+# Not for examples and demos, which have to include what they use.
+#   reuse_precompiled_headers(NAME LIBRARIES... HEADERS...)
+function(reuse_precompiled_headers name)
+  cmake_parse_arguments(argument "" "" "LIBRARIES;HEADERS" ${ARGN})
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
+  get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+  add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE ${argument_LIBRARIES})
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # for ccache
+  list(TRANSFORM argument_HEADERS REPLACE "(.+)" "<\\1>")
+  target_precompile_headers(${name} PRIVATE ${argument_HEADERS})
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    get_target_property(libraries ${target} LINK_LIBRARIES)
+    if(type STREQUAL "EXECUTABLE" AND NOT libraries MATCHES "TBB") # which defines macros that these headers look for
+      target_precompile_headers(${target} REUSE_FROM ${name})
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    endif()
+  endforeach()
+endfunction()
