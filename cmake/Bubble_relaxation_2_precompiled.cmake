@@ -1,6 +1,6 @@
-# Half of the time that a test takes to compile goes into the headers of CGAL and of the relaxation, which nearly all
-# include: these are compiled once, with the given libraries and the options of this folder, for its programs.
-# Not for examples and demos, which have to include what they use.
+# Half of the time that a program here takes to compile goes into the headers of CGAL and of the relaxation, which
+# nearly all include: these are compiled once, with the given libraries and the options of this folder, for its
+# programs. (That examples include what they use is seen where they are compiled for their warnings.)
 #   reuse_precompiled_headers(NAME LIBRARIES... HEADERS...)
 function(reuse_precompiled_headers name)
   cmake_parse_arguments(argument "" "" "LIBRARIES;HEADERS" ${ARGN})

@@ -13,8 +13,8 @@
 //   local [number of vertices ...]
 //
 // And whether meshes get worse by many changes: random places are refined and given back again, pinned vertices and a
-// hole are moved, and at the end the mesh is compared with one that is made at once for the same sizes, outline and
-// pins.
+// hole are moved, and on the way and at the end the mesh is compared with one that is made at once for the same sizes,
+// outline and pins.
 //
 //   local drift [number of changes] [seed]
 
@@ -27,6 +27,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -186,14 +187,24 @@ struct Refined_places
   }
 };
 
+/// number of vertices, smallest q, mean q, mean L/d, deviation of L/d, share of irregular vertices
+using Judgement = std::array<double, 6>;
+
 template <class Sizes>
-void judge(const std::string& name, const CDT& cdt, const Sizes& d)
+Judgement judge(const CDT& cdt, const Sizes& d)
 {
   const auto q = CGAL::mesh_quality_2(cdt, P::sizing_function(d));
-  std::cout << std::left << std::setw(22) << name << std::right << std::setw(9) << q.number_of_vertices() << std::fixed
-            << std::setprecision(4) << std::setw(9) << q.minimum_quality() << std::setw(9) << q.mean_quality()
-            << std::setw(9) << q.mean_length_ratio() << std::setw(9) << q.length_ratio_deviation() << std::setw(9)
-            << q.irregular_share() << std::defaultfloat << std::endl;
+  return {double(q.number_of_vertices()), q.minimum_quality(), q.mean_quality(), q.mean_length_ratio(),
+          q.length_ratio_deviation(), q.irregular_share()};
+}
+
+void print(const std::string& name, const Judgement& judgement)
+{
+  std::cout << std::left << std::setw(22) << name << std::right << std::fixed << std::setprecision(0) << std::setw(9)
+            << judgement[0] << std::setprecision(4);
+  for (std::size_t k = 1; k < judgement.size(); ++k)
+    std::cout << std::setw(9) << judgement[k];
+  std::cout << std::defaultfloat << std::endl;
 }
 
 using Pins = std::vector<CDT::Vertex_handle>;
@@ -273,12 +284,12 @@ public:
     CGAL::npbs_adapt(m_cdt, drift_parameters(m_sizes, m_pins).misfit_quality(0.88));
   }
 
-  void judge(const std::string& name) const { ::judge(name, m_cdt, m_sizes); }
+  Judgement judge() const { return ::judge(m_cdt, m_sizes); }
 
-  void judge_at_once() const
+  Judgement judge_at_once() const
   {
     Pins pins;
-    ::judge("made at once", make(pins), m_sizes);
+    return ::judge(make(pins), m_sizes);
   }
 
   bool is_valid() const { return m_cdt.is_valid(); }
@@ -349,17 +360,31 @@ private:
   std::optional<Moving_hole<CDT>> m_hole;
 };
 
+/// The smallest of thousands of q differs from mesh to mesh, however they are made: means of twenty comparisons.
 void drift(int number_of_changes, unsigned seed)
 {
   Drift drift(seed);
   std::cout << "mesh                   vertices    min q   mean q      L/d     dev.   irreg.\n";
-  drift.judge("before");
+  print("before", drift.judge());
+  const int interval = (std::max)(1, number_of_changes / 20);
+  Judgement changed{}, at_once{}, means{}, means_at_once{};
+  int comparisons = 0;
   for (int k = 1; k <= number_of_changes; ++k) {
     drift.change(k);
-    if (k % (std::max)(1, number_of_changes / 4) == 0)
-      drift.judge("after " + std::to_string(k) + " changes");
+    if (k % interval != 0)
+      continue;
+    changed = drift.judge();
+    at_once = drift.judge_at_once();
+    ++comparisons;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      means[i] += (changed[i] - means[i]) / comparisons;
+      means_at_once[i] += (at_once[i] - means_at_once[i]) / comparisons;
+    }
   }
-  drift.judge_at_once();
+  print("after " + std::to_string(number_of_changes) + " changes", changed);
+  print("made at once", at_once);
+  print("mean on the way", means);
+  print("made at once", means_at_once);
   if (!drift.is_valid())
     std::cout << "the triangulation is not valid\n";
 }

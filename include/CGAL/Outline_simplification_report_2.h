@@ -71,11 +71,12 @@ struct Outline_simplification_report_2
   /// What the domain asks of a mesher, without half of the vertices on the outline, which come on top. Each is 0 if d
   /// would have to be asked more than 20 million times for it.
   /// @{
-  /// about as many as d asks for: the integral of 2 / (sqrt(3) d^2) over the domain
+  /// about as many as d alone asks for: the integral of 2 / (sqrt(3) d^2) over the domain
   double wanted_vertices = 0;
   /// At least as many more because of islands that are smaller than d, and near to each other or to the rest of the
   /// outline, whatever outline within the tolerance is taken, with sizes that grow by 0.2, the default `size_growth` of
-  /// `npbs_relax()`. A mesher whose sizes grow faster needs fewer.
+  /// `npbs_relax()`. A mesher whose sizes grow faster needs fewer. It is a bound that may be far from what a mesh has:
+  /// \ref BR2_outline tells what does not count.
   double forced_vertices = 0;
   /// @}
 
@@ -99,7 +100,7 @@ inline std::ostream& operator<<(std::ostream& out, const Outline_simplification_
   return out << "  segments" << std::string(28, ' ') << report.number_of_segments << " instead of "
              << report.number_of_old_segments << "\n  of these .6 to 1.5 d long" << std::string(11, ' ')
              << 100 * report.share_of_fitting_pieces << " %\n  Hausdorff distance" << std::string(18, ' ')
-             << report.hausdorff_distance << "\n  vertices that d asks for" << std::string(12, ' ')
+             << report.hausdorff_distance << "\n  vertices that d alone asks for" << std::string(6, ' ')
              << std::llround(report.wanted_vertices) << "\n  islands, narrows force at least" << std::string(5, ' ')
              << std::llround(report.forced_vertices) << "\n  dropped islands, filled gaps" << std::string(8, ' ')
              << report.dropped_islands.size() << ", " << report.filled_gaps.size() << "\n  seconds"

@@ -46,7 +46,8 @@ mesh shall have asks for many small triangles. This function, called before, giv
   within the tolerance, where this makes pieces longer or narrow parts of the domain wider: small islands grow, channels
   widen.
 - Two rules, off by default, change the domain, and the report tells where: `minimum_island_area` and `minimum_gap`.
-  They come first, in this order; the tolerance and the distance refer to what they leave.
+  They come first, in this order; the tolerance and the distance refer to what they leave. So afterwards an island, or a
+  gap, may be smaller than the rule says by what the tolerance allows.
 
 A constraint of a `Constrained_triangulation_plus_2` keeps its identifier unless a rule took away a part of it, or added
 one. For other triangulations `Outline_simplification_report_2::pieces` tells which old segment each piece stands for.
@@ -117,7 +118,9 @@ alone, a number or a function of points, which is `sizing_function`
     \cgalParamDefault{no vertex is pinned}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
-    \cgalParamDescription{points in the holes of the domain, or in the domain, as for `npbs_relax()`}
+    \cgalParamDescription{points in the holes of the domain, or in the domain, as for `npbs_relax()`. No piece passes
+                          one, so each that is nearer to the outline than the tolerance costs some pieces: put them
+                          into the midst of regions}
     \cgalParamType{a range of points}
     \cgalParamDefault{none: the domain are the faces that are marked as such, or else the faces in an odd number of
                       outlines}

@@ -304,6 +304,8 @@ TEST(Progress_of_adaptation, may_be_stopped_without_a_trace)
     const auto report = CGAL::npbs_adapt(
       cdt, P::sizing_function(d).callback([last](double p) { return p <= last; }).restore_when_stopped(true));
     EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
+    EXPECT_EQ(report.number_of_vertices + report.number_of_triangles, 0u); // a mesh that is not there is not told of
+    EXPECT_EQ(report.quality.number_of_triangles(), 0u);
     EXPECT_EQ(validation::triangles(cdt), validation::triangles(start));
   }
 }

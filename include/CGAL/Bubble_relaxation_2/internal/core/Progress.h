@@ -61,7 +61,7 @@ void tell_that_it_was_stopped(Report& report)
   report.converged = false;
 }
 
-/// Does what a callback may stop.
+/// Does what a callback may stop. Then there is no mesh, and what the report may tell of one is taken back.
 template <class Report, class Work>
 void do_unless_stopped(Report& report, const Work& work)
 {
@@ -69,6 +69,10 @@ void do_unless_stopped(Report& report, const Work& work)
     work();
   } catch (const Stopped_by_callback&) {
     tell_that_it_was_stopped(report);
+    report.number_of_vertices = report.number_of_triangles = 0;
+    report.number_of_forced_triangles = report.number_of_small_angles = 0;
+    report.largest_size_gradient = report.steep_share = 0;
+    report.quality = {};
   }
 }
 

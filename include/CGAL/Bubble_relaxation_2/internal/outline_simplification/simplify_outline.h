@@ -9,97 +9,20 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFY_OUTLINE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFY_OUTLINE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Forced_vertices_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_assembly_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/drop_islands.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/fill_gaps.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/read_outline.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/replace_spans.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/report_simplification.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/write_outline.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Points that no segment may pass, so that they stay in their regions: seeds, and vertices that stay, of which no
-/// segment is left.
-inline std::vector<Point> obstacles_of(const Outline_2& outline, const std::vector<Point>& seeds)
-{
-  std::vector<char> is_obstacle(outline.is_fixed);
-  for (const Outline_segment_2& s : outline.segments)
-    is_obstacle[s.source] = is_obstacle[s.target] = 0;
-  std::vector<Point> obstacles;
-  for (std::size_t v = 0; v < is_obstacle.size(); ++v)
-    if (is_obstacle[v])
-      obstacles.push_back(outline.points[v]);
-  obstacles.insert(obstacles.end(), seeds.begin(), seeds.end());
-  return obstacles;
-}
-
-/// Ends of constraints stay for the pieces' sake only, so rules do not look at them.
-inline void fix_ends(Outline_2& outline, const std::vector<char>& is_end)
-{
-  for (std::size_t v = 0; v < outline.points.size(); ++v)
-    if (outline.given[v] != no_index && is_end[outline.given[v]])
-      outline.is_fixed[v] = 1;
-}
-
-/// the outline as the rules leave it
-inline Outline_2 apply_rules(Outline_2 outline, const Simplification_problem_2& problem,
-                             Outline_simplification_report_2& report)
-{
-  if (problem.options.minimum_island_area > 0)
-    outline = Island_rule_2(outline, problem.options.minimum_island_area)(report);
-  if (problem.options.minimum_gap > 0)
-    outline = Gap_rule_2(outline, problem.options.minimum_gap)(report);
-  if (outline.segments.empty())
-    throw std::invalid_argument("Bubble_relaxation_2: parameter minimum_gap = " +
-                                in_words(problem.options.minimum_gap) + " leaves nothing of the domain");
-  return outline;
-}
-
-/// The stages of `CGAL::simplify_outline_2()`, without the user's types.
-inline Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
-{
-  Outline_simplification_report_2 report;
-  Outline_2 outline = without_idle_vertices(problem.outline);
-  Outline_demands_2 demands = demands_of(outline, problem.sizes, problem.options); // checked before the rules work
-  if (problem.options.has_rules()) {
-    outline = apply_rules(std::move(outline), problem, report);
-    demands = demands_of(outline, problem.sizes, problem.options);
-  }
-  fix_ends(outline, problem.is_end);
-  check_number_of_places(outline, demands);
-  const Forced_vertices_2 forced(outline, demands, problem.sizes);
-  report.wanted_vertices = forced.wanted();
-  report.forced_vertices = forced.forced(report.wanted_vertices);
-  report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
-  const std::vector<Outline_span_2> spans = find_spans(outline);
-  const Outline_demands_2 cautious = with_caution(demands, outline);
-  const std::vector<Point> obstacles = obstacles_of(outline, problem.seeds);
-  const std::vector<Fitted_path_2> paths = replace_spans(outline, spans, cautious, obstacles);
-  Fidelity_check_2 check(outline, demands);
-  for (std::size_t s = 0; s < spans.size(); ++s)
-    check(spans[s], paths[s]);
-  Simplified_outline_2 result = Outline_assembly_2(outline, spans, paths)();
-  report.largest_share_of_tolerance = check.largest_share();
-  report.hausdorff_distance =
-    distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));
-  report.number_of_old_segments = problem.outline.segments.size();
-  result.report = std::move(report);
-  report_pieces(problem.outline, problem.sizes, result);
-  report_seeds(problem, result);
-  return result;
-}
+/// The stages of `CGAL::simplify_outline_2()` between reading and writing, without the user's types.
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem);
 
 } // namespace CGAL::Bubble_relaxation_2::internal
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_COMPILED
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/simplify_outline_impl.h>
+#endif
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFY_OUTLINE_H

@@ -58,6 +58,14 @@ struct Galerkin_options
   bool is_quadratic() const { return basis == Moving_least_squares_basis::QUADRATIC; }
 };
 
+/// `Poisson_problem_2`, whatever the kernel
+struct Galerkin_problem
+{
+  std::function<double(const Point&)> source, dirichlet;
+  std::function<double(const Point&, const Direction&)> neumann;
+  std::function<bool(const Point&)> is_dirichlet;
+};
+
 template <class T>
 struct Is_grid_cells_request : std::false_type {};
 template <class Count>

@@ -33,14 +33,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// `Poisson_problem_2`, whatever the kernel
-struct Galerkin_problem
-{
-  std::function<double(const Point&)> source, dirichlet;
-  std::function<double(const Point&, const Direction&)> neumann;
-  std::function<bool(const Point&)> is_dirichlet;
-};
-
 /// Assembles the equations of a Poisson problem: first the integrals over the cells, then those over the
 /// segments of the boundary. The unknowns are the coefficients of the nodes, then the multipliers.
 class Galerkin_system_2
