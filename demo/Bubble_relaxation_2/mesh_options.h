@@ -66,8 +66,14 @@ inline po::options_description mesh_options()
 /// \throws std::runtime_error if options do not go together
 inline void check_mesh_options(const po::variables_map& arguments)
 {
-  if (arguments.count("gradation") > 0 && !(arguments["gradation"].as<double>() > 0))
-    throw std::runtime_error("--gradation must be positive");
+  if (arguments.count("gradation") > 0) {
+    const double gradation = arguments["gradation"].as<double>();
+    if (!(gradation > 0))
+      throw std::runtime_error("--gradation must be positive");
+    if (gradation > 1 && std::isfinite(gradation)) // infinity is refused elsewhere
+      throw std::runtime_error("--gradation must be at most 1, and not a percentage: the length changes by no more than "
+                               "the way");
+  }
   if (arguments.count("tolerance") > 0 && arguments.count("size") == 0)
     throw std::runtime_error("--tolerance needs --size");
   if (arguments.count("tolerance") == 0 && arguments.count("simplification-report") > 0)

@@ -210,11 +210,12 @@ private:
   double m_angle = 180, m_smallest_quality = 1;
 };
 
-/// Ends of segments where no other segment begins, outside of the mesh. Inside they are cracks; outside, the
-/// outline that they belong to was perhaps meant to be closed, and bounds nothing as it is.
-inline std::vector<Point> loose_ends(const CDT& meshed)
+/// The points outside of the mesh in which so many segments end. If it is one, inside this is a crack; outside, the
+/// outline that it belongs to was perhaps meant to be closed, and bounds nothing as it is. If none does, somebody wanted a
+/// node there.
+inline std::vector<Point> points_outside(const CDT& meshed, int wanted_segments)
 {
-  std::vector<Point> ends;
+  std::vector<Point> points;
   for (CDT::Vertex_handle v : meshed.finite_vertex_handles()) {
     int segments = 0;
     bool is_in_domain = false;
@@ -223,14 +224,21 @@ inline std::vector<Point> loose_ends(const CDT& meshed)
       segments += f->is_constrained(CDT::ccw(f->index(v))); // each edge from one of its sides
       is_in_domain = is_in_domain || f->is_in_domain();
     } while (++f != begin);
-    if (segments == 1 && !is_in_domain)
-      ends.push_back(v->point());
+    if (segments == wanted_segments && !is_in_domain)
+      points.push_back(v->point());
   }
-  std::sort(ends.begin(), ends.end());
-  return ends;
+  std::sort(points.begin(), points.end());
+  return points;
 }
 
-/// what to say about them
+/// what to say about points that are no nodes
+inline std::string points_outside_message(const std::vector<Point>& points)
+{
+  return std::to_string(points.size()) + (points.size() == 1 ? " point lies" : " points lie") +
+         " outside of the mesh, such as " + in_words(points.front());
+}
+
+/// what to say about ends of segments
 inline std::string loose_ends_message(const std::vector<Point>& ends)
 {
   return std::to_string(ends.size()) + (ends.size() == 1 ? " segment ends" : " segments end") +

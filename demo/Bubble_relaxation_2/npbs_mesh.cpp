@@ -208,9 +208,11 @@ void warn_of_mesh(const Domain& domain, const Report& report, const po::variable
 {
   if (report.steep_share > 0)
     warn(steep_message(report));
-  const std::vector<Point> ends = loose_ends(domain.cdt);
+  const std::vector<Point> ends = points_outside(domain.cdt, 1), lonely = points_outside(domain.cdt, 0);
   if (!ends.empty())
     warn(loose_ends_message(ends));
+  if (!lonely.empty())
+    warn(points_outside_message(lonely));
   const bool is_refined = arguments.count("paper") == 0 && report.number_of_steps > 0 &&
                           report.stop_reason != CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
   if (is_refined && report.number_of_small_angles > 0)

@@ -168,6 +168,7 @@ public:
                           const NamedParameters& np = parameters::default_values())
   {
     using namespace Bubble_relaxation_2::internal;
+    check_flat<CDT>();
     const Galerkin_options options = read_galerkin_options(np);
     Galerkin_nodes_2 rounded_nodes(rounded(nodes.points), nodes.sizes, options);
     Integration_domain_2 domain(cdt, Domain_marks_2<CDT>(cdt, np));

@@ -50,8 +50,8 @@ mesh shall have asks for many small triangles. This function, called before, giv
   gap, may be smaller than the rule says by what the tolerance allows.
 
 A constraint of a `Constrained_triangulation_plus_2` keeps its identifier unless a rule took away a part of it, or added
-one. For other triangulations `Outline_simplification_report_2::pieces` tells which old segment each piece stands for.
-To keep vertices at which, say, markers change, pin them.
+one. For all triangulations `Outline_simplification_report_2::pieces` tells which old segment each piece stands for, and
+a piece has its marker, if there is an `edge_marker_map`.
 
 The result is the same to the last bit in every run, in whatever order vertices and constraints were inserted, wherever
 closed ones start, and when all lengths are scaled by a power of two.
@@ -117,6 +117,14 @@ alone, a number or a function of points, which is `sizing_function`
     \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
     \cgalParamDefault{no vertex is pinned}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_marker_map}
+    \cgalParamDescription{the markers of constraints. Vertices at which they change stay, unless a rule takes their
+                          constraints away. Each piece gets the marker of the segment that it stands for; what a rule
+                          made has none, a `Marker()`. The map is asked, and old edges are taken out of it, before `cdt`
+                          is changed}
+    \cgalParamType{a model of `ReadWritePropertyMap` as for `npbs_relax()`, such as `Constraint_marker_map_2`}
+    \cgalParamDefault{constraints have no markers}
+  \cgalParamNEnd
   \cgalParamNBegin{seeds}
     \cgalParamDescription{points in the holes of the domain, or in the domain, as for `npbs_relax()`. No piece passes
                           one, so each that is nearer to the outline than the tolerance costs some pieces: put them
@@ -157,10 +165,14 @@ auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::defaul
     Outline_simplification_report_2 report;
     if constexpr (check_flat<CDT>()) {
       Phase_timer time(report.seconds);
-      const Outline_reading_2<CDT> reading(cdt, pack);
+      Outline_reading_2<CDT> reading(cdt, pack);
+      const Outline_markers_2 markers(pack, reading);
       Simplified_outline_2 outline = simplify_outline(reading.problem);
       Restore_on_throw<CDT> guard(cdt);
-      Outline_writing_2<CDT>(cdt, reading, outline)();
+      markers.forget_old(reading);
+      Outline_writing_2<CDT> writing(cdt, reading, outline);
+      writing();
+      markers.write(outline, writing);
       guard.all_went_well();
       time.stop();
       outline.report.seconds = report.seconds;

@@ -11,6 +11,7 @@
 
 #include "domains.h"
 #include "expect_throw.h"
+#include "rough_outlines.h"
 #include "validation.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -21,6 +22,7 @@
 #include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
+#include <CGAL/simplify_outline_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -216,6 +218,44 @@ TEST(Tags_of_outlines, with_sharp_corners_and_narrows)
   }
   for (std::size_t k = 0; k < expected.size(); ++k)
     EXPECT_NEAR(found[k], expected[k], 1e-12) << k;
+}
+
+// pieces have the markers of what they stand for, and a vertex stays where these change
+TEST(Tags_of_outlines, go_to_simplified_ones)
+{
+  domains::CDT cdt;
+  CGAL::Constraint_marker_map_2<domains::CDT> markers;
+  const auto insert = [&](const Outline& ring, const auto& marker) {
+    std::vector<domains::CDT::Vertex_handle> v;
+    for (const auto& p : ring)
+      v.push_back(cdt.insert(domains::Point(p.first, p.second)));
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      cdt.insert_constraint(v[k], v[(k + 1) % v.size()]);
+      markers.set(cdt, v[k], v[(k + 1) % v.size()], marker(k));
+    }
+    return v;
+  };
+  const auto shore = insert(rough_outlines::coast(0, 0, 1, 300, 1), [](std::size_t k) { return k < 100 ? 1 : 2; });
+  insert(rough_outlines::coast(0.4, 0.1, 0.2, 90, 2), [](std::size_t) { return 3; });
+  insert(rough_outlines::coast(-0.3, 0.1, 0.02, 30, 3), [](std::size_t) { return 4; });
+  const domains::Point first = shore[0]->point(), second = shore[100]->point();
+  const auto report = CGAL::simplify_outline_2(
+    cdt, P::sizing_function(0.1).minimum_island_area(0.01).edge_marker_map(markers));
+  EXPECT_EQ(report.dropped_islands.size(), 1u);
+  EXPECT_LT(report.number_of_segments, 150u);
+  std::map<int, std::map<domains::Point, int>> pieces; // at each vertex, of each marker
+  for (const auto& e : cdt.constrained_edges()) {
+    const auto u = e.first->vertex(cdt.ccw(e.second)), v = e.first->vertex(cdt.cw(e.second));
+    ++pieces[markers(u, v)][u->point()];
+    ++pieces[markers(u, v)][v->point()];
+  }
+  ASSERT_EQ(pieces.size(), 3u); // nobody has the marker of the island that is gone, or none
+  for (int marker : {1, 2})
+    for (const auto& [point, number] : pieces.at(marker))
+      EXPECT_EQ(number, point == first || point == second ? 1 : 2) << marker << " at " << point;
+  EXPECT_EQ(pieces[1].count(first) + pieces[1].count(second), 2u);
+  for (const auto& [point, number] : pieces.at(3))
+    EXPECT_LT(std::hypot(point.x() - 0.4, point.y() - 0.1), 0.3) << number;
 }
 
 TEST(Tags_of_nodes, a_node_stays_where_the_marker_changes)

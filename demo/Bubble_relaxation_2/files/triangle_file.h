@@ -156,8 +156,10 @@ inline Numbered_points read_points_of_poly(Triangle_reader& reader, const std::s
     return points;
   if (name.empty())
     throw std::runtime_error("there are no points, and standard input has no .node file beside it");
-  read_other_file(without_extension(name) + ".node",
-                  [&](Triangle_reader& nodes) { points = read_points(nodes, domain); });
+  const std::string other = without_extension(name) + ".node";
+  if (!std::filesystem::exists(other))
+    throw std::runtime_error("there are no points, and no " + other + " beside it that has them");
+  read_other_file(other, [&](Triangle_reader& nodes) { points = read_points(nodes, domain); });
   return points;
 }
 
@@ -237,6 +239,21 @@ inline void read_regions(Triangle_reader& reader, Domain& domain)
     domain.warnings.push_back("areas of regions are not used; --size tells the size");
 }
 
+/// Inserts all points, and tells of those that are where others are.
+inline void insert_points(Numbered_points& points, const Triangle_reader& reader, Domain& domain)
+{
+  std::set<CDT::Vertex_handle> vertices;
+  std::vector<double> doubles;
+  for (const auto& p : points.points)
+    if (!vertices.insert(points.vertex(p.first, domain, reader, "a segment")).second)
+      doubles.push_back(p.first);
+  if (!doubles.empty())
+    domain.warnings.push_back(std::to_string(doubles.size()) +
+                              (doubles.size() == 1 ? " point is" : " points are") + " where others are, such as point " +
+                              std::to_string(static_cast<long long>(doubles.front())) + " at " +
+                              to_string(points.points.at(doubles.front()).point));
+}
+
 /// Triangle's .poly: points, segments, seeds of holes, regions.
 /// \param name of the file, empty for standard input
 inline Domain read_poly(std::istream& in, const std::string& name)
@@ -244,8 +261,7 @@ inline Domain read_poly(std::istream& in, const std::string& name)
   Domain domain;
   Triangle_reader reader(in);
   Numbered_points points = read_points_of_poly(reader, name, domain);
-  for (const auto& p : points.points)
-    points.vertex(p.first, domain, reader, "a segment");
+  insert_points(points, reader, domain);
   read_segments(reader, points, domain);
   const std::size_t number = reader.count(reader.line(1, "the number of holes")[0], "number of holes");
   std::vector<Point> holes;

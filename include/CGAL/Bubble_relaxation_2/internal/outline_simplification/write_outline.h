@@ -74,14 +74,15 @@ public:
     mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
   }
 
+  /// a vertex of the new outline, once it is written
+  Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices[v]); }
+
 private:
   struct Place_in_span
   {
     Index span = no_index;
     bool is_forward = true;
   };
-
-  Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices[v]); }
 
   void remove_segments()
   {
