@@ -16,8 +16,15 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <istream>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 /// Reads the lines of a file of Triangle: numbers, with comments from # to the end of a line.
 class Triangle_reader

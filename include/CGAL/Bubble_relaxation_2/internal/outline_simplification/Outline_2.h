@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bbox_2.h>
 
