@@ -80,7 +80,11 @@ inline std::string forced_by_outline_message(const Report& report, bool is_simpl
 {
   std::ostringstream text;
   text << "--size alone asks for about " << report.number_of_wanted_vertices << " vertices, the outline forces "
-       << report.number_of_vertices - report.number_of_wanted_vertices << " more, where it is finer or narrower; "
+       << report.number_of_vertices - report.number_of_wanted_vertices << " more, where it is finer or narrower, most near";
+  constexpr std::size_t most_places = 3;
+  for (std::size_t k = 0; k < most_places && report.forced_places[k].number_of_vertices > 0; ++k)
+    text << (k > 0 ? "," : "") << ' ' << in_words(Point(report.forced_places[k].x, report.forced_places[k].y));
+  text << "; "
        << (is_simplified ? "larger --min-island and --min-gap take islands and narrows away"
                          : "--tolerance 0.1 replaces it by one with longer pieces")
        << (may_grow_faster ? ", a larger --size-growth makes fewer triangles, and worse ones" : "");

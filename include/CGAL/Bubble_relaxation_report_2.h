@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Mesh_quality_2.h>
 
+#include <array>
 #include <cstddef>
 #include <ostream>
 
@@ -61,6 +62,18 @@ struct Bubble_relaxation_report_2
   /// that of 1/d along its boundary, and one. Corners nearer to each other than d, narrows and the growth of sizes from
   /// there (`limit_by_outline`) force all others.
   std::size_t number_of_wanted_vertices = 0;
+
+  /// A part of the domain in which the outline forces vertices.
+  struct Forced_place
+  {
+    std::size_t number_of_vertices = 0; ///< those with less than 0.7 of the size that d asks for; 0: there is no such part
+    FT x = FT(0);                       ///< the x coordinate of the one with the smallest share of it
+    FT y = FT(0);                       ///< the y coordinate of that vertex
+  };
+  /// Where most of the vertices are that the outline forces: squares with a sixteenth of the extent of the domain, those
+  /// with most of them first, and none beside another one.
+  std::array<Forced_place, 5> forced_places{};
+
   std::size_t number_of_initial_bubbles = 0;   ///< bubbles after the initial placement
   std::size_t number_of_rounds = 0;            ///< rounds of simulation, with one that was stopped
   std::size_t number_of_steps = 0;             ///< time steps, all rounds together

@@ -375,6 +375,27 @@ TEST_F(Outlines, what_d_alone_asks_for_is_told)
   EXPECT_NEAR(double(fine.number_of_wanted_vertices), double(same.number_of_wanted_vertices), 25);
 }
 
+TEST_F(Outlines, where_most_vertices_are_forced_is_told)
+{
+  CDT smooth = domains::make({domains::square(0, 0, 1)});
+  EXPECT_EQ(CGAL::npbs_relax(smooth, 0.1).forced_places[0].number_of_vertices, 0u);
+  using domains::polygon; // in the middle of a square of a sixteenth, and elsewhere
+  CDT cdt = domains::make(
+    {domains::square(0, 0, 1), polygon(0.71875, 0.21875, 0.02, 60), polygon(0.2, 0.7, 0.01, 8)});
+  const auto report = CGAL::npbs_relax(cdt, 0.1);
+  const auto &first = report.forced_places[0], &second = report.forced_places[1];
+  EXPECT_NEAR(std::hypot(first.x - 0.71875, first.y - 0.21875), 0.02, 0.005);
+  std::size_t number = 0; // of all that are there, near to the first hole
+  for (auto v : cdt.finite_vertex_handles())
+    number += std::hypot(v->point().x() - 0.71875, v->point().y() - 0.21875) < 0.05;
+  EXPECT_GT(double(first.number_of_vertices), 0.5 * double(number));
+  EXPECT_LE(second.number_of_vertices, first.number_of_vertices);
+  bool is_second_hole_told = false;
+  for (const auto& place : report.forced_places)
+    is_second_hole_told |= place.number_of_vertices > 0 && std::hypot(place.x - 0.2, place.y - 0.7) < 0.02;
+  EXPECT_TRUE(is_second_hole_told);
+}
+
 TEST_F(Outlines, growth_trades_vertices_for_quality)
 {
   std::size_t last = 0;

@@ -52,6 +52,11 @@ void expect_equal(const Report& report, const Report& expected)
   EXPECT_EQ(report.converged, expected.converged);
   EXPECT_EQ(report.stop_reason, expected.stop_reason);
   EXPECT_EQ(report.number_of_wanted_vertices, expected.number_of_wanted_vertices);
+  for (std::size_t k = 0; k < report.forced_places.size(); ++k) {
+    EXPECT_EQ(report.forced_places[k].number_of_vertices, expected.forced_places[k].number_of_vertices);
+    EXPECT_EQ(report.forced_places[k].x, expected.forced_places[k].x);
+    EXPECT_EQ(report.forced_places[k].y, expected.forced_places[k].y);
+  }
   EXPECT_EQ(report.number_of_forced_triangles, expected.number_of_forced_triangles);
   EXPECT_EQ(report.forced_x, expected.forced_x);
   EXPECT_EQ(report.forced_y, expected.forced_y);

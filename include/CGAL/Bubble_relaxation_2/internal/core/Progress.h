@@ -73,6 +73,7 @@ void do_unless_stopped(Report& report, const Work& work)
     report.number_of_forced_triangles = report.number_of_small_angles = 0;
     report.largest_size_gradient = report.steep_share = 0;
     report.quality = {};
+    report.forced_places = {};
   }
 }
 

@@ -123,15 +123,94 @@ private:
 
 /// How much d changes from one vertex of a mesh to the next, which is what the mesh can see of its gradient, kinks and
 /// jumps included; over the edges of this rank.
-inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const Sizes_2& sizing, const Threads& threads)
+inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const std::vector<double>& sizes)
 {
-  const std::vector<double> sizes = sizes_at_vertices(mesh, sizing, threads);
   Size_gradient_2 gradient(Report::steep_size_gradient);
   for_each_own_edge(mesh, 0, mesh.triangles.number_of_triangles(), [&](Index a, Index b) {
     gradient.add(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
   });
   return gradient;
 }
+
+/// How many of something there are, and where the least of them is, in whatever order they come.
+struct Counted_places_2
+{
+  std::size_t number = 0;
+  double least = std::numeric_limits<double>::infinity();
+  Point where = Point(0, 0);
+
+  void add(double value, const Point& p)
+  {
+    ++number;
+    if (std::make_pair(value, p) < std::make_pair(least, where)) {
+      least = value;
+      where = p;
+    }
+  }
+
+  /// of all ranks
+  void tell(std::size_t& number_of_all, double& x, double& y, const Team& all) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    number_of_all = number;
+    all.add_up(&number_of_all, 1);
+    if (number_of_all == 0)
+      return;
+    const bool is_here = least == all.smallest(least);
+    x = all.smallest(is_here ? where.x() : infinity);
+    y = all.smallest(is_here && where.x() == x ? where.y() : infinity);
+  }
+};
+
+/// Where the outline forces most vertices: those with much less than the wanted size, counted in squares.
+class Forced_places_2
+{
+public:
+  explicit Forced_places_2(const Domain_2& domain)
+    : m_x(domain.bbox().xmin()), m_y(domain.bbox().ymin()),
+      m_side((std::max)(domain.bbox().x_span(), domain.bbox().y_span()) / side), m_squares(side * side)
+  {}
+
+  /// adds the vertices of this rank; `wanted`: their sizes, 0 outside of the domain
+  void add(const Bubbles_2& b, const std::vector<double>& wanted)
+  {
+    constexpr double much = 0.7; // one alone would have the area of two
+    for (std::size_t v = 0; v < b.size(); ++v)
+      if (b.is_ours(static_cast<Index>(v)) && b.d[v] < much * wanted[v])
+        m_squares[square(b.x[v] - m_x) + side * square(b.y[v] - m_y)].add(b.d[v] / wanted[v],
+                                                                          b.point(static_cast<Index>(v)));
+  }
+
+  /// those with most of them, none beside another one that is told
+  void tell(Report& report, const Team& all) const
+  {
+    std::vector<std::size_t> numbers;
+    for (const Counted_places_2& s : m_squares)
+      numbers.push_back(s.number);
+    all.add_up(numbers.data(), numbers.size());
+    for (auto& place : report.forced_places) {
+      const auto most = std::max_element(numbers.begin(), numbers.end());
+      const std::size_t told = static_cast<std::size_t>(most - numbers.begin());
+      m_squares[told].tell(place.number_of_vertices, place.x, place.y, all);
+      for (std::size_t k = 0; k < numbers.size(); ++k)
+        if (are_near(k % side, told % side) && are_near(k / side, told / side))
+          numbers[k] = 0;
+    }
+  }
+
+private:
+  static constexpr std::size_t side = 16;
+
+  static bool are_near(std::size_t i, std::size_t j) { return i <= j + 1 && j <= i + 1; }
+
+  std::size_t square(double from_begin) const
+  {
+    return (std::min)(static_cast<std::size_t>((std::max)(from_begin / m_side, 0.)), side - 1);
+  }
+
+  double m_x, m_y, m_side;
+  std::vector<Counted_places_2> m_squares;
+};
 
 /// The triangles whose smallest angle is smaller than one that is asked for: those at corners of the domain that are sharper
 /// have to be so, between the edges, or beside them, where angles grow from there.
@@ -172,38 +251,9 @@ public:
   }
 
 private:
-  /// some of them: how many, and where the smallest is
-  struct Some
-  {
-    std::size_t number = 0;
-    double least = std::numeric_limits<double>::infinity(); // sine
-    Point where = Point(0, 0);
-
-    void add(double sine, const Point& p)
-    {
-      ++number;
-      if (std::make_pair(sine, p) < std::make_pair(least, where)) {
-        least = sine;
-        where = p;
-      }
-    }
-
-    void tell(std::size_t& number_of_all, double& x, double& y, const Team& all) const
-    {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      number_of_all = number;
-      all.add_up(&number_of_all, 1);
-      if (number_of_all == 0)
-        return;
-      const bool is_here = least == all.smallest(least);
-      x = all.smallest(is_here ? where.x() : infinity);
-      y = all.smallest(is_here && where.x() == x ? where.y() : infinity);
-    }
-  };
-
   double m_sine;
   std::vector<char> m_is_sharp;
-  Some m_forced, m_others;
+  Counted_places_2 m_forced, m_others;
 };
 
 /// adds the lengths of edges of this rank over d in the midpoints, of those that have their first triangle in a range
@@ -275,11 +325,15 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Team& 
   report.number_of_triangles = report.quality.number_of_triangles();
   Size_gradient_2 gradient(Report::steep_size_gradient);
   Small_angles_2 small(problem.whole_domain(), problem.options.minimum_angle);
+  Forced_places_2 forced(problem.whole_domain());
   team.agree_after([&] {
-    gradient = size_gradient(mesh, problem.wanted, threads);
+    const std::vector<double> wanted = sizes_at_vertices(mesh, problem.wanted, threads);
+    gradient = size_gradient(mesh, wanted);
+    forced.add(mesh.bubbles, wanted);
     small.add(mesh);
   });
   gradient.tell(report, team);
+  forced.tell(report, team);
   small.tell(report, team);
 }
 
