@@ -7,9 +7,9 @@
 // Author(s)     : The Bubble_relaxation_2 authors
 
 // What finite-volume codes ask of a mesh: the statistics of the Voronoi cells of the benchmark's domains, and of shores
-// from GSHHG, simplified within a tenth of d, without islands under half of its square and narrows under it. For each mesh
-// its cells, obtuse triangles, those of them at constraints, faces of a negative length, the smallest length of a face
-// over the distance of its cells' centres, and the largest offset of a face's midpoint.
+// from GSHHG, simplified within a tenth of d, without islands under half of its square and narrows under d, then without
+// those under 2 d. For each mesh its cells, obtuse triangles, those of them at constraints, faces of a negative length,
+// the smallest length of a face over the distance of its cells' centres, and the largest offset of a face's midpoint.
 //
 //   dual [1000 10000] [--coasts FOLDER] [--size 3] [NAME ...]
 //
@@ -64,7 +64,7 @@ Options read_options(int argc, char** argv)
 
 void print_columns()
 {
-  std::cout << std::left << std::setw(24) << "domain" << std::right << std::setw(8) << "cells" << std::setw(8)
+  std::cout << std::left << std::setw(28) << "domain" << std::right << std::setw(8) << "cells" << std::setw(8)
             << "obtuse" << std::setw(16) << "at constraints" << std::setw(10) << "negative" << std::setw(15)
             << "face/distance" << std::setw(8) << "offset" << '\n'
             << std::fixed << std::setprecision(3);
@@ -72,7 +72,7 @@ void print_columns()
 
 void print(const std::string& name, const CGAL::Voronoi_quality_2& q)
 {
-  std::cout << std::left << std::setw(24) << name << std::right << std::setw(8) << q.number_of_cells << std::setw(8)
+  std::cout << std::left << std::setw(28) << name << std::right << std::setw(8) << q.number_of_cells << std::setw(8)
             << q.number_of_obtuse_triangles << std::setw(16) << q.number_of_centers_beyond_constraints << std::setw(10)
             << q.number_of_negative_faces << std::setw(15) << q.smallest_face_ratio << std::setw(8)
             << q.largest_midpoint_offset << std::endl;
@@ -100,11 +100,13 @@ try {
     }
   if (options.folder.empty())
     return EXIT_SUCCESS;
-  for (const paper::Domain& coast : read_coasts(options.folder, options.size, options.names)) {
-    paper::CDT cdt = paper::triangulate(coast);
-    simplify_by_rules(coast, cdt);
-    measure(coast, cdt);
-  }
+  for (double gap : {1., 2.})
+    for (paper::Domain coast : read_coasts(options.folder, options.size, options.names)) {
+      paper::CDT cdt = paper::triangulate(coast);
+      simplify_by_rules(coast, cdt, gap);
+      coast.name += gap > 1 ? ", 2 d" : "";
+      measure(coast, cdt);
+    }
 } catch (const std::exception& e) {
   std::cerr << e.what() << '\n';
   return EXIT_FAILURE;

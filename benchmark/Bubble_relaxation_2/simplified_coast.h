@@ -24,16 +24,18 @@ inline double wanted_length(const paper::Domain& coast) { return coast.d(paper::
 
 inline void simplify(const paper::Domain& coast, paper::CDT& cdt)
 {
-  CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(wanted_length(coast)).relative_outline_tolerance(0.1));
+  const double d = wanted_length(coast);
+  CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(d).relative_outline_tolerance(0.1));
 }
 
-inline void simplify_by_rules(const paper::Domain& coast, paper::CDT& cdt)
+/// \param gap in units of d
+inline void simplify_by_rules(const paper::Domain& coast, paper::CDT& cdt, double gap = 1)
 {
   const double d = wanted_length(coast);
   CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(d)
                                   .relative_outline_tolerance(0.1)
                                   .minimum_island_area(d * d / 2)
-                                  .minimum_gap(d));
+                                  .minimum_gap(gap * d));
 }
 
 /// The coasts of a folder that are asked for: those of one resolution, or of all that are there; all if none is.

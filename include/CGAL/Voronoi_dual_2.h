@@ -37,23 +37,23 @@ namespace CGAL {
 /*!
 \ingroup PkgBubbleRelaxation2FiniteVolumes
 
-The dual of a mesh for finite volumes: a cell around each vertex of the domain, a face across each edge, and the parts of
-the domain's boundary that belong to each cell.
+The dual of a mesh for finite volumes: a cell around each vertex of the domain, a face across each edge, and the parts
+of the domain's boundary that belong to each cell.
 
 The face across an edge lies on its perpendicular bisector, between the circumcentres of the triangles on both sides, or
-from one to the midpoint of an edge of the boundary. So it crosses the line of the two vertices at a right angle, the two
-vertices are at the same distance from it, and the difference of their values over their distance is the gradient across it.
-These are the Voronoi cells, clipped at the constraints, unless an obtuse angle lies opposite to a constraint, see
-`Voronoi_quality_2::number_of_centers_beyond_constraints`. There the circumcentre lies beyond the constraint, and lengths are
-measured with their signs: the face of that edge has a negative length at a boundary, and perhaps within the domain. The
-areas still sum up to that of the domain, and the faces of each cell still close it.
+from one to the midpoint of an edge of the boundary. So it crosses the line of the two vertices at a right angle, and
+the difference of their values over their distance is the gradient across it. These are the Voronoi cells, clipped at
+the constraints, unless an obtuse angle lies opposite to a constraint
+(`Voronoi_quality_2::number_of_centers_beyond_constraints`). There the circumcentre lies beyond the constraint, and
+lengths are measured with their signs: the face of that edge is negative at a boundary, and may be so within the domain.
+The areas still sum up to that of the domain, and the faces of each cell still close it.
 
 An edge within the domain that is a constraint has a face like others, since a vertex on it has a cell on both sides.
 `Face::left_length` and `Face::right_length` are the parts of a face on both sides, for coefficients that jump there.
 
-Cells are in the order in which the triangulation lists their vertices. All is computed in `double`, whatever the kernel. In
-a terrain it lies in the plane of the projection. The dual does not follow when the triangulation changes: its handles are
-those of the triangulation that it was made of.
+Cells are in the order in which the triangulation lists their vertices. All is computed in `double`, whatever the
+kernel. The dual of a terrain lies in the plane of the projection. It does not follow when the triangulation changes:
+its handles are those of the triangulation that it was made of.
 
 \tparam CDT_ a `Constrained_Delaunay_triangulation_2` or a `Constrained_triangulation_plus_2` of one
 \tparam Marker_ what `edge_marker_map` has as values
@@ -92,7 +92,7 @@ public:
     double distance;           ///< of the centres of the cells
     Point_2 midpoint;          ///< of the face, which is not that of the edge
     Vector_2 normal;           ///< of length 1, from the first cell to the second one
-    Edge edge;                 ///< the edge that it crosses, in a triangle of the domain: the one on the left of `normal`
+    Edge edge;                 ///< the edge that it crosses, in the triangle, of the domain, on the left of `normal`
     bool is_on_boundary;       ///< whether `edge` has the domain on one side only
     bool is_constrained;       ///< whether `edge` is a constraint
     Marker marker;             ///< of `edge`, if it is a constraint
@@ -129,8 +129,8 @@ public:
   \cgalNamedParamsBegin
     \cgalParamNBegin{edge_marker_map}
       \cgalParamDescription{the markers of constraints; asked for those of the domain}
-      \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<Vertex_handle, Vertex_handle>`, the ends of an edge,
-                     as key, and values that convert to `Marker`, such as `Constraint_marker_map_2`}
+      \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<Vertex_handle, Vertex_handle>`, the ends of an
+                     edge, as key, and values that convert to `Marker`, such as `Constraint_marker_map_2`}
       \cgalParamDefault{none: all markers are `Marker()`}
     \cgalParamNEnd
     \cgalParamNBegin{seeds}
@@ -146,8 +146,8 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \throws std::invalid_argument if the triangulation has no domain, if an edge around the domain is not constrained, if a
-  coordinate is not finite, or if a triangle has no area in `double`
+  \throws std::invalid_argument if the triangulation has no domain, if an edge around the domain is not constrained, if
+  a coordinate is not finite, or if a triangle has no area in `double`
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Voronoi_dual_2(const CDT_& cdt, const NamedParameters& np = parameters::default_values())

@@ -32,8 +32,8 @@ struct Voronoi_quality_2
 
   /// \name Faces
   /// @{
-  /// the least length of a face over the distance of its two centres. In a lattice of equilateral triangles it is 0.577,
-  /// and 0.289 for an edge of the boundary, which has a triangle on one side only.
+  /// the least length of a face over the distance of its two centres. In a lattice of equilateral triangles it is
+  /// 0.577, and 0.289 for an edge of the boundary, which has a triangle on one side only.
   double smallest_face_ratio = 0;
   double smallest_face_x = 0;               ///< where that is: the midpoint of the edge
   double smallest_face_y = 0;               ///< the same

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -80,7 +81,7 @@ void expect_orthogonal(const Dual& dual)
     EXPECT_NEAR(n[0] * dx + n[1] * dy, f.distance, 1e-14 * f.distance);
     EXPECT_NEAR((m[0] - a[0]) * n[0] + (m[1] - a[1]) * n[1], f.distance / 2, 1e-13 * f.distance);
     EXPECT_NEAR(f.left_length + f.right_length, f.length, 1e-14 * f.distance);
-    EXPECT_EQ(f.is_on_boundary && f.right_length != 0, false);
+    EXPECT_FALSE(f.is_on_boundary && f.right_length != 0);
   }
 }
 
@@ -115,7 +116,8 @@ void expect_polygons(const Dual& dual)
   ASSERT_EQ(soup.segments.size(), dual.boundary_parts().size());
   for (std::size_t k = 0; k < soup.segments.size(); ++k) {
     const auto &part = dual.boundary_parts()[k], &other = dual.boundary_parts()[k ^ 1];
-    const auto p = xy(soup.points[soup.segments[k][0]]), q = xy(soup.points[soup.segments[k][1]]), m = xy(part.midpoint);
+    const auto p = xy(soup.points[soup.segments[k][0]]), q = xy(soup.points[soup.segments[k][1]]),
+               m = xy(part.midpoint);
     EXPECT_NEAR(std::hypot(p[0] - q[0], p[1] - q[1]), part.length, 1e-13 * part.length);
     EXPECT_NEAR(std::hypot((p[0] + q[0]) / 2 - m[0], (p[1] + q[1]) / 2 - m[1]), 0, 1e-13 * part.length);
     EXPECT_EQ(part.edge, other.edge);

@@ -261,7 +261,7 @@ TEST(Voronoi_dual, an_obtuse_angle_at_the_boundary_is_told)
 
 TEST(Voronoi_dual, an_obtuse_angle_within_the_domain_does_no_harm)
 {
-  // the vertex beyond the longest side is outside of the circle, so the circumcentre lies beyond it, in the other triangle
+  // the circumcentre lies beyond the longest side, in the other triangle
   CDT cdt = domains::make({{{0, 0}, {2, -8}, {4, 0}, {2, 1}}});
   const Dual dual(cdt);
   expect_valid(dual, 18);
@@ -497,8 +497,8 @@ TEST(Voronoi_dual, cells_are_written_for_paraview)
   const std::size_t cells = dual.cells().size(), lines = dual.boundary_parts().size();
   EXPECT_NE(vtu.find("NumberOfCells=\"" + std::to_string(cells + lines) + "\""), std::string::npos);
   const auto types = array_of<std::uint8_t>(vtu, "types");
-  const auto offsets = array_of<std::int64_t>(vtu, "offsets"), connectivity = array_of<std::int64_t>(vtu, "connectivity"),
-             cell = array_of<std::int64_t>(vtu, "cell");
+  const auto offsets = array_of<std::int64_t>(vtu, "offsets"),
+             connectivity = array_of<std::int64_t>(vtu, "connectivity"), cell = array_of<std::int64_t>(vtu, "cell");
   const auto points = array_of<double>(vtu, "Points"), area = array_of<double>(vtu, "area"),
              value = array_of<double>(vtu, "value");
   const auto marker = array_of<std::int32_t>(vtu, "marker"), dimension = array_of<std::int32_t>(vtu, "dimension");
@@ -517,9 +517,10 @@ TEST(Voronoi_dual, cells_are_written_for_paraview)
       EXPECT_EQ(value[k], values[std::size_t(cell[k])]);
       EXPECT_EQ(area[k], dual.cells()[std::size_t(cell[k])].area);
     }
-    for (std::int64_t c = k == 0 ? 0 : offsets[k - 1]; is_polygon && c < offsets[k]; ++c) {
-      const auto p = 3 * std::size_t(connectivity[std::size_t(c)]);
-      const auto q = 3 * std::size_t(connectivity[std::size_t(c + 1 < offsets[k] ? c + 1 : k == 0 ? 0 : offsets[k - 1])]);
+    const std::int64_t begin = k == 0 ? 0 : offsets[k - 1], end = offsets[k];
+    for (std::int64_t c = begin; is_polygon && c < end; ++c) {
+      const auto p = 3 * std::size_t(connectivity[std::size_t(c)]),
+                 q = 3 * std::size_t(connectivity[std::size_t(c + 1 < end ? c + 1 : begin)]);
       ASSERT_LT((std::max)(p, q) + 2, points.size());
       sum += 0.5 * (points[p] * points[q + 1] - points[p + 1] * points[q]);
     }

@@ -160,8 +160,8 @@ namespace IO {
 \brief writes the cells of a dual for ParaView, in VTK's format `.vtu`: polygons with common corners, and the boundary
 parts as lines.
 
-They have the cell data `area` (not a number for lines), `cell`, the number of the cell, `dimension` (2 for polygons, 1 for
-lines), and `marker` of lines, if `Marker` is a number or an enumeration.
+They have the cell data `area` (not a number for lines), `cell`, the number of the cell, `dimension` (2 for polygons, 1
+for lines), and `marker` of lines, if `Marker` is a number or an enumeration.
 
 \tparam Dual a `Voronoi_dual_2`
 \param out the stream, opened as `std::ios::binary` where that matters

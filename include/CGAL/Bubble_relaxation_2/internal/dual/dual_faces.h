@@ -15,6 +15,7 @@
 
 #include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <cstddef>
@@ -23,8 +24,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The face of the dual that crosses an edge of the domain in its midpoint, at a right angle: from the circumcentre of the
-/// triangle on its right to that on its left. Where there is no triangle it ends at the edge. Lengths on a side are
+/// The face of the dual that crosses an edge of the domain in its midpoint, at a right angle: from the circumcentre of
+/// the triangle on its right to that on its left. Where there is no triangle it ends at the edge. Lengths on a side are
 /// measured from the edge, and negative for a circumcentre beyond it.
 struct Dual_face_2
 {
@@ -39,8 +40,8 @@ struct Dual_face_2
   Sign sign = ZERO; ///< of `length`, exact
 };
 
-/// The signed distance of the circumcentre from a side of a triangle, over the length of the side: half the cotangent of
-/// the angle opposite to it.
+/// The signed distance of the circumcentre from a side of a triangle, over the length of the side: half the cotangent
+/// of the angle opposite to it.
 /// \throws std::invalid_argument if the triangle has no area in double
 inline double height_of_circumcenter(const Flat_triangulation_2& tr, Index t, int i)
 {
@@ -80,7 +81,7 @@ inline Dual_face_2 dual_face(const Flat_triangulation_2& tr, Index t, int i)
   if (has_right)
     face.length += length * height_of_circumcenter(tr, n, tr.index_of_neighbor(n, t));
   face.sign = sign_of_face(tr, t, i);
-  if (face.sign == ZERO || face.length * face.sign < 0) // by roundings
+  if (CGAL::sign(face.length) != face.sign) // by roundings
     face.length = 0;
   (has_right ? face.right : face.left) = has_right ? face.length - left : face.length;
   return face;
