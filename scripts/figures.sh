@@ -11,8 +11,8 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXAT
 cmake --build build/release
 mkdir -p build/figures
 cd build/figures
-for example in watch_the_bubbles relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values influence_domains \
-  finite_volumes; do
+for example in watch_the_bubbles relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values \
+  influence_domains finite_volumes; do
   ../release/examples/Bubble_relaxation_2/$example
 done
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe \
