@@ -52,8 +52,8 @@ An edge within the domain that is a constraint has a face like others, since a v
 `Face::left_length` and `Face::right_length` are the parts of a face on both sides, for coefficients that jump there.
 
 Cells are in the order in which the triangulation lists their vertices. All is computed in `double`, whatever the
-kernel. The dual of a terrain lies in the plane of the projection. It does not follow when the triangulation changes:
-its handles are those of the triangulation that it was made of.
+kernel, and converted to its points and vectors. The dual of a terrain lies in the plane of the projection. It does not
+follow when the triangulation changes: its handles are those of the triangulation that it was made of.
 
 \tparam CDT_ a `Constrained_Delaunay_triangulation_2` or a `Constrained_triangulation_plus_2` of one
 \tparam Marker_ what `edge_marker_map` has as values
@@ -174,7 +174,7 @@ public:
     const Bubble_relaxation_2::internal::Cell_polygons_2 made(m_triangles);
     Polygon_soup soup;
     for (const auto& p : made.corners())
-      soup.points.emplace_back(p.x(), p.y());
+      soup.points.push_back(point(p.x(), p.y()));
     for (const auto& [vertex, polygon] : made.polygons()) {
       soup.polygons.push_back(polygon);
       soup.cells.push_back(m_cell_of[vertex]);
@@ -186,6 +186,7 @@ public:
   }
 
 private:
+  using FT = typename Kernel_traits<Point_2>::Kernel::FT;
   using Index = Bubble_relaxation_2::internal::Index;
   using Domain_marks = Bubble_relaxation_2::internal::Domain_marks_2<CDT>;
   using Dual_face = Bubble_relaxation_2::internal::Dual_face_2;
@@ -255,7 +256,7 @@ private:
     const std::size_t a = m_cell_of[f.a], b = m_cell_of[f.b];
     const Edge edge(Bubble_relaxation_2::internal::Handles<CDT>::face(domain.faces.addresses()[f.triangle]), f.side);
     m_faces.push_back({a, b, f.length, f.left, f.right, f.distance, beside(f, 0, (f.left - f.right) / 2),
-                       Vector_2(f.along.x, f.along.y), edge, !f.has_right,
+                       vector(f.along.x, f.along.y), edge, !f.has_right,
                        domain.is_constrained(f.triangle, f.side), marker});
     for (std::size_t cell : {a, b})
       m_cells[cell].area += f.length * f.distance / 4;
@@ -265,16 +266,19 @@ private:
     for (std::size_t cell : {a, b}) {
       m_cells[cell].is_on_boundary = true;
       const Point_2 midpoint = beside(f, (cell == a ? -f.distance : f.distance) / 4, 0);
-      m_boundary_parts.push_back({cell, f.distance / 2, midpoint, Vector_2(f.along.y, -f.along.x), edge, marker});
+      m_boundary_parts.push_back({cell, f.distance / 2, midpoint, vector(f.along.y, -f.along.x), edge, marker});
     }
   }
 
   /// a point near the midpoint of an edge: farther along, and to the left
   static Point_2 beside(const Dual_face& f, double along, double left)
   {
-    return Point_2(f.middle.x() + along * f.along.x - left * f.along.y,
-                   f.middle.y() + along * f.along.y + left * f.along.x);
+    return point(f.middle.x() + along * f.along.x - left * f.along.y,
+                 f.middle.y() + along * f.along.y + left * f.along.x);
   }
+
+  static Point_2 point(double x, double y) { return Point_2(FT(x), FT(y)); }
+  static Vector_2 vector(double x, double y) { return Vector_2(FT(x), FT(y)); }
 
   Bubble_relaxation_2::internal::Address_numbers m_vertices;
   Bubble_relaxation_2::internal::Flat_triangulation_2 m_triangles;

@@ -11,8 +11,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/dual/dual_faces.h>
 
-#include <CGAL/Kernel/global_functions_2.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -35,7 +33,7 @@ public:
     for (std::size_t k = 0; k < tr.number_of_triangles(); ++k) {
       const Index t = static_cast<Index>(k);
       if (tr.inside[t])
-        m_centers[t] = add_corner(CGAL::circumcenter(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2)));
+        m_centers[t] = add_corner(circumcenter_of(tr, t));
     }
     add_polygons(true);
     add_polygons(false);

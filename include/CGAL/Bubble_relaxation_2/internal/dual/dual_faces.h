@@ -40,6 +40,11 @@ struct Dual_face_2
   Sign sign = ZERO; ///< of `length`, exact
 };
 
+inline Point circumcenter_of(const Flat_triangulation_2& tr, Index t)
+{
+  return CGAL::circumcenter(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2));
+}
+
 /// The signed distance of the circumcentre from a side of a triangle, over the length of the side: half the cotangent
 /// of the angle opposite to it.
 /// \throws std::invalid_argument if the triangle has no area in double

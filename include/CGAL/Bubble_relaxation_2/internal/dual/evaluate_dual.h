@@ -22,11 +22,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-inline Point circumcenter_of(const Flat_triangulation_2& tr, Index t)
-{
-  return CGAL::circumcenter(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2));
-}
-
 inline void add_obtuse_triangles(const Marked_copy_2& domain, Voronoi_quality_2& quality)
 {
   for (std::size_t k = 0; k < domain.tr.number_of_triangles(); ++k)
