@@ -9,6 +9,8 @@
 #   benchmark.sh phases                           nanoseconds a node of each phase
 #   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, as they are and simplified: this package, CGAL's
 #                                                 2D Meshes and Gmsh: table, SVG
+#   benchmark.sh dual [1000 10000] [aegean ...]   Voronoi cells for finite volumes, of domains and simplified shores: obtuse
+#                                                 triangles, negative and short faces
 #   benchmark.sh compile [--runs 3]               the compiler's time and memory: README's program, compiled core, EFG
 #   benchmark.sh distributed [speed [1e5 ...]]    two MPI ranks against one: seconds, and whether the bits are equal
 #   benchmark.sh distributed [counts [1e5]]       what up to 64 ranks hold and send, and a model of their efficiency
@@ -18,7 +20,7 @@ cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | coasts | influence | transfer | local | phases | compile | distributed) benchmark=$1; shift ;;
+  scaling | compare | coasts | influence | transfer | local | phases | dual | compile | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then
@@ -26,8 +28,8 @@ if [ "$benchmark" = compare ]; then
   benchmark=compare_meshers
   set -- --json compare_meshers.json --svg compare_meshers.svg "$@"
 fi
-if [ "$benchmark" = coasts ]; then
-  scripts/install_dependencies.sh libgmsh-dev gmt gmt-gshhg-low gmt-gshhg-high
+if [ "$benchmark" = coasts ] || [ "$benchmark" = dual ]; then
+  scripts/install_dependencies.sh gmt gmt-gshhg-low gmt-gshhg-high
   mkdir -p output/coasts
   cp benchmark/Bubble_relaxation_2/coasts.txt output/coasts/
   while read -r name west east south north _; do
@@ -37,7 +39,13 @@ if [ "$benchmark" = coasts ]; then
         --FORMAT_FLOAT_OUT=%.9g --GMT_HISTORY=false > "$file"
     done
   done < <(grep -v '^#' output/coasts/coasts.txt)
+fi
+if [ "$benchmark" = coasts ]; then
+  scripts/install_dependencies.sh libgmsh-dev
   set -- coasts --svg coast.svg "$@"
+fi
+if [ "$benchmark" = dual ]; then
+  set -- --coasts coasts "$@"
 fi
 if [ "$benchmark" = influence ]; then
   scripts/install_dependencies.sh libnanoflann-dev

@@ -11,7 +11,8 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXAT
 cmake --build build/release
 mkdir -p build/figures
 cd build/figures
-for example in watch_the_bubbles relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values influence_domains; do
+for example in watch_the_bubbles relax_a_square_with_hole refine_an_existing_mesh node_placement adapt_to_values \
+  influence_domains finite_volumes; do
   ../release/examples/Bubble_relaxation_2/$example
 done
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe \
@@ -23,6 +24,7 @@ cp bubbles.svg "$figures"
 ../release/demo/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
 ../release/demo/Bubble_relaxation_2/adaptive_cycles | tee "$figures/adaptive_cycles.txt"
 ../release/demo/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
+../release/examples/Bubble_relaxation_2/finite_volumes | head -n 5 | tee "$figures/finite_volumes.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 ../release/benchmark/Bubble_relaxation_2/local drift 1000 | tee "$figures/local_drift.txt"
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
@@ -32,6 +34,8 @@ cp "$here/output/compare_meshers.svg" .
 cp "$here/output/coast.svg" .
 "$here/scripts/benchmark.sh" coasts {superior,aegean,norway,patagonia,finland}_intermediate |
   grep -v '^\[\|^ninja' | tee "$figures/coasts.txt"
+"$here/scripts/benchmark.sh" dual 1000 10000 {superior,aegean,norway,patagonia,finland}_intermediate |
+  grep -v '^\[\|^ninja' | tee "$figures/dual.txt"
 "$here/doc/Bubble_relaxation_2/draw_rooms.py" rooms.svg
 ../release/demo/Bubble_relaxation_2/moving_body | tail -n 1 | tee "$figures/moving_body.txt"
 cp moving_body.svg "$figures" # it moves

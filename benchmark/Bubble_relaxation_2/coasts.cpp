@@ -17,17 +17,15 @@
 // is stopped.
 
 #include "cgal_meshers.h"
-#include "coast.h"
 #include "in_child_process.h"
 #include "outline_judgement.h"
+#include "simplified_coast.h"
 #ifdef BUBBLE_RELAXATION_2_WITH_GMSH
 #include "gmsh_mesher.h"
 #endif
 
 #include "../../demo/Bubble_relaxation_2/files/file_names.h"
 #include "../../examples/Bubble_relaxation_2/svg_picture.h"
-
-#include <CGAL/simplify_outline_2.h>
 
 #include <unistd.h>
 
@@ -99,23 +97,6 @@ Row row(const paper::CDT& outline, const Meshing& meshing)
   result.seconds = meshing.seconds;
   result.judgement = judge(bare, sharp_corners(outline));
   return result;
-}
-
-/// d of a coast, which is the same everywhere
-double wanted_length(const paper::Domain& coast) { return coast.d(paper::Point(0, 0)); }
-
-void simplify(const paper::Domain& coast, paper::CDT& cdt)
-{
-  CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(wanted_length(coast)).relative_outline_tolerance(0.1));
-}
-
-void simplify_by_rules(const paper::Domain& coast, paper::CDT& cdt)
-{
-  const double d = wanted_length(coast);
-  CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(d)
-                                  .relative_outline_tolerance(0.1)
-                                  .minimum_island_area(d * d / 2)
-                                  .minimum_gap(d));
 }
 
 /// \param simplify changes the outline before it is meshed; the time for that counts
@@ -202,27 +183,6 @@ private:
   unsigned m_limit;
 };
 
-/// the coasts that are asked for: those of one resolution, or of all that are there
-std::vector<paper::Domain> read_coasts(const Options& options)
-{
-  std::vector<paper::Domain> coasts;
-  for (const Region& region : read_regions(options.folder + "/coasts.txt"))
-    for (const char* resolution : {"low", "intermediate", "high"}) {
-      const std::string name = region.name + '_' + resolution;
-      const auto is_asked_for = [&](const std::string& n) { return n == name || n == region.name; };
-      if (!options.names.empty() && std::none_of(options.names.begin(), options.names.end(), is_asked_for))
-        continue;
-      std::ifstream in(options.folder + '/' + name + ".txt");
-      if (!in)
-        continue;
-      const double size = options.size;
-      coasts.push_back({0, name, Coast(region, in).outlines(), [size](const paper::Point&) { return size; }, 0, 0});
-    }
-  if (coasts.empty())
-    throw std::runtime_error(options.folder + ": has none of the coasts");
-  return coasts;
-}
-
 /// a coast as it is, and within a tolerance and by the rules
 void draw(const std::string& file_name, const paper::Domain& coast)
 {
@@ -242,7 +202,7 @@ int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
   const Comparison compare(options.limit);
-  const std::vector<paper::Domain> coasts = read_coasts(options);
+  const std::vector<paper::Domain> coasts = read_coasts(options.folder, options.size, options.names);
   for (const paper::Domain& coast : coasts)
     compare(coast);
   if (!options.svg.empty())

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <iomanip>
@@ -92,6 +93,22 @@ public:
     add_constraints(cdt);
     for (auto v : cdt.finite_vertex_handles())
       add_circle(v->point(), dot_radius(cdt.number_of_vertices()), "fill=\"#1f5fa8\"");
+  }
+
+  /// polygons, those of cells, in the outline of a triangulation, and its vertices as dots
+  template <class CDT, class Polygon_soup>
+  void add_cells(const CDT& cdt, const Polygon_soup& soup, const std::string& caption)
+  {
+    start_panel(caption, box_of(cdt));
+    for (const auto& polygon : soup.polygons) {
+      m_body << "<path d=\"";
+      for (std::size_t corner : polygon)
+        m_body << (corner == polygon.front() ? 'M' : 'L') << at(soup.points[corner]);
+      m_body << "Z\" fill=\"#e4eef8\" stroke=\"#1f5fa8\" stroke-width=\"0.8\"/>\n";
+    }
+    add_constraints(cdt);
+    for (auto v : cdt.finite_vertex_handles())
+      add_circle(v->point(), 0.7 * dot_radius(cdt.number_of_vertices()), "fill=\"#c0392b\"");
   }
 
   /// points as circles of given diameters, and segments between pairs of them

@@ -1,0 +1,536 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// The dual of a mesh for finite volumes: what holds for each, and for good ones.
+
+#include "domains.h"
+#include "dual_checks.h"
+#include "expect_throw.h"
+#include "random_seeds.h"
+#include "rough_outlines.h"
+#include "terrains.h"
+
+#include "../../demo/Bubble_relaxation_2/paper_domains.h"
+
+#include <CGAL/Bubble_relaxation_2/IO/write_VTU_of_cells.h>
+#include <CGAL/Constraint_marker_map_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Voronoi_dual_2.h>
+#include <CGAL/npbs_relax.h>
+#include <CGAL/simplify_outline_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using domains::CDT;
+using domains::K;
+using domains::Point;
+using dual_checks::expect_valid;
+using Dual = CGAL::Voronoi_dual_2<CDT>;
+namespace P = CGAL::parameters;
+
+namespace {
+
+CDT relaxed(const std::vector<domains::Outline>& outlines, double d)
+{
+  CDT cdt = domains::make(outlines);
+  CGAL::npbs_relax(cdt, P::sizing_function(d));
+  return cdt;
+}
+
+/// what all triangles of the domain have
+template <class Cdt>
+double area_of_domain(const Cdt& cdt)
+{
+  double sum = 0;
+  for (auto f : cdt.finite_face_handles())
+    if (f->is_in_domain())
+      sum += CGAL::to_double(cdt.triangle(f).area());
+  return sum;
+}
+
+/// no triangle is obtuse and no face negative
+void expect_good(const CGAL::Voronoi_quality_2& q, const std::string& name)
+{
+  EXPECT_EQ(q.number_of_obtuse_triangles, 0u) << name;
+  EXPECT_EQ(q.number_of_centers_beyond_constraints, 0u) << name;
+  EXPECT_EQ(q.number_of_negative_faces, 0u) << name;
+  EXPECT_GT(q.smallest_face_ratio, 0.) << name;
+  EXPECT_GT(q.smallest_area, 0.) << name;
+  EXPECT_LT(q.largest_orthogonality_error, 1e-13) << name;
+}
+
+/// Each of random points of the domain lies in the cell of the vertex that is nearest to it.
+void expect_cells_of_nearest(const CDT& cdt, const Dual& dual)
+{
+  const auto soup = dual.polygon_soup();
+  std::vector<CGAL::Polygon_2<K>> polygons(dual.cells().size());
+  for (std::size_t k = 0; k < soup.cells.size(); ++k)
+    for (std::size_t corner : soup.polygons[k])
+      polygons[soup.cells[k]].push_back(soup.points[corner]);
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> share(0.05, 1);
+  for (auto f : cdt.finite_face_handles()) {
+    if (!f->is_in_domain())
+      continue;
+    const double a = share(random), b = share(random), c = share(random);
+    const Point p = CGAL::barycenter(f->vertex(0)->point(), a, f->vertex(1)->point(), b, f->vertex(2)->point(), c);
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < dual.cells().size(); ++k)
+      if (CGAL::has_smaller_distance_to_point(p, dual.cells()[k].center, dual.cells()[nearest].center))
+        nearest = k;
+    // roundings put a point on a face on either side of it, which hardly ever comes
+    EXPECT_TRUE(polygons[nearest].is_simple());
+    EXPECT_TRUE(polygons[nearest].has_on_bounded_side(p)) << p;
+  }
+}
+
+} // namespace
+
+TEST(Voronoi_dual, of_equilateral_triangles)
+{
+  CDT cdt;
+  const double h = std::sqrt(0.75);
+  const std::vector<Point> ring{{1, 0}, {0.5, h}, {-0.5, h}, {-1, 0}, {-0.5, -h}, {0.5, -h}};
+  cdt.insert_constraint(ring.begin(), ring.end(), true);
+  const auto center = cdt.insert(Point(0, 0));
+  const Dual dual(cdt);
+  expect_valid(dual, 6 * h / 2);
+  ASSERT_EQ(dual.cells().size(), 7u);
+  EXPECT_EQ(dual.faces().size(), 12u);
+  EXPECT_EQ(dual.boundary_parts().size(), 12u);
+  const std::size_t c = dual.cell_of(center);
+  EXPECT_FALSE(dual.cells()[c].is_on_boundary);
+  EXPECT_NEAR(dual.cells()[c].area, h, 1e-15); // a hexagon: two triangles
+  for (const auto& f : dual.faces())
+    EXPECT_NEAR(f.length, f.is_on_boundary ? 0.5 / std::sqrt(3) : 1 / std::sqrt(3), 1e-15);
+  EXPECT_NEAR(dual.quality().smallest_face_ratio, 0.5 / std::sqrt(3), 1e-15);
+  EXPECT_LT(dual.quality().largest_midpoint_offset, 1e-15);
+}
+
+TEST(Voronoi_dual, of_a_square_with_hole)
+{
+  const CDT cdt = relaxed({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.07);
+  const Dual dual(cdt);
+  expect_valid(dual, 0.96);
+  expect_good(dual.quality(), "square with hole");
+  expect_cells_of_nearest(cdt, dual);
+}
+
+TEST(Voronoi_dual, of_a_ring)
+{
+  const domains::Outline outer = domains::polygon(0, 0, 1, 60), inner = domains::polygon(0, 0, 0.5, 30);
+  const CDT cdt = relaxed({outer, inner}, 0.1);
+  const Dual dual(cdt);
+  expect_valid(dual, domains::area(outer) - domains::area(inner));
+  expect_good(dual.quality(), "ring");
+  expect_cells_of_nearest(cdt, dual);
+}
+
+TEST(Voronoi_dual, of_an_outline_that_is_not_convex)
+{
+  const domains::Outline bent{{0, 0}, {2, 0}, {2, 1}, {1.2, 1}, {1, 1.6}, {0.4, 1.6}, {0, 1}};
+  const CDT cdt = relaxed({bent}, 0.1);
+  const Dual dual(cdt);
+  expect_valid(dual, domains::area(bent));
+  expect_good(dual.quality(), "bent");
+  expect_cells_of_nearest(cdt, dual);
+}
+
+TEST(Voronoi_dual, of_constraints_within_the_domain)
+{
+  CDT cdt = domains::square_with_inner_constraints<CDT>();
+  CGAL::npbs_relax(cdt, P::sizing_function(0.05));
+  const Dual dual(cdt);
+  expect_valid(dual, 1);
+  EXPECT_EQ(dual.quality().number_of_centers_beyond_constraints, 0u);
+  expect_cells_of_nearest(cdt, dual);
+  std::size_t inner = 0;
+  for (const auto& f : dual.faces()) {
+    EXPECT_EQ(f.is_constrained, cdt.is_constrained(f.edge));
+    inner += f.is_constrained && !f.is_on_boundary;
+    if (f.is_constrained && !f.is_on_boundary) { // it ends on either side of the constraint
+      EXPECT_GT(f.left_length, 0.);
+      EXPECT_GT(f.right_length, 0.);
+    }
+  }
+  EXPECT_GT(inner, 20u);
+}
+
+TEST(Voronoi_dual, of_a_pinned_vertex)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  const std::set<CDT::Vertex_handle> pins{cdt.insert(Point(0.31, 0.47))};
+  CGAL::npbs_relax(cdt, P::sizing_function(0.08).vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}));
+  const Dual dual(cdt);
+  expect_valid(dual, 1);
+  expect_good(dual.quality(), "pin");
+  const auto& cell = dual.cells().at(dual.cell_of(*pins.begin()));
+  EXPECT_EQ(cell.center, Point(0.31, 0.47));
+  EXPECT_NEAR(cell.area, 0.08 * 0.08 * std::sqrt(0.75), 0.05 * 0.08 * 0.08);
+}
+
+TEST(Voronoi_dual, of_a_domain_that_touches_itself)
+{
+  const CDT cdt = relaxed({domains::square(0, 0, 1), domains::square(1, 1, 1)}, 0.2);
+  const Dual dual(cdt);
+  expect_valid(dual, 2);
+  const auto soup = dual.polygon_soup();
+  EXPECT_EQ(soup.polygons.size(), dual.cells().size() + 1);
+  for (const auto& c : dual.cells())
+    if (c.center == Point(1, 1)) {
+      const std::size_t number = dual.cell_of(c.vertex);
+      EXPECT_EQ(std::count(soup.cells.begin(), soup.cells.end(), number), 2);
+    }
+}
+
+TEST(Voronoi_dual, vertices_on_circles_have_faces_of_no_length)
+{
+  constexpr int n = 10;
+  CDT cdt = domains::make({domains::square(0, 0, n)});
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      cdt.insert(Point(i, j));
+  const Dual dual(cdt);
+  expect_valid(dual, n * n);
+  const auto& q = dual.quality();
+  EXPECT_EQ(q.number_of_zero_faces, std::size_t(n * n)); // the diagonals
+  EXPECT_EQ(q.number_of_negative_faces, 0u);
+  EXPECT_EQ(q.number_of_obtuse_triangles, 0u);
+  EXPECT_EQ(q.smallest_face_ratio, 0);
+  EXPECT_EQ(q.smallest_area, 0.25); // in the corners
+  for (const auto& f : dual.faces())
+    EXPECT_EQ(f.length, f.distance > 1 ? 0. : f.is_on_boundary ? 0.5 : 1.);
+}
+
+TEST(Voronoi_dual, signs_are_exact_where_coordinates_round)
+{
+  // turned by an angle whose cosine is no binary fraction: squares that are none, by roundings
+  constexpr int n = 20;
+  CDT cdt;
+  const auto point = [](int i, int j) { return Point(0.6 * i - 0.8 * j + 1000.1, 0.8 * i + 0.6 * j - 77.7); };
+  const std::vector<Point> outline{point(0, 0), point(n, 0), point(n, n), point(0, n)};
+  cdt.insert_constraint(outline.begin(), outline.end(), true);
+  for (int i = 1; i < n; ++i)
+    for (int j = 1; j < n; ++j)
+      cdt.insert(point(i, j));
+  const Dual dual(cdt);
+  std::size_t negative = 0, zero = 0, inner_negative = 0;
+  for (const auto& f : dual.faces()) {
+    negative += f.length < 0;
+    zero += f.length == 0;
+    inner_negative += f.length < 0 && !f.is_on_boundary;
+  }
+  EXPECT_EQ(negative, dual.quality().number_of_negative_faces);
+  EXPECT_GE(zero, dual.quality().number_of_zero_faces);
+  EXPECT_EQ(inner_negative, 0u); // all edges are Delaunay
+  EXPECT_NEAR(dual_checks::total_area(dual), n * n, 1e-10);
+}
+
+TEST(Voronoi_dual, an_obtuse_angle_at_the_boundary_is_told)
+{
+  CDT cdt = domains::make({{{0, 0}, {4, 0}, {2, 1}}});
+  const Dual dual(cdt);
+  expect_valid(dual, 2);
+  const auto& q = dual.quality();
+  EXPECT_EQ(q.number_of_obtuse_triangles, 1u);
+  EXPECT_EQ(q.number_of_centers_beyond_constraints, 1u);
+  EXPECT_EQ(q.number_of_negative_faces, 1u);
+  // the circumcentre is (2, -1.5)
+  EXPECT_NEAR(q.smallest_face_ratio, -1.5 / 4, 1e-15);
+  EXPECT_EQ(q.smallest_face_x, 2);
+  EXPECT_EQ(q.smallest_face_y, 0);
+}
+
+TEST(Voronoi_dual, an_obtuse_angle_within_the_domain_does_no_harm)
+{
+  // the circumcentre lies beyond the longest side, in the other triangle
+  CDT cdt = domains::make({{{0, 0}, {2, -8}, {4, 0}, {2, 1}}});
+  const Dual dual(cdt);
+  expect_valid(dual, 18);
+  const auto& q = dual.quality();
+  EXPECT_EQ(q.number_of_obtuse_triangles, 1u);
+  EXPECT_EQ(q.number_of_centers_beyond_constraints, 0u);
+  EXPECT_EQ(q.number_of_negative_faces, 0u);
+  for (const auto& f : dual.faces())
+    if (!f.is_on_boundary) {
+      EXPECT_LT((std::min)(f.left_length, f.right_length), 0.);
+      EXPECT_GT(f.length, 0.);
+    }
+}
+
+TEST(Voronoi_dual, a_constraint_that_is_not_delaunay_has_a_negative_face)
+{
+  CDT cdt = domains::make({{{0, 0}, {2, -1}, {4, 0}, {2, 1}}});
+  domains::insert(cdt, {{0, 0}, {4, 0}}, false);
+  const Dual dual(cdt);
+  expect_valid(dual, 4);
+  EXPECT_EQ(dual.quality().number_of_negative_faces, 1u);
+  EXPECT_EQ(dual.quality().number_of_centers_beyond_constraints, 2u);
+  EXPECT_NEAR(dual.quality().smallest_face_ratio, -3. / 4, 1e-15);
+}
+
+TEST(Voronoi_dual, an_edge_that_is_not_delaunay_is_told)
+{
+  using Constrained = CGAL::Constrained_triangulation_2<K>;
+  Constrained ct = domains::make<Constrained>({{{0, 0}, {4, 0}, {4, 3}, {0, 3.5}}});
+  const CGAL::Voronoi_dual_2<Constrained> before(ct);
+  for (const auto& f : before.faces())
+    if (!f.is_on_boundary)
+      ct.flip(f.edge.first, f.edge.second);
+  for (auto f : ct.finite_face_handles()) // a flip does not know of constraints
+    for (int i = 0; i < 3; ++i)
+      f->set_constraint(i, ct.is_infinite(f->neighbor(i)));
+  const CGAL::Voronoi_dual_2<Constrained> after(ct);
+  expect_valid(before, 13);
+  expect_valid(after, 13);
+  EXPECT_EQ(before.quality().number_of_negative_faces + after.quality().number_of_negative_faces, 1u);
+}
+
+TEST(Voronoi_dual, markers_are_those_of_constraints)
+{
+  enum Side { INSIDE, BOTTOM, OTHERS, BAR };
+  CDT cdt;
+  CGAL::Constraint_marker_map_2<CDT, Side> markers(OTHERS);
+  domains::insert(cdt, domains::square(0, 0, 1));
+  const auto at = [&](double x, double y) { return cdt.insert(Point(x, y)); };
+  markers.set(cdt, at(0, 0), at(1, 0), BOTTOM);
+  const auto u = at(0.3, 0.5), v = at(0.8, 0.6);
+  cdt.insert_constraint(u, v);
+  markers.set(u, v, BAR);
+  CGAL::npbs_relax(cdt, P::sizing_function(0.1).edge_marker_map(markers));
+  const CGAL::Voronoi_dual_2<CDT, Side> dual(cdt, P::edge_marker_map(markers));
+  std::map<Side, double> length, distance;
+  for (const auto& p : dual.boundary_parts())
+    length[p.marker] += p.length;
+  for (const auto& f : dual.faces())
+    distance[f.marker] += f.distance;
+  EXPECT_EQ(length.size(), 2u);
+  EXPECT_NEAR(length[BOTTOM], 1, 1e-14);
+  EXPECT_NEAR(length[OTHERS], 3, 1e-14);
+  EXPECT_NEAR(distance[BOTTOM], 1, 1e-14);
+  EXPECT_NEAR(distance[BAR], std::hypot(0.5, 0.1), 1e-14);
+  EXPECT_GT(distance[INSIDE], 10.); // no constraints
+}
+
+TEST(Voronoi_dual, edges_know_what_is_on_both_sides)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  domains::insert(cdt, {{0.4, 0}, {0.6, 1}}, false);
+  CGAL::npbs_relax(cdt, P::sizing_function(0.1));
+  const Dual dual(cdt);
+  for (const auto& f : dual.faces()) {
+    EXPECT_TRUE(f.edge.first->is_in_domain());
+    EXPECT_EQ(f.is_on_boundary, cdt.is_infinite(f.edge.first->neighbor(f.edge.second)));
+    const auto a = dual.cells()[f.first].center, b = dual.cells()[f.second].center,
+               c = f.edge.first->vertex(f.edge.second)->point();
+    EXPECT_EQ(CGAL::orientation(a, b, c), CGAL::LEFT_TURN);
+  }
+}
+
+TEST(Voronoi_dual, seeds_tell_the_domain)
+{
+  const CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(0.25, 0.25, 0.5)});
+  EXPECT_NEAR(dual_checks::total_area(Dual(cdt)), 0.75, 1e-15);
+  const std::vector<Point> in_the_middle{Point(0.5, 0.5)};
+  const Dual middle(cdt, P::seeds(in_the_middle).seeds_are_in_domain(true));
+  expect_valid(middle, 0.25);
+  EXPECT_EQ(middle.cells().size(), 4u);
+  for (auto v : cdt.finite_vertex_handles())
+    EXPECT_EQ(middle.cell_of(v) == Dual::no_cell, v->point().x() < 0.2 || v->point().x() > 0.8);
+}
+
+TEST(Voronoi_dual, of_other_triangulations)
+{
+  using Vb = CGAL::Triangulation_vertex_base_2<K>;
+  using Fb = CGAL::Delaunay_mesh_face_base_2<K>;
+  using Tagged = CGAL::Constrained_Delaunay_triangulation_2<K, CGAL::Triangulation_data_structure_2<Vb, Fb>,
+                                                            CGAL::Exact_predicates_tag>;
+  using Plus = CGAL::Constrained_triangulation_plus_2<Tagged>;
+  Plus plus = domains::make<Plus>({domains::square(0, 0, 1)});
+  domains::insert(plus, {{0.2, 0.1}, {0.7, 0.9}}, false);
+  domains::insert(plus, {{0.2, 0.8}, {0.9, 0.3}}, false); // they cross
+  CGAL::npbs_relax(plus, P::sizing_function(0.1));
+  expect_valid(CGAL::Voronoi_dual_2<Plus>(plus), 1);
+
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<Exact>;
+  Exact_cdt exact = domains::make<Exact_cdt>({domains::square(0, 0, 1)});
+  CGAL::npbs_relax(exact, P::sizing_function(0.2));
+  const CGAL::Voronoi_dual_2 dual(exact); // the parameter is deduced
+  expect_valid(dual, 1);
+
+  using Single = CGAL::Constrained_Delaunay_triangulation_2<CGAL::Simple_cartesian<float>>;
+  const Single single = domains::make<Single>({domains::square(0, 0, 1)});
+  EXPECT_EQ(dual_checks::total_area(CGAL::Voronoi_dual_2<Single>(single)), 1); // points have single precision
+}
+
+TEST(Voronoi_dual, of_a_terrain_is_that_of_its_projection)
+{
+  terrains::Terrain terrain;
+  using Point_3 = terrains::Terrain::Point;
+  const std::vector<Point_3> corners{{0, 0, 1}, {1, 0, 5}, {1, 1, -3}, {0, 1, 2}};
+  terrain.insert_constraint(corners.begin(), corners.end(), true);
+  CGAL::npbs_relax(terrain, P::sizing_function(0.15));
+  const CGAL::Voronoi_dual_2<terrains::Terrain> dual(terrain);
+  expect_valid(dual, 1);
+  const Dual flat(relaxed({domains::square(0, 0, 1)}, 0.15));
+  EXPECT_EQ(dual.quality().smallest_face_ratio, flat.quality().smallest_face_ratio);
+}
+
+TEST(Voronoi_dual, domains_of_the_benchmark_have_no_obtuse_triangle_and_no_negative_face)
+{
+  std::vector<paper::Domain> all = paper::all_domains(1);
+  for (const paper::Domain& finer : paper::all_domains(0.5))
+    all.push_back(finer);
+  for (const paper::Domain& domain : all) {
+    paper::CDT cdt = paper::triangulate(domain);
+    CGAL::npbs_relax(cdt, P::sizing_function(domain.d));
+    const CGAL::Voronoi_dual_2<paper::CDT> dual(cdt);
+    expect_good(dual.quality(), domain.name);
+    expect_valid(dual, area_of_domain(cdt));
+  }
+}
+
+TEST(Voronoi_dual, a_simplified_coast_has_no_obtuse_triangle_and_no_negative_face)
+{
+  CDT cdt = domains::make(rough_outlines::archipelago(1));
+  constexpr double d = 0.15;
+  CGAL::simplify_outline_2(
+    cdt, P::sizing_function(d).relative_outline_tolerance(0.1).minimum_island_area(d * d / 2).minimum_gap(d));
+  CGAL::npbs_relax(cdt, P::sizing_function(d));
+  const Dual dual(cdt);
+  expect_good(dual.quality(), "archipelago");
+  expect_valid(dual, area_of_domain(cdt));
+}
+
+TEST(Voronoi_dual, refuses_what_has_no_cells)
+{
+  const auto make = [](const CDT& cdt) { return [&cdt] { Dual dual(cdt); }; };
+  CDT empty, open = domains::make({}), no_boundary = domains::make({domains::square(0, 0, 1)});
+  expect_invalid(make(empty), {"0 vertices", "dimension -1"});
+  domains::insert(open, {{0, 0}, {1, 0}, {1, 1}}, false);
+  expect_invalid(make(open), {"no face lies in the domain", "only one constraint ends at (0, 0)"});
+  no_boundary.insert(Point(2, 0.5));
+  for (auto f : no_boundary.finite_face_handles())
+    f->set_in_domain(true);
+  expect_invalid(make(no_boundary), {"the edge from", "(2, 0.5)", "must be constrained"});
+  CDT huge = domains::make({{{0, 0}, {1e100, 0}, {0, 1e100}}});
+  expect_invalid(make(huge), {"1e+100", "at most 1e+90"});
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<Exact>;
+  Exact_cdt flat;
+  const Exact::FT height = Exact::FT(1e-200) * Exact::FT(1e-200); // 0 in double
+  const std::vector<Exact::Point_2> corners{{0, 0}, {1, 0}, {0.5, height}};
+  flat.insert_constraint(corners.begin(), corners.end(), true);
+  expect_invalid([&] { CGAL::Voronoi_dual_2<Exact_cdt> dual(flat); }, {"triangle at (", "too flat"});
+}
+
+TEST(Voronoi_dual, statistics_are_printed)
+{
+  const Dual dual(domains::make({{{0, 0}, {4, 0}, {2, 1}}}));
+  std::ostringstream out;
+  out.precision(3);
+  out << dual.quality() << 0.123456;
+  EXPECT_EQ(out.str(), "  cells, faces                        3, 3\n"
+                       "  smallest area                       -0.25\n"
+                       "  smallest face over distance         -0.375 at (2, 0)\n"
+                       "  faces of length 0, negative         0, 1\n"
+                       "  obtuse triangles, at constraints    1, 1\n"
+                       "  largest error of orthogonality      0\n"
+                       "  largest offset of midpoints         0\n"
+                       "0.123");
+}
+
+namespace {
+
+/// the numbers of an array of a .vtu
+template <class T>
+std::vector<T> array_of(const std::string& vtu, const std::string& name)
+{
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t at = vtu.find("Name=\"" + name + "\"");
+  EXPECT_NE(at, std::string::npos) << name;
+  const std::size_t begin = vtu.find('>', at) + 1, end = vtu.find('<', begin);
+  std::string bytes;
+  for (std::size_t k = begin; k < end; k += 4) {
+    unsigned four = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      four = four << 6 | (vtu[k + i] == '=' ? 0u : static_cast<unsigned>(digits.find(vtu[k + i])));
+    for (int shift : {16, 8, 0})
+      bytes += static_cast<char>(four >> shift & 255);
+  }
+  std::uint64_t size = 0;
+  std::memcpy(&size, bytes.data(), sizeof size);
+  std::vector<T> values(size / sizeof(T));
+  std::memcpy(values.data(), bytes.data() + sizeof size, size);
+  return values;
+}
+
+} // namespace
+
+TEST(Voronoi_dual, cells_are_written_for_paraview)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  CGAL::Constraint_marker_map_2<CDT> markers(7);
+  CGAL::npbs_relax(cdt, P::sizing_function(0.2));
+  const Dual dual(cdt, P::edge_marker_map(markers));
+  std::vector<double> values;
+  for (const auto& c : dual.cells())
+    values.push_back(c.center.x());
+  std::ostringstream out;
+  EXPECT_TRUE(CGAL::IO::write_VTU_of_cells(out, dual, values));
+  const std::string vtu = out.str();
+  const std::size_t cells = dual.cells().size(), lines = dual.boundary_parts().size();
+  EXPECT_NE(vtu.find("NumberOfCells=\"" + std::to_string(cells + lines) + "\""), std::string::npos);
+  const auto types = array_of<std::uint8_t>(vtu, "types");
+  const auto offsets = array_of<std::int64_t>(vtu, "offsets"),
+             connectivity = array_of<std::int64_t>(vtu, "connectivity"), cell = array_of<std::int64_t>(vtu, "cell");
+  const auto points = array_of<double>(vtu, "Points"), area = array_of<double>(vtu, "area"),
+             value = array_of<double>(vtu, "value");
+  const auto marker = array_of<std::int32_t>(vtu, "marker"), dimension = array_of<std::int32_t>(vtu, "dimension");
+  ASSERT_EQ(types.size(), cells + lines);
+  ASSERT_EQ(offsets.size(), types.size());
+  ASSERT_EQ(marker.size(), types.size());
+  EXPECT_EQ(offsets.back(), std::int64_t(connectivity.size()));
+  double sum = 0;
+  for (std::size_t k = 0; k < types.size(); ++k) {
+    const bool is_polygon = k < cells;
+    EXPECT_EQ(types[k], is_polygon ? 7 : 3);
+    EXPECT_EQ(dimension[k], is_polygon ? 2 : 1);
+    EXPECT_EQ(marker[k], is_polygon ? 0 : 7);
+    EXPECT_EQ(std::isnan(area[k]), !is_polygon);
+    if (is_polygon) {
+      EXPECT_EQ(value[k], values[std::size_t(cell[k])]);
+      EXPECT_EQ(area[k], dual.cells()[std::size_t(cell[k])].area);
+    }
+    const std::int64_t begin = k == 0 ? 0 : offsets[k - 1], end = offsets[k];
+    for (std::int64_t c = begin; is_polygon && c < end; ++c) {
+      const auto p = 3 * std::size_t(connectivity[std::size_t(c)]),
+                 q = 3 * std::size_t(connectivity[std::size_t(c + 1 < end ? c + 1 : begin)]);
+      ASSERT_LT((std::max)(p, q) + 2, points.size());
+      sum += 0.5 * (points[p] * points[q + 1] - points[p + 1] * points[q]);
+    }
+  }
+  EXPECT_NEAR(sum, 1, 1e-13);
+  expect_invalid([&] { CGAL::IO::write_VTU_of_cells(out, dual, {1.}); }, {"values", "1 for", "cells"});
+}
