@@ -19,7 +19,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <type_traits>
 
 /// \file
@@ -55,14 +54,6 @@ struct Is_given
 template <class NamedParameters>
 using Concurrency = std::decay_t<typename internal_np::Lookup_named_param_def<
   internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type>;
-
-/// what `checkpoint(path, every)` asks for; counts are given as any number
-template <class Count>
-struct Checkpoint_request
-{
-  std::string path;
-  Count every;
-};
 
 /// what `grid_cells(nx, ny)` asks for, and `grid_cells(n)` with n for both
 template <class Count>
@@ -101,24 +92,11 @@ struct Bubble_relaxation_named_parameters : Named_function_parameters<T, Tag, Ba
 #include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
 #undef CGAL_bubble_relaxation_setter
 
-  // the setters with two arguments
-  template <class Count>
-  auto checkpoint(const std::string& path, const Count& every) const
-  {
-    return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
-  }
-
+  // the setter with two arguments
   template <class Count>
   auto grid_cells(const Count& nx, const Count& ny) const
   {
     return grid_cells(Bubble_relaxation_2::internal::Grid_cells_request<Count>{nx, ny});
-  }
-
-  /// a literal is no value that could be kept
-  template <std::size_t n>
-  auto restart_from(const char (&path)[n]) const
-  {
-    return restart_from(std::string(path));
   }
 };
 
@@ -145,21 +123,9 @@ namespace Bubble_relaxation_parameters {
 #undef CGAL_bubble_relaxation_setter
 
 template <class Count>
-auto checkpoint(const std::string& path, const Count& every)
-{
-  return checkpoint(Bubble_relaxation_2::internal::Checkpoint_request<Count>{path, every});
-}
-
-template <class Count>
 auto grid_cells(const Count& nx, const Count& ny)
 {
   return grid_cells(Bubble_relaxation_2::internal::Grid_cells_request<Count>{nx, ny});
-}
-
-template <std::size_t n>
-auto restart_from(const char (&path)[n])
-{
-  return restart_from(std::string(path));
 }
 #endif // DOXYGEN_RUNNING
 

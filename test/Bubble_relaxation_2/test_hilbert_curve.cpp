@@ -31,7 +31,7 @@ struct Cell
 const CGAL::Bbox_2 box(0, 0, 1, 1);
 
 /// Quarter by quarter, the first one below on the left, the last one below on the right; in both of these the curve is
-/// mirrored at a diagonal. Checkpoints rely on this curve and no other.
+/// mirrored at a diagonal. The parts of ranks rely on this curve.
 Hilbert_curve_2::Key key_by_quarters(std::uint32_t x, std::uint32_t y, int depth)
 {
   Hilbert_curve_2::Key key = 0;

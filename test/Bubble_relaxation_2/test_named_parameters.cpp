@@ -108,25 +108,6 @@ TEST(Named_parameters, interval_of_exchanges)
   EXPECT_THROW(read_options(P::exchange_interval(0.5)), std::invalid_argument);
 }
 
-TEST(Named_parameters, checkpoints)
-{
-  const auto none = read_options(P::default_values());
-  EXPECT_TRUE(none.checkpoint_path.empty());
-  EXPECT_TRUE(none.restart_path.empty());
-  const auto o = read_options(P::checkpoint("a", 3).mass(2.).restart_from("b"));
-  EXPECT_EQ(o.checkpoint_path, "a");
-  EXPECT_EQ(o.rounds_per_checkpoint, 3u);
-  EXPECT_EQ(o.restart_path, "b");
-  EXPECT_EQ(o.mass, 2);
-  EXPECT_EQ(read_options(P::mass(1.).checkpoint(std::string("c"), 2.)).rounds_per_checkpoint, 2u);
-  EXPECT_EQ(read_options(P::restart_from(std::string("d")).mass(1.)).restart_path, "d");
-  EXPECT_THROW(read_options(P::checkpoint("a", 0)), std::invalid_argument);
-  EXPECT_THROW(read_options(P::checkpoint("a", -1)), std::invalid_argument);
-  EXPECT_THROW(read_options(P::checkpoint("a", 1.5)), std::invalid_argument);
-  EXPECT_THROW(read_options(P::checkpoint("", 1)), std::invalid_argument);
-  EXPECT_THROW(read_options(P::restart_from("")), std::invalid_argument);
-}
-
 TEST(Named_parameters, the_last_setter_wins)
 {
   EXPECT_EQ(read_options(CGAL::npbs_paper_parameters().time_step(0.5)).time_step, 0.5);

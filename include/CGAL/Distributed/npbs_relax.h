@@ -70,34 +70,6 @@ same values on all ranks. Those listed below differ from there.
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{as in `CGAL::npbs_relax()`}
   \cgalParamNEnd
-  \cgalParamNBegin{checkpoint}
-    \cgalParamDescription{`checkpoint(path, every)` has the ranks write the state of the simulation to the file `path`
-                          after every `every` rounds, when bubbles have been inserted and deleted; not after the last
-                          round. The file has the same bytes for any number of ranks. It is written beside, as
-                          `path` + ".part", and takes the place of the last one only when all of it is on the disk:
-                          whenever the ranks are stopped, one of both is there and whole. All ranks must be able to
-                          write the file, and must give the same path}
-    \cgalParamType{`std::string` and a positive number}
-    \cgalParamDefault{no checkpoint is written}
-    \cgalParamExtra{Throws `std::invalid_argument` on all ranks, before anything is done, if no file can be written
-                    there; and `std::runtime_error` on all ranks if one cannot be written later, for example because
-                    the disk is full. The last checkpoint stays.}
-  \cgalParamNEnd
-  \cgalParamNBegin{restart_from}
-    \cgalParamDescription{the path of a checkpoint. No bubbles are placed; the simulation goes on from the file, on any
-                          number of ranks, to the bits that it would have had without the interruption: points, ids
-                          and the counts of the report. Its seconds start from zero. With `exchange_interval()` this
-                          holds on one rank. The domain, the sizing function and the parameters must be those of the
-                          simulation that wrote it, but for `number_of_rounds`, `callback`, `checkpoint`,
-                          `defect_treatment` and `maximum_number_of_bubbles`; with another `number_of_rounds` it is
-                          not the same simulation from here on}
-    \cgalParamType{`std::string`}
-    \cgalParamDefault{the simulation starts anew}
-    \cgalParamExtra{Throws on all ranks, before anything is done: `std::invalid_argument` if the file is no checkpoint,
-                    or of another version or byte order, or was written for another domain, sizing function or
-                    parameter (the message names it), or if no round is left; `std::runtime_error` if it cannot be read,
-                    is truncated or was altered.}
-  \cgalParamNEnd
   \cgalParamNBegin{exchange_interval}
     \cgalParamDescription{`0`: ranks tell each other after each step where their bubbles are, and the result does not
                           depend on the number of ranks. `s` > 0: the protocol of the paper, for comparison. Ranks
@@ -131,8 +103,7 @@ this rank. After a callback has returned `false` it tells only what was done unt
 
 \throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a parameter is out of its range,
 or not the same as on others, if there is no domain on one, if the domain is not the same on all, or if a point is not
-finite, not in the domain, or in one place with another; if points are given but no `sizing_function`, or points that
-would not be used beside `restart_from`
+finite, not in the domain, or in one place with another; or if points are given but no `sizing_function`
 \throws std::length_error on all ranks if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the
 bubbles on them

@@ -160,8 +160,6 @@ TEST(Distributed_faults, points_on_one_rank)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expect_point_is_refused("1 points on all ranks together, but there is no sizing_function", Point(0.75, 0.75),
                           parameters::mass(1.));
-  expect_point_is_refused("1 points on all ranks together, but the simulation starts from the file", Point(0.75, 0.75),
-                          np.restart_from("some file"));
   expect_point_is_refused("(100, 0.75) is not in the domain", Point(100, 0.75), np);
   expect_point_is_refused("must be finite", Point(nan, 0.75), np);
 }

@@ -346,27 +346,6 @@ TEST(Distributed_relaxation, paper_parameters)
                      CGAL::npbs_paper_parameters().sizing_function(d.d).number_of_rounds(3).number_of_iterations(40));
 }
 
-TEST(Distributed_relaxation, from_a_checkpoint)
-{
-  const paper::Domain d = paper::square_with_hole(1.5);
-  const paper::CDT cdt = paper::triangulate(d);
-  const auto np = parameters::sizing_function(d.d);
-  const std::string path = "relaxation.checkpoint";
-  Part whole, part;
-  whole.relaxation = CGAL::Distributed::npbs_relax(whole.points, cdt, MPI_COMM_WORLD, np.checkpoint(path, 2));
-  part.relaxation = CGAL::Distributed::npbs_relax(part.points, cdt, MPI_COMM_WORLD, np.restart_from(path));
-  expect_equal(part.relaxation.report, whole.relaxation.report);
-  const All_parts all = gather(part), expected = gather(whole); // pieces may be cut elsewhere
-  ASSERT_EQ(all.nodes.size(), expected.nodes.size());
-  for (std::size_t n = 0; n < all.nodes.size(); ++n) {
-    ASSERT_EQ(all.nodes[n].id, expected.nodes[n].id);
-    ASSERT_EQ(all.nodes[n].place, expected.nodes[n].place);
-    ASSERT_EQ(all.neighbors[n], expected.neighbors[n]);
-  }
-  MPI_Barrier(MPI_COMM_WORLD);
-  std::remove(path.c_str());
-}
-
 TEST(Distributed_relaxation, properties_of_users_stay)
 {
   const paper::Domain d = paper::square_with_hole(1);

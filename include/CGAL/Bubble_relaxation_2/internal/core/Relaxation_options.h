@@ -56,9 +56,6 @@ struct Relaxation_options
   std::shared_ptr<Progress> progress = std::make_shared<Progress>(); ///< copies of the options tell the same
   Threads threads;
   std::size_t exchange_interval = 0;
-  std::string checkpoint_path;           ///< empty: none is written
-  std::size_t rounds_per_checkpoint = 0;
-  std::string restart_path;              ///< empty: the simulation starts anew
 };
 
 [[noreturn]] inline void throw_invalid_parameter(const std::string& name, const std::string& value,

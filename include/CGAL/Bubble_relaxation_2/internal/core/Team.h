@@ -176,9 +176,6 @@ public:
   /// \name Simulation
   /// @{
 
-  /// brings a simulation to where it was interrupted, if it was; returns how many rounds it had until then
-  virtual std::size_t resume(Simulation_2&, Bubbles_2&, Report&) { return 0; }
-
   /// looks for the bubbles of other ranks around ours before the first step
   virtual void look_for_ghosts(Simulation_2&, Bubbles_2&) {}
 
@@ -226,9 +223,6 @@ public:
 
   /// tells other ranks of the bubbles from `first` on, which are new, and adds those of others
   virtual void share_new(Simulation_2&, Bubbles_2&, Index /* first */) {}
-
-  /// keeps where the simulation is now, after a round and its change of the population
-  virtual void end_round(const Simulation_2&, const Bubbles_2&, Report&) {}
 
   /// @}
   /// \name Population

@@ -36,8 +36,6 @@ CGAL_add_named_parameter(minimum_gap_t, minimum_gap, minimum_gap)
 CGAL_add_named_parameter(corner_angle_t, corner_angle, corner_angle)
 CGAL_add_named_parameter(restore_when_stopped_t, restore_when_stopped, restore_when_stopped)
 CGAL_add_named_parameter(exchange_interval_t, exchange_interval, exchange_interval)
-CGAL_add_named_parameter(checkpoint_t, checkpoint, checkpoint)
-CGAL_add_named_parameter(restart_from_t, restart_from, restart_from)
 
 // of influence domains, moving least squares and the element-free Galerkin method
 CGAL_add_named_parameter(influence_search_t, influence_search, influence_search)

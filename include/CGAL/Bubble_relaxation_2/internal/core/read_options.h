@@ -51,25 +51,6 @@ std::size_t read_count(const char* name, T value, std::size_t least,
   return static_cast<std::size_t>(value);
 }
 
-/// Reads where and how often checkpoints are written, and which one is read.
-/// \throws std::invalid_argument naming the parameter
-template <class NamedParameters>
-void read_checkpoint_options(const NamedParameters& np, Relaxation_options& o)
-{
-  if constexpr (Is_given<NamedParameters, internal_np::checkpoint_t>::value) {
-    const auto& request = parameters::get_parameter_reference(np, internal_np::checkpoint);
-    if (request.path.empty())
-      throw std::invalid_argument("Bubble_relaxation_2: parameter checkpoint must have the path of a file");
-    o.checkpoint_path = request.path;
-    o.rounds_per_checkpoint = read_count("checkpoint's number of rounds", request.every, 1);
-  }
-  if constexpr (Is_given<NamedParameters, internal_np::restart_from_t>::value) {
-    o.restart_path = parameters::get_parameter_reference(np, internal_np::restart_from);
-    if (o.restart_path.empty())
-      throw std::invalid_argument("Bubble_relaxation_2: parameter restart_from must be the path of a file");
-  }
-}
-
 /// Takes the value of a parameter if there is one.
 template <class NamedParameters, class Tag, class T>
 void take(const NamedParameters& np, Tag tag, T& value)
@@ -158,7 +139,6 @@ Relaxation_options read_options(const NamedParameters& np)
              1, static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
   take(np, internal_np::restore_when_stopped, o.restore_when_stopped);
   take_count(np, internal_np::exchange_interval, "exchange_interval", o.exchange_interval, 0);
-  read_checkpoint_options(np, o);
   check_options(o);
   return o;
 }

@@ -85,7 +85,7 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Repo
   progress.start_phase(Bubble_phase::SIMULATION);
   Simulation_2 simulation(problem, bubbles, team);
   simulation.rest_coarsely();
-  for (std::size_t round = team.resume(simulation, bubbles, report); round < number_of_rounds; ++round) {
+  for (std::size_t round = 0; round < number_of_rounds; ++round) {
     choose_step(round, problem.options, simulation);
     const Round_result result = simulation.run_round(report.seconds);
     add_to_report(result, simulation.evaluations_per_step(), progress.observer(), report);
@@ -109,7 +109,6 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Repo
     change_population(change, problem.options, simulation, bubbles, team);
     report.number_of_insertions += change.inserted.size();
     report.number_of_deletions += count_ours(bubbles, change.deleted);
-    team.end_round(simulation, bubbles, report);
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
 }

@@ -167,22 +167,16 @@ Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Si
 }
 
 /// Collective. `here`: points that this rank was given.
-/// \throws std::invalid_argument on all ranks if there are any and something that goes with them is missing, or if
-/// they would not be used
-inline void check_given_points(const Communicator& comm, std::size_t here, bool has_sizing_function,
-                               const Relaxation_options& options)
+/// \throws std::invalid_argument on all ranks if there are any and something that goes with them is missing
+inline void check_given_points(const Communicator& comm, std::size_t here, bool has_sizing_function)
 {
   const std::int64_t n = comm.sum(static_cast<std::int64_t>(here));
   if (n == 0)
     return;
-  const std::string points = "Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
-                             "together";
   if (!has_sizing_function)
     comm.throw_on_all(
-      std::invalid_argument(points + ", but there is no sizing_function; no rank has their mesh to take sizes from"));
-  if (!options.restart_path.empty() && !keeps_given_bubbles(options))
-    comm.throw_on_all(std::invalid_argument(points + ", but the simulation starts from the file restart_from = " +
-                                            options.restart_path));
+      std::invalid_argument("Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
+                            "together, but there is no sizing_function; no rank has their mesh to take sizes from"));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

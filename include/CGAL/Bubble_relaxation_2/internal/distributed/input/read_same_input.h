@@ -117,7 +117,7 @@ inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& gi
   check_same(comm, hash.value(), "the domain has not the same vertices on all ranks, or not the same are pinned");
 }
 
-/// the value of a parameter, in a form that any rank, or a later run, can compare and put into words
+/// the value of a parameter, in a form that any rank can compare and put into words
 struct Named_value
 {
   const char* name;
@@ -132,29 +132,6 @@ inline std::string choose_word(double value, std::initializer_list<const char*> 
 }
 
 inline std::string true_or_false(double value) { return choose_word(value, {"false", "true"}); }
-
-/// The parameters on which it depends where bubbles go, once they are placed in some way, as long as they go on.
-inline std::array<Named_value, 15> steering_parameters(const Relaxation_options& o)
-{
-  return {{{"integrator", static_cast<double>(o.integrator), // other defaults depend on it
-            [](double v) { return choose_word(v, {"RUNGE_KUTTA_4", "SEMI_IMPLICIT_EULER"}); }},
-           {"force_coefficient", o.force_coefficient},
-           {"mass", o.mass},
-           {"damping", o.damping},
-           {"time_step", o.time_step},
-           {"number_of_iterations", static_cast<double>(o.number_of_iterations)},
-           {"neighbor_radius", o.neighbor_radius},
-           {"renewal_interval", static_cast<double>(o.renewal_interval)},
-           {"initial_placement", static_cast<double>(o.placement),
-            [](double v) { return choose_word(v, {"KEEP", "RHOMBIC", "FRONTAL"}); }},
-           {"population_control", static_cast<double>(o.population),
-            [](double v) { return choose_word(v, {"NONE", "OVERLAP_RATIO", "DELAUNAY"}); }},
-           {"limit_by_outline", static_cast<double>(o.limit_by_outline), true_or_false},
-           {"size_growth", o.size_growth},
-           {"minimum_angle", o.minimum_angle},
-           {"displacement_tolerance", o.displacement_tolerance},
-           {"exchange_interval", static_cast<double>(o.exchange_interval)}}};
-}
 
 /// Collective. All ranks have values of the same parameters, in the same order.
 /// \throws std::invalid_argument on all ranks if a value is not the same on all, naming the first such parameter
@@ -187,15 +164,31 @@ inline void check_same_values(const Communicator& comm, const std::vector<Named_
 /// \throws std::invalid_argument on all ranks if another parameter is not the same on all
 inline void check_same_options(const Communicator& comm, const Relaxation_options& o)
 {
-  const auto steering = steering_parameters(o);
-  std::vector<Named_value> values(steering.begin(), steering.end());
-  values.insert(values.end(), {
-    {"initial_placement", static_cast<double>(o.placement_is_given),
-     [](double v) { return choose_word(v, {"the default", "given"}); }},
-    {"number_of_rounds", static_cast<double>(o.number_of_rounds)},
-    {"defect_treatment", static_cast<double>(o.defect_treatment), true_or_false},
-    {"maximum_number_of_bubbles", static_cast<double>(o.maximum_number_of_bubbles)}});
-  check_same_values(comm, values);
+  check_same_values(
+    comm,
+    {{"integrator", static_cast<double>(o.integrator), // other defaults depend on it
+      [](double v) { return choose_word(v, {"RUNGE_KUTTA_4", "SEMI_IMPLICIT_EULER"}); }},
+     {"force_coefficient", o.force_coefficient},
+     {"mass", o.mass},
+     {"damping", o.damping},
+     {"time_step", o.time_step},
+     {"number_of_iterations", static_cast<double>(o.number_of_iterations)},
+     {"neighbor_radius", o.neighbor_radius},
+     {"renewal_interval", static_cast<double>(o.renewal_interval)},
+     {"initial_placement", static_cast<double>(o.placement),
+      [](double v) { return choose_word(v, {"KEEP", "RHOMBIC", "FRONTAL"}); }},
+     {"initial_placement", static_cast<double>(o.placement_is_given),
+      [](double v) { return choose_word(v, {"the default", "given"}); }},
+     {"population_control", static_cast<double>(o.population),
+      [](double v) { return choose_word(v, {"NONE", "OVERLAP_RATIO", "DELAUNAY"}); }},
+     {"limit_by_outline", static_cast<double>(o.limit_by_outline), true_or_false},
+     {"size_growth", o.size_growth},
+     {"minimum_angle", o.minimum_angle},
+     {"displacement_tolerance", o.displacement_tolerance},
+     {"exchange_interval", static_cast<double>(o.exchange_interval)},
+     {"number_of_rounds", static_cast<double>(o.number_of_rounds)},
+     {"defect_treatment", static_cast<double>(o.defect_treatment), true_or_false},
+     {"maximum_number_of_bubbles", static_cast<double>(o.maximum_number_of_bubbles)}});
 }
 
 /// Collective. A sizing function cannot be compared, but how many bubbles it asks for in the domain.

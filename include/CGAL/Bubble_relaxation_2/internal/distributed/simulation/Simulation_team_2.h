@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATION_TEAM_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
@@ -34,9 +33,8 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Simulation_team_2 : public Team_of_ranks
 {
 public:
-  Simulation_team_2(Communicator& comm, Checkpoints_2& checkpoints, const Relaxation_options& options)
-    : Team_of_ranks(comm), m_checkpoints(checkpoints),
-      m_interval(options.exchange_interval), m_migration(comm, m_traffic),
+  Simulation_team_2(Communicator& comm, const Relaxation_options& options)
+    : Team_of_ranks(comm), m_interval(options.exchange_interval), m_migration(comm, m_traffic),
       m_halo(comm, m_traffic, options.neighbor_radius), m_moves(comm, m_traffic), m_stages(comm),
       m_population(comm, m_halo),
       m_may_be_stopped(comm.any(options.progress->is_heard())),
@@ -49,20 +47,6 @@ public:
     m_migration.start(partition);
     m_number_of_all = number;
     m_population.start(m_migration.partition(), number);
-  }
-
-  std::size_t resume(Simulation_2& simulation, Bubbles_2& bubbles, Report& report) override
-  {
-    if (!m_checkpoints.is_restart())
-      return 0;
-    m_checkpoints.resume(simulation, report);
-    look_for_ghosts(simulation, bubbles);
-    return report.number_of_rounds;
-  }
-
-  void end_round(const Simulation_2& simulation, const Bubbles_2& bubbles, Report& report) override
-  {
-    m_checkpoints.end_round(simulation, bubbles, partition(), m_population.next_number(), report);
   }
 
   /// Gives the bubbles of each rank their surroundings before the first step.
@@ -361,7 +345,6 @@ private:
     m_migration.send_home(simulation, bubbles);
   }
 
-  Checkpoints_2& m_checkpoints;
   Exchange_interval_2 m_interval;
   Traffic_2 m_traffic;
   Migration_2 m_migration;

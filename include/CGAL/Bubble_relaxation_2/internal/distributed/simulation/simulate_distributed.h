@@ -34,18 +34,15 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
                                           const Problem_2& problem, Report& report,
                                           const Bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
-  Checkpoints_2 checkpoints(comm, hash_of_places(problem.domain, problem.given), problem.options);
-  Simulation_team_2 team(comm, checkpoints, problem.options);
+  Simulation_team_2 team(comm, problem.options);
   Phase_timer placement_time(report.seconds.placement);
   problem.options.progress->start_phase(Bubble_phase::PLACEMENT);
-  Placed_part_2 part = checkpoints.is_restart() ? checkpoints.read(hilbert_curve(problem.domain), problem.sizes)
-                                                : place_distributed(comm, problem, points);
+  Placed_part_2 part = place_distributed(comm, problem, points);
   Bubbles_2& bubbles = part.bubbles;
   bubbles.rank = comm.rank();
   bubbles.owner.assign(bubbles.size(), comm.rank());
-  const std::int64_t number = checkpoints.is_restart() ? checkpoints.number_of_all()
-                                                       : comm.sum(static_cast<std::int64_t>(bubbles.size()));
-  report.number_of_initial_bubbles = static_cast<std::size_t>(number); // a restart will know better
+  const std::int64_t number = comm.sum(static_cast<std::int64_t>(bubbles.size()));
+  report.number_of_initial_bubbles = static_cast<std::size_t>(number);
   team.start(part.partition, number);
   placement_time.stop();
   relax(problem, bubbles, team, report);

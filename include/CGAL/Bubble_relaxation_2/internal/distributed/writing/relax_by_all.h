@@ -11,7 +11,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/checkpoint/Checkpoints_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
@@ -57,6 +56,13 @@ inline void find_slowest(const Communicator& comm, Bubble_relaxation_seconds& s)
   reduce<double>(comm, phases, MPI_MAX);
 }
 
+/// what each rank counts for itself
+inline std::array<std::size_t*, 4> counts_of_rank(Report& report)
+{
+  return {{&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
+           &report.number_of_deletions}};
+}
+
 /// What a rank has when bubbles have been simulated and treated, before its points are changed.
 struct Relaxed_part_2
 {
@@ -80,8 +86,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   const auto input = read_same_input(domain, np, ranks);
   const Progress_scope scope(*input->options.progress);
   const Domain_2& read_domain = input->reading.domain;
-  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value,
-                     input->options);
+  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value);
   Bubbles_2 given;
   ranks.agree_after([&] { given = read_bubbles(points, read_domain, input->limits.sizes); });
   Problem_2 problem = input->problem();
