@@ -35,8 +35,9 @@ if [ "$benchmark" = coasts ] || [ "$benchmark" = dual ]; then
   while read -r name west east south north _; do
     for resolution in low intermediate high; do
       file=output/coasts/${name}_$resolution.txt
-      [ -s "$file" ] || gmt coast "-R$west/$east/$south/$north" "-D${resolution:0:1}" -M -W \
-        --FORMAT_FLOAT_OUT=%.9g --GMT_HISTORY=false > "$file"
+      # in the folder, since gmt leaves a file where it runs
+      [ -s "$file" ] || (cd output/coasts && gmt coast "-R$west/$east/$south/$north" "-D${resolution:0:1}" -M -W \
+        --FORMAT_FLOAT_OUT=%.9g --GMT_HISTORY=false) > "$file"
     done
   done < <(grep -v '^#' output/coasts/coasts.txt)
 fi

@@ -6,10 +6,11 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// What finite-volume codes ask of a mesh: the statistics of the Voronoi cells of the benchmark's domains, and of shores
-// from GSHHG, simplified within a tenth of d, without islands under half of its square and narrows under d, then without
-// those under 2 d. For each mesh its cells, obtuse triangles, those of them at constraints, faces of a negative length,
-// the smallest length of a face over the distance of its cells' centres, and the largest offset of a face's midpoint.
+// What finite-volume codes ask of a mesh: the statistics of the Voronoi cells of the benchmark's domains, and of
+// shores from GSHHG, simplified within a tenth of d, without islands under half of its square and narrows under d,
+// then without those under 2 d. For each mesh its cells, obtuse triangles, those of them at constraints, faces of a
+// negative length, the smallest length of a face over the distance of its cells' centres, and the largest offset of a
+// face's midpoint.
 //
 //   dual [1000 10000] [--coasts FOLDER] [--size 3] [NAME ...]
 //

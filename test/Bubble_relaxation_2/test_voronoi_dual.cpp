@@ -6,26 +6,17 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// The dual of a mesh for finite volumes: what holds for each, and for good ones.
+// The dual of a mesh for finite volumes: what holds for each, whatever it is made of, its markers, statistics and file.
 
 #include "domains.h"
 #include "dual_checks.h"
 #include "expect_throw.h"
-#include "random_seeds.h"
-#include "rough_outlines.h"
-#include "terrains.h"
-
-#include "../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <CGAL/Bubble_relaxation_2/IO/write_VTU_of_cells.h>
 #include <CGAL/Constraint_marker_map_2.h>
-#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Voronoi_dual_2.h>
 #include <CGAL/npbs_relax.h>
-#include <CGAL/simplify_outline_2.h>
 
 #include <gtest/gtest.h>
 
@@ -33,10 +24,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <map>
-#include <random>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -50,58 +38,27 @@ namespace P = CGAL::parameters;
 
 namespace {
 
-CDT relaxed(const std::vector<domains::Outline>& outlines, double d)
+/// the numbers of an array of a .vtu
+template <class T>
+std::vector<T> array_of(const std::string& vtu, const std::string& name)
 {
-  CDT cdt = domains::make(outlines);
-  CGAL::npbs_relax(cdt, P::sizing_function(d));
-  return cdt;
-}
-
-/// what all triangles of the domain have
-template <class Cdt>
-double area_of_domain(const Cdt& cdt)
-{
-  double sum = 0;
-  for (auto f : cdt.finite_face_handles())
-    if (f->is_in_domain())
-      sum += CGAL::to_double(cdt.triangle(f).area());
-  return sum;
-}
-
-/// no triangle is obtuse and no face negative
-void expect_good(const CGAL::Voronoi_quality_2& q, const std::string& name)
-{
-  EXPECT_EQ(q.number_of_obtuse_triangles, 0u) << name;
-  EXPECT_EQ(q.number_of_centers_beyond_constraints, 0u) << name;
-  EXPECT_EQ(q.number_of_negative_faces, 0u) << name;
-  EXPECT_GT(q.smallest_face_ratio, 0.) << name;
-  EXPECT_GT(q.smallest_area, 0.) << name;
-  EXPECT_LT(q.largest_orthogonality_error, 1e-13) << name;
-}
-
-/// Each of random points of the domain lies in the cell of the vertex that is nearest to it.
-void expect_cells_of_nearest(const CDT& cdt, const Dual& dual)
-{
-  const auto soup = dual.polygon_soup();
-  std::vector<CGAL::Polygon_2<K>> polygons(dual.cells().size());
-  for (std::size_t k = 0; k < soup.cells.size(); ++k)
-    for (std::size_t corner : soup.polygons[k])
-      polygons[soup.cells[k]].push_back(soup.points[corner]);
-  std::mt19937 random(random_seeds::seed());
-  std::uniform_real_distribution<double> share(0.05, 1);
-  for (auto f : cdt.finite_face_handles()) {
-    if (!f->is_in_domain())
-      continue;
-    const double a = share(random), b = share(random), c = share(random);
-    const Point p = CGAL::barycenter(f->vertex(0)->point(), a, f->vertex(1)->point(), b, f->vertex(2)->point(), c);
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < dual.cells().size(); ++k)
-      if (CGAL::has_smaller_distance_to_point(p, dual.cells()[k].center, dual.cells()[nearest].center))
-        nearest = k;
-    // roundings put a point on a face on either side of it, which hardly ever comes
-    EXPECT_TRUE(polygons[nearest].is_simple());
-    EXPECT_TRUE(polygons[nearest].has_on_bounded_side(p)) << p;
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t at = vtu.find("Name=\"" + name + "\"");
+  EXPECT_NE(at, std::string::npos) << name;
+  const std::size_t begin = vtu.find('>', at) + 1, end = vtu.find('<', begin);
+  std::string bytes;
+  for (std::size_t k = begin; k < end; k += 4) {
+    unsigned four = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      four = four << 6 | (vtu[k + i] == '=' ? 0u : static_cast<unsigned>(digits.find(vtu[k + i])));
+    for (int shift : {16, 8, 0})
+      bytes += static_cast<char>(four >> shift & 255);
   }
+  std::uint64_t size = 0;
+  std::memcpy(&size, bytes.data(), sizeof size);
+  std::vector<T> values(size / sizeof(T));
+  std::memcpy(values.data(), bytes.data() + sizeof size, size);
+  return values;
 }
 
 } // namespace
@@ -127,71 +84,10 @@ TEST(Voronoi_dual, of_equilateral_triangles)
   EXPECT_LT(dual.quality().largest_midpoint_offset, 1e-15);
 }
 
-TEST(Voronoi_dual, of_a_square_with_hole)
-{
-  const CDT cdt = relaxed({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.07);
-  const Dual dual(cdt);
-  expect_valid(dual, 0.96);
-  expect_good(dual.quality(), "square with hole");
-  expect_cells_of_nearest(cdt, dual);
-}
-
-TEST(Voronoi_dual, of_a_ring)
-{
-  const domains::Outline outer = domains::polygon(0, 0, 1, 60), inner = domains::polygon(0, 0, 0.5, 30);
-  const CDT cdt = relaxed({outer, inner}, 0.1);
-  const Dual dual(cdt);
-  expect_valid(dual, domains::area(outer) - domains::area(inner));
-  expect_good(dual.quality(), "ring");
-  expect_cells_of_nearest(cdt, dual);
-}
-
-TEST(Voronoi_dual, of_an_outline_that_is_not_convex)
-{
-  const domains::Outline bent{{0, 0}, {2, 0}, {2, 1}, {1.2, 1}, {1, 1.6}, {0.4, 1.6}, {0, 1}};
-  const CDT cdt = relaxed({bent}, 0.1);
-  const Dual dual(cdt);
-  expect_valid(dual, domains::area(bent));
-  expect_good(dual.quality(), "bent");
-  expect_cells_of_nearest(cdt, dual);
-}
-
-TEST(Voronoi_dual, of_constraints_within_the_domain)
-{
-  CDT cdt = domains::square_with_inner_constraints<CDT>();
-  CGAL::npbs_relax(cdt, P::sizing_function(0.05));
-  const Dual dual(cdt);
-  expect_valid(dual, 1);
-  EXPECT_EQ(dual.quality().number_of_centers_beyond_constraints, 0u);
-  expect_cells_of_nearest(cdt, dual);
-  std::size_t inner = 0;
-  for (const auto& f : dual.faces()) {
-    EXPECT_EQ(f.is_constrained, cdt.is_constrained(f.edge));
-    inner += f.is_constrained && !f.is_on_boundary;
-    if (f.is_constrained && !f.is_on_boundary) { // it ends on either side of the constraint
-      EXPECT_GT(f.left_length, 0.);
-      EXPECT_GT(f.right_length, 0.);
-    }
-  }
-  EXPECT_GT(inner, 20u);
-}
-
-TEST(Voronoi_dual, of_a_pinned_vertex)
-{
-  CDT cdt = domains::make({domains::square(0, 0, 1)});
-  const std::set<CDT::Vertex_handle> pins{cdt.insert(Point(0.31, 0.47))};
-  CGAL::npbs_relax(cdt, P::sizing_function(0.08).vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}));
-  const Dual dual(cdt);
-  expect_valid(dual, 1);
-  expect_good(dual.quality(), "pin");
-  const auto& cell = dual.cells().at(dual.cell_of(*pins.begin()));
-  EXPECT_EQ(cell.center, Point(0.31, 0.47));
-  EXPECT_NEAR(cell.area, 0.08 * 0.08 * std::sqrt(0.75), 0.05 * 0.08 * 0.08);
-}
-
 TEST(Voronoi_dual, of_a_domain_that_touches_itself)
 {
-  const CDT cdt = relaxed({domains::square(0, 0, 1), domains::square(1, 1, 1)}, 0.2);
+  CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(1, 1, 1)});
+  CGAL::npbs_relax(cdt, P::sizing_function(0.2));
   const Dual dual(cdt);
   expect_valid(dual, 2);
   const auto soup = dual.polygon_soup();
@@ -359,70 +255,6 @@ TEST(Voronoi_dual, seeds_tell_the_domain)
     EXPECT_EQ(middle.cell_of(v) == Dual::no_cell, v->point().x() < 0.2 || v->point().x() > 0.8);
 }
 
-TEST(Voronoi_dual, of_other_triangulations)
-{
-  using Vb = CGAL::Triangulation_vertex_base_2<K>;
-  using Fb = CGAL::Delaunay_mesh_face_base_2<K>;
-  using Tagged = CGAL::Constrained_Delaunay_triangulation_2<K, CGAL::Triangulation_data_structure_2<Vb, Fb>,
-                                                            CGAL::Exact_predicates_tag>;
-  using Plus = CGAL::Constrained_triangulation_plus_2<Tagged>;
-  Plus plus = domains::make<Plus>({domains::square(0, 0, 1)});
-  domains::insert(plus, {{0.2, 0.1}, {0.7, 0.9}}, false);
-  domains::insert(plus, {{0.2, 0.8}, {0.9, 0.3}}, false); // they cross
-  CGAL::npbs_relax(plus, P::sizing_function(0.1));
-  expect_valid(CGAL::Voronoi_dual_2<Plus>(plus), 1);
-
-  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-  using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<Exact>;
-  Exact_cdt exact = domains::make<Exact_cdt>({domains::square(0, 0, 1)});
-  CGAL::npbs_relax(exact, P::sizing_function(0.2));
-  const CGAL::Voronoi_dual_2 dual(exact); // the parameter is deduced
-  expect_valid(dual, 1);
-
-  using Single = CGAL::Constrained_Delaunay_triangulation_2<CGAL::Simple_cartesian<float>>;
-  const Single single = domains::make<Single>({domains::square(0, 0, 1)});
-  EXPECT_EQ(dual_checks::total_area(CGAL::Voronoi_dual_2<Single>(single)), 1); // points have single precision
-}
-
-TEST(Voronoi_dual, of_a_terrain_is_that_of_its_projection)
-{
-  terrains::Terrain terrain;
-  using Point_3 = terrains::Terrain::Point;
-  const std::vector<Point_3> corners{{0, 0, 1}, {1, 0, 5}, {1, 1, -3}, {0, 1, 2}};
-  terrain.insert_constraint(corners.begin(), corners.end(), true);
-  CGAL::npbs_relax(terrain, P::sizing_function(0.15));
-  const CGAL::Voronoi_dual_2<terrains::Terrain> dual(terrain);
-  expect_valid(dual, 1);
-  const Dual flat(relaxed({domains::square(0, 0, 1)}, 0.15));
-  EXPECT_EQ(dual.quality().smallest_face_ratio, flat.quality().smallest_face_ratio);
-}
-
-TEST(Voronoi_dual, domains_of_the_benchmark_have_no_obtuse_triangle_and_no_negative_face)
-{
-  std::vector<paper::Domain> all = paper::all_domains(1);
-  for (const paper::Domain& finer : paper::all_domains(0.5))
-    all.push_back(finer);
-  for (const paper::Domain& domain : all) {
-    paper::CDT cdt = paper::triangulate(domain);
-    CGAL::npbs_relax(cdt, P::sizing_function(domain.d));
-    const CGAL::Voronoi_dual_2<paper::CDT> dual(cdt);
-    expect_good(dual.quality(), domain.name);
-    expect_valid(dual, area_of_domain(cdt));
-  }
-}
-
-TEST(Voronoi_dual, a_simplified_coast_has_no_obtuse_triangle_and_no_negative_face)
-{
-  CDT cdt = domains::make(rough_outlines::archipelago(1));
-  constexpr double d = 0.15;
-  CGAL::simplify_outline_2(
-    cdt, P::sizing_function(d).relative_outline_tolerance(0.1).minimum_island_area(d * d / 2).minimum_gap(d));
-  CGAL::npbs_relax(cdt, P::sizing_function(d));
-  const Dual dual(cdt);
-  expect_good(dual.quality(), "archipelago");
-  expect_valid(dual, area_of_domain(cdt));
-}
-
 TEST(Voronoi_dual, refuses_what_has_no_cells)
 {
   const auto make = [](const CDT& cdt) { return [&cdt] { Dual dual(cdt); }; };
@@ -460,33 +292,6 @@ TEST(Voronoi_dual, statistics_are_printed)
                        "  largest offset of midpoints         0\n"
                        "0.123");
 }
-
-namespace {
-
-/// the numbers of an array of a .vtu
-template <class T>
-std::vector<T> array_of(const std::string& vtu, const std::string& name)
-{
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t at = vtu.find("Name=\"" + name + "\"");
-  EXPECT_NE(at, std::string::npos) << name;
-  const std::size_t begin = vtu.find('>', at) + 1, end = vtu.find('<', begin);
-  std::string bytes;
-  for (std::size_t k = begin; k < end; k += 4) {
-    unsigned four = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      four = four << 6 | (vtu[k + i] == '=' ? 0u : static_cast<unsigned>(digits.find(vtu[k + i])));
-    for (int shift : {16, 8, 0})
-      bytes += static_cast<char>(four >> shift & 255);
-  }
-  std::uint64_t size = 0;
-  std::memcpy(&size, bytes.data(), sizeof size);
-  std::vector<T> values(size / sizeof(T));
-  std::memcpy(values.data(), bytes.data() + sizeof size, size);
-  return values;
-}
-
-} // namespace
 
 TEST(Voronoi_dual, cells_are_written_for_paraview)
 {
