@@ -114,7 +114,7 @@ returns the names of the files that `write_triangle_files()` writes: with the en
 inline std::vector<std::string> triangle_files(const std::string& name)
 {
   std::filesystem::path path(name);
-  const bool has_edges = path.extension() == ".edge";
+  const bool has_edges = path.extension() == ".edge" || path.extension() == ".EDGE";
   const std::string stem = path.replace_extension().string();
   std::vector<std::string> files{stem + ".node", stem + ".ele", stem + ".poly"};
   if (has_edges)
