@@ -12,10 +12,10 @@
 //   mpirun -n 4 distributed_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.pvtu
 // or the first one the whole, in the formats of npbs_mesh, if that has room there.
 
-#include "files/domain_file.h"
 #include "files/file_names.h"
 #include "files/mesh_file.h"
 #include "gathered_mesh.h"
+#include "input_options.h"
 #include "mesh_options.h"
 #include "mesh_warnings.h"
 #include "mpi_session.h"
@@ -39,10 +39,9 @@ po::options_description all_options()
   po::options_description options("distributed_mesh INPUT [options]   meshes a domain by several ranks");
   options.add_options()
     ("help,h", "shows this")
-    ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele with its .node")
     ("output,o", po::value<std::string>(), "the mesh: .pvtu (ParaView), with a .vtu of each rank beside it; or, "
                                            "gathered by the first rank, what npbs_mesh writes");
-  return options.add(output_options()).add(mesh_options());
+  return options.add(input_options()).add(output_options()).add(mesh_options());
 }
 
 bool is_in_parts(const std::string& output) { return extension(output) == ".pvtu"; }
@@ -127,8 +126,12 @@ int run(const Mpi_session& session, int argc, char** argv)
     if (arguments.count("size") > 0)
       formula.emplace(arguments["size"].as<std::string>());
     tags.emplace(arguments);
-    domain.reset(new Domain(read_domain_file(arguments["input"].as<std::string>(), "")));
+    domain.reset(new Domain(read_domain(arguments, "")));
     tags->check(*domain);
+    const Raster_values raster = read_raster(arguments, *domain);
+    tags->set_raster(raster);
+    if (formula)
+      formula->set_raster(raster);
     simplify(*domain, arguments, formula, session.is_first());
     regions = region_attributes(*domain);
     size = limited_size(*domain, arguments, wanted_size(*domain, arguments, formula));

@@ -11,19 +11,24 @@
 
 #include <muParser.h>
 
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-/// A formula in x, y and the attribute `region`, as muParser reads it. Each thread has a parser of its own, which holds
-/// the place that it is at.
+/// the values of a raster at places, if there is one
+using Raster_values = std::function<double(double x, double y)>;
+
+/// A formula in x, y, the attribute `region` and the value `raster`, as muParser reads it. Each thread has a parser of its
+/// own, which holds the place that it is at.
 class Formula
 {
 public:
   /// \param option that has it, for messages
   /// \throws std::runtime_error with one line if `text` is not one formula
-  Formula(const std::string& option, const std::string& text) : m_text(std::make_shared<const std::string>(text))
+  Formula(const std::string& option, const std::string& text)
+    : m_option(option), m_text(std::make_shared<const std::string>(text))
   {
     check_that_nothing_is_assigned(option, text);
     int number_of_values = 0;
@@ -42,9 +47,22 @@ public:
 
   bool uses(const std::string& variable) const { return state().parser.GetUsedVar().count(variable) > 0; }
 
+  /// sets where the variable `raster` comes from
+  /// \throws std::runtime_error if it is used and there is none
+  void set_raster(const Raster_values& raster)
+  {
+    if (!uses("raster"))
+      return;
+    if (!raster)
+      throw std::runtime_error(m_option + ": the variable raster needs --raster");
+    m_raster = raster;
+  }
+
   double operator()(double x, double y, double region = 0) const
   {
     State& s = state();
+    if (m_raster)
+      s.raster = m_raster(x, y);
     s.x = x;
     s.y = y;
     s.region = region;
@@ -59,12 +77,13 @@ private:
       parser.DefineVar("x", &x);
       parser.DefineVar("y", &y);
       parser.DefineVar("region", &region);
+      parser.DefineVar("raster", &raster);
       parser.SetExpr(*text);
     }
 
     std::shared_ptr<const std::string> text;
     mu::Parser parser;
-    double x = 0, y = 0, region = 0;
+    double x = 0, y = 0, region = 0, raster = 0;
   };
 
   State& state() const
@@ -87,7 +106,9 @@ private:
     }
   }
 
+  std::string m_option;
   std::shared_ptr<const std::string> m_text;
+  Raster_values m_raster;
 };
 
 #endif // BUBBLE_RELAXATION_2_DEMO_FORMULA_H

@@ -11,11 +11,11 @@
 // A mesher for the command line:
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
-#include "files/domain_file.h"
 #include "files/file_names.h"
 #include "files/mesh_file.h"
 #include "files/mesh_of_domain.h"
 #include "files/simplify_domain.h"
+#include "input_options.h"
 #include "mesh_options.h"
 #include "mesh_warnings.h"
 #include "output_options.h"
@@ -75,15 +75,14 @@ po::options_description all_options()
   options.add_options()
     ("help,h", "shows this")
     ("version", "shows the version")
-    ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele "
-                                        "with its .node; - is standard input")
-    ("format,f", po::value<std::string>()->default_value(""), "poly or wkt, whatever the ending")
+    ("format,f", po::value<std::string>()->default_value(""), "of the input: poly or wkt, whatever the ending, needed for "
+                                                              "standard input, -; or map, for what else GDAL reads")
     ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh 4.1), .msh2 (2.2), .2dm (SMS), .14, "
                                            ".grd or .gr3 (ADCIRC, SCHISM), or .node, .ele or .edge (Triangle; these, "
                                            "and .poly)")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
     ("threads", po::value<int>()->default_value(1), "threads at most, 0 for all; the mesh is the same");
-  return options.add(output_options()).add(mesh_options());
+  return options.add(input_options()).add(output_options()).add(mesh_options());
 }
 
 void print_version()
@@ -92,6 +91,9 @@ void print_version()
             << mu::Parser().GetVersion(mu::pviBRIEF)
 #ifdef CGAL_LINKED_WITH_TBB
             << ", TBB"
+#endif
+#ifdef BUBBLE_RELAXATION_2_WITH_GDAL
+            << ", GDAL " << GDAL_RELEASE_NAME
 #endif
             << '\n';
 }
@@ -238,15 +240,18 @@ try {
   std::optional<Size_formula> formula;
   if (arguments.count("size") > 0)
     formula.emplace(arguments["size"].as<std::string>());
-  const Output_tags tags(arguments);
-  Domain domain =
-    read_domain_file(arguments["input"].as<std::string>(), arguments["format"].as<std::string>());
+  Output_tags tags(arguments);
+  Domain domain = read_domain(arguments, arguments["format"].as<std::string>());
   const auto warn = [&](const std::string& text) {
     std::cerr << "npbs_mesh: warning: " << input_name(arguments) << ": " << text << '\n';
   };
   for (const std::string& warning : domain.warnings)
     warn(warning);
   tags.check(domain);
+  const Raster_values raster = read_raster(arguments, domain);
+  tags.set_raster(raster);
+  if (formula)
+    formula->set_raster(raster);
   simplify(domain, arguments, formula);
   const Region_map regions = region_attributes(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });

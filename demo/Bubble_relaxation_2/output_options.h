@@ -35,10 +35,12 @@ inline po::options_description output_options()
 {
   po::options_description options;
   options.add_options()
-    ("name", po::value<std::vector<std::string>>(), "MARKER=NAME, or region:ATTRIBUTE=NAME: a name for .msh; as often as "
-                                                    "there are names")
-    ("open", po::value<std::string>(), "markers of open boundaries, such as 2,3, for .14, .grd and .gr3; others are land")
-    ("depth", po::value<std::string>(), "the depth of nodes for these, and data of .vtu and .msh: a formula in x and y");
+    ("name", po::value<std::vector<std::string>>(),
+     "MARKER=NAME, or region:ATTRIBUTE=NAME: a name for .msh; as often as there are names")
+    ("open", po::value<std::string>(),
+     "markers of open boundaries, such as 2,3, for .14, .grd and .gr3; others are land")
+    ("depth", po::value<std::string>(),
+     "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and raster");
   return options;
 }
 
@@ -83,6 +85,13 @@ public:
     for (const auto& name : m_region_names)
       if (regions.count(name.first) == 0)
         throw std::runtime_error("--name: no region has the attribute of '" + name.second + "'");
+  }
+
+  /// \throws std::runtime_error if a raster is needed and there is none
+  void set_raster(const Raster_values& raster)
+  {
+    if (m_depth)
+      m_depth->set_raster(raster);
   }
 
   const std::set<int>& open() const { return m_open; }

@@ -30,6 +30,9 @@ public:
   /// whether it depends on the region
   bool has_region() const { return m_formula.uses("region"); }
 
+  /// \throws std::runtime_error if a raster is needed and there is none
+  void set_raster(const Raster_values& raster) { m_formula.set_raster(raster); }
+
   /// \throws std::runtime_error if d is not positive and finite
   template <class Point_2>
   double operator()(const Point_2& p, double region = 0) const
