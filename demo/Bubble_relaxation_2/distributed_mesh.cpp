@@ -12,13 +12,14 @@
 //   mpirun -n 4 distributed_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.pvtu
 // or the first one the whole, in the formats of npbs_mesh, if that has room there.
 
-#include "files/domain_file.h"
 #include "files/file_names.h"
 #include "files/mesh_file.h"
 #include "gathered_mesh.h"
+#include "input_options.h"
 #include "mesh_options.h"
 #include "mesh_warnings.h"
 #include "mpi_session.h"
+#include "output_options.h"
 
 #include <CGAL/Distributed/npbs_mesh.h>
 #include <CGAL/Point_set_3.h>
@@ -38,10 +39,9 @@ po::options_description all_options()
   po::options_description options("distributed_mesh INPUT [options]   meshes a domain by several ranks");
   options.add_options()
     ("help,h", "shows this")
-    ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele with its .node")
     ("output,o", po::value<std::string>(), "the mesh: .pvtu (ParaView), with a .vtu of each rank beside it; or, "
-                                           "gathered by the first rank, .vtu, .msh (Gmsh), or .node or .ele (Triangle)");
-  return options.add(mesh_options());
+                                           "gathered by the first rank, what npbs_mesh writes");
+  return options.add(input_options()).add(output_options()).add(mesh_options());
 }
 
 bool is_in_parts(const std::string& output) { return extension(output) == ".pvtu"; }
@@ -81,18 +81,10 @@ po::variables_map read_arguments(const Mpi_session& session, int argc, char** ar
   return arguments;
 }
 
-/// Marks the domain, which may be told by nesting alone.
-void mark(Domain& domain)
-{
-  using namespace CGAL::Bubble_relaxation_2::internal;
-  const Domain_marks_2<CDT> is_inside(domain.cdt, CGAL::parameters::default_values());
-  for (CDT::Face_handle f : domain.cdt.finite_face_handles())
-    f->set_in_domain(is_inside(f));
-}
-
 /// makes the mesh, and writes it
 template <class NamedParameters>
-void mesh(const Mpi_session& session, Domain& domain, const po::variables_map& arguments, const NamedParameters& np)
+void mesh(const Mpi_session& session, const Domain& domain, const po::variables_map& arguments, const Output_tags& tags,
+          const NamedParameters& np)
 {
   CGAL::Point_set_3<Point, Kernel::Vector_2> points; // those of this rank
   const auto result = CGAL::Distributed::npbs_mesh(points, domain.cdt, MPI_COMM_WORLD, np);
@@ -110,8 +102,9 @@ void mesh(const Mpi_session& session, Domain& domain, const po::variables_map& a
     session.all_or_none([&] {
       if (!session.is_first())
         return;
-      mark(domain);
-      write_mesh_file(output, whole.arrays(domain, arguments.count("size") > 0));
+      CGAL::Mesh_arrays_2 arrays = whole.arrays(domain, arguments.count("size") > 0);
+      tags.add_to(arrays);
+      write_mesh_file(output, arrays, tags.open());
     });
   }
   if (session.is_first() && arguments.count("quiet") == 0)
@@ -122,6 +115,7 @@ int run(const Mpi_session& session, int argc, char** argv)
 {
   po::variables_map arguments;
   std::unique_ptr<Domain> domain; // whose vertices are pinned by their handles, so it stays where it is
+  std::optional<Output_tags> tags;
   Region_map regions;
   Size size;
   session.all_or_none([&] { // a file may be missing where one rank runs
@@ -131,7 +125,13 @@ int run(const Mpi_session& session, int argc, char** argv)
     std::optional<Size_formula> formula;
     if (arguments.count("size") > 0)
       formula.emplace(arguments["size"].as<std::string>());
-    domain.reset(new Domain(read_domain_file(arguments["input"].as<std::string>(), "")));
+    tags.emplace(arguments);
+    domain.reset(new Domain(read_domain(arguments, "")));
+    tags->check(*domain);
+    const Raster_values raster = read_raster(arguments, *domain);
+    tags->set_raster(raster);
+    if (formula)
+      formula->set_raster(raster);
     simplify(*domain, arguments, formula, session.is_first());
     regions = region_attributes(*domain);
     size = limited_size(*domain, arguments, wanted_size(*domain, arguments, formula));
@@ -147,7 +147,8 @@ int run(const Mpi_session& session, int argc, char** argv)
 
   const auto mesh_with = [&](const auto& parameters) {
     const auto np = mesh_parameters(*domain, regions, arguments, parameters);
-    size ? mesh(session, *domain, arguments, np.sizing_function(size)) : mesh(session, *domain, arguments, np);
+    size ? mesh(session, *domain, arguments, *tags, np.sizing_function(size))
+         : mesh(session, *domain, arguments, *tags, np);
   };
   try {
     arguments.count("paper") > 0 ? mesh_with(CGAL::npbs_paper_parameters())

@@ -9,8 +9,10 @@
 #ifndef BUBBLE_RELAXATION_2_DEMO_GATHERED_MESH_H
 #define BUBBLE_RELAXATION_2_DEMO_GATHERED_MESH_H
 
-#include "files/mesh_arrays.h"
+#include "files/mesh_of_domain.h"
 #include "mpi_session.h"
+
+#include <CGAL/Mesh_arrays_2.h>
 
 #include <algorithm>
 #include <array>
@@ -40,14 +42,13 @@ public:
   }
 
   /// On the first rank. \param domain that was meshed \param has_sizes whether files shall have them
-  Mesh_arrays arrays(const Domain& domain, bool has_sizes) const
+  CGAL::Mesh_arrays_2 arrays(const Domain& domain, bool has_sizes) const
   {
-    Mesh_arrays result;
+    CGAL::Mesh_arrays_2 result;
     for (const Vertex& v : m_vertices) {
       result.points.emplace_back(v.x, v.y);
-      result.point_markers.push_back(point_marker(domain, result.points.back()));
       if (has_sizes)
-        result.sizes.push_back(v.size);
+        result.vertex_data["d"].push_back(v.size);
     }
     const auto number = [this](std::int64_t id) {
       return static_cast<std::size_t>(std::lower_bound(m_vertices.begin(), m_vertices.end(), id,
@@ -56,17 +57,15 @@ public:
     };
     for (const Triangle& t : m_triangles) {
       result.triangles.push_back({number(t.ids[0]), number(t.ids[1]), number(t.ids[2])});
-      if (!domain.regions.empty())
-        result.regions.push_back(t.region);
+      result.regions.push_back(t.region);
     }
-    std::vector<char> is_boundary;
     for (const Line& l : m_lines) {
       result.edges.push_back({number(l.ids[0]), number(l.ids[1])});
       result.edge_markers.push_back(l.marker);
-      is_boundary.push_back(l.number_of_triangles == 1);
     }
-    complete_markers(result, is_boundary);
-    result.holes = points_in_holes(domain.cdt);
+    result.vertex_markers.assign(result.points.size(), 0);
+    add_tags_of_file(domain, result);
+    result.holes = CGAL::Mesh_arrays_2(domain.cdt).holes;
     return result;
   }
 
@@ -86,7 +85,7 @@ private:
   struct Line
   {
     std::array<std::int64_t, 2> ids;
-    std::int32_t marker, number_of_triangles;
+    std::int32_t marker;
   };
 
   template <class Mesh>
@@ -110,7 +109,7 @@ private:
     return result;
   }
 
-  /// those whose end with the smaller id is this rank's, which knows the triangles on both sides then
+  /// those whose end with the smaller id is this rank's
   template <class Mesh>
   static std::vector<Line> lines(const Mesh& mesh)
   {
@@ -127,7 +126,7 @@ private:
         if (mesh.is_ghost(a))
           continue;
         const std::array<std::int64_t, 2> ids{mesh.global_id(a), mesh.global_id(b)};
-        ++known.insert({ids, Line{ids, mesh.marker(t, i), 0}}).first->second.number_of_triangles;
+        known.insert({ids, Line{ids, mesh.marker(t, i)}});
       }
     std::vector<Line> result;
     for (const auto& line : known)

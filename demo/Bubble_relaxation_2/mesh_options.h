@@ -39,8 +39,8 @@ inline po::options_description mesh_options()
   namespace defaults = CGAL::Bubble_relaxation_2::internal;
   po::options_description options;
   options.add_options()
-    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y and region, the attribute of a "
-                                         "region of the domain; default: that of the domain's own edges")
+    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y, raster and region, the attribute "
+                                         "of a region of the domain; default: that of the domain's own edges")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
     ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),

@@ -11,12 +11,14 @@
 // A mesher for the command line:
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
-#include "files/domain_file.h"
 #include "files/file_names.h"
 #include "files/mesh_file.h"
+#include "files/mesh_of_domain.h"
 #include "files/simplify_domain.h"
+#include "input_options.h"
 #include "mesh_options.h"
 #include "mesh_warnings.h"
+#include "output_options.h"
 #include "svg_picture.h"
 
 #include <CGAL/npbs_relax.h>
@@ -73,14 +75,14 @@ po::options_description all_options()
   options.add_options()
     ("help,h", "shows this")
     ("version", "shows the version")
-    ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, or a mesh to relax: .ele "
-                                        "with its .node; - is standard input")
-    ("format,f", po::value<std::string>()->default_value(""), "poly or wkt, whatever the ending")
-    ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh), or .node or .ele "
-                                           "(Triangle; both, and .poly)")
+    ("format,f", po::value<std::string>()->default_value(""), "of the input: poly or wkt, whatever the ending, needed for "
+                                                              "standard input, -; or map, for what else GDAL reads")
+    ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh 4.1), .msh2 (2.2), .2dm (SMS), .14, "
+                                           ".grd or .gr3 (ADCIRC, SCHISM), or .node, .ele or .edge (Triangle; these, "
+                                           "and .poly)")
     ("picture,p", po::value<std::string>(), "a picture of the mesh and its quality, .svg")
     ("threads", po::value<int>()->default_value(1), "threads at most, 0 for all; the mesh is the same");
-  return options.add(mesh_options());
+  return options.add(input_options()).add(output_options()).add(mesh_options());
 }
 
 void print_version()
@@ -89,6 +91,9 @@ void print_version()
             << mu::Parser().GetVersion(mu::pviBRIEF)
 #ifdef CGAL_LINKED_WITH_TBB
             << ", TBB"
+#endif
+#ifdef BUBBLE_RELAXATION_2_WITH_GDAL
+            << ", GDAL " << GDAL_RELEASE_NAME
 #endif
             << '\n';
 }
@@ -188,17 +193,25 @@ try {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
-void write_files(const Domain& domain, const Region_map& regions, const Report& report,
-                 const po::variables_map& arguments, const Size& size)
-{
-  if (arguments.count("output") > 0)
-    write_mesh_file(arguments["output"].as<std::string>(), make_mesh_arrays(domain, regions, size));
+void write_files(Domain& domain, const Region_map& regions, const Report& report, const po::variables_map& arguments,
+                 const Size& size, const Output_tags& tags)
+try {
+  if (arguments.count("output") > 0) {
+    CGAL::Mesh_arrays_2 mesh = mesh_of(domain, regions);
+    tags.add_to(mesh);
+    if (size)
+      for (const Point& p : mesh.points)
+        mesh.vertex_data["d"].push_back(size(p));
+    write_mesh_file(arguments["output"].as<std::string>(), mesh, tags.open());
+  }
   if (arguments.count("picture") > 0) {
     Svg_picture picture;
     picture.add_mesh(domain.cdt, "mesh, coloured by q");
     picture.add_histogram(report.quality, "q = 2 r_in / r_out");
     picture.write(arguments["picture"].as<std::string>());
   }
+} catch (const std::exception& e) {
+  throw std::runtime_error(in_words_of_options(e.what()));
 }
 
 /// `warn(text)` is called for all that should not be in a mesh.
@@ -229,13 +242,18 @@ try {
   std::optional<Size_formula> formula;
   if (arguments.count("size") > 0)
     formula.emplace(arguments["size"].as<std::string>());
-  Domain domain =
-    read_domain_file(arguments["input"].as<std::string>(), arguments["format"].as<std::string>());
+  Output_tags tags(arguments);
+  Domain domain = read_domain(arguments, arguments["format"].as<std::string>());
   const auto warn = [&](const std::string& text) {
     std::cerr << "npbs_mesh: warning: " << input_name(arguments) << ": " << text << '\n';
   };
   for (const std::string& warning : domain.warnings)
     warn(warning);
+  tags.check(domain);
+  const Raster_values raster = read_raster(arguments, domain);
+  tags.set_raster(raster);
+  if (formula)
+    formula->set_raster(raster);
   simplify(domain, arguments, formula);
   const Region_map regions = region_attributes(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
@@ -253,7 +271,7 @@ try {
               << forced_by_outline_message(report, arguments.count("tolerance") > 0,
                                            arguments["size-growth"].as<double>() < 1) << '\n';
   warn_of_mesh(domain, report, arguments, size, warn);
-  write_files(domain, regions, report, arguments, size);
+  write_files(domain, regions, report, arguments, size, tags);
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';
   return 1;

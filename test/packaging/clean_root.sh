@@ -67,6 +67,15 @@ for package in "$@"; do
   dpkg --root="$root" --force-script-chrootless --log=/dev/null --install "$package"
 done
 
+# the links that scripts of packages would have made, to the one of several libraries that serves
+find /usr/lib -lname '/etc/alternatives/*' | while read -r link; do
+  if [ -e "$root$(readlink -f "$link")" ]; then
+    mkdir -p "$root/etc/alternatives"
+    cp -P "$(readlink "$link")" "$root/etc/alternatives/"
+    cp -P "$link" "$root$link"
+  fi
+done
+
 if [ -x "$root/usr/bin/npbs_mesh" ]; then
   cp "$domain" "$root/domain.wkt"
   chroot "$root" /usr/bin/npbs_mesh --version

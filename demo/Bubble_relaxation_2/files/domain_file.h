@@ -13,24 +13,46 @@
 #include "file_names.h"
 #include "triangle_file.h"
 #include "wkt_file.h"
+#ifdef BUBBLE_RELAXATION_2_WITH_GDAL
+#include "ogr_file.h"
+#endif
 
 #include <fstream>
 #include <iostream>
 
-/// Reads .poly, .wkt, or .node and .ele, by the ending of the name.
+/// what GDAL reads
+inline Domain read_map([[maybe_unused]] const std::string& name, [[maybe_unused]] const std::string& field,
+                       [[maybe_unused]] const std::string& crs)
+try {
+#ifdef BUBBLE_RELAXATION_2_WITH_GDAL
+  return Ogr_reader(name, field, crs).read();
+#else
+  throw std::runtime_error("this program was built without GDAL, which reads such files");
+#endif
+} catch (const std::exception& e) {
+  throw std::runtime_error(name + ": " + e.what());
+}
+
+/// Reads .poly, .wkt, .node and .ele, or what GDAL reads, by the ending of the name.
 /// \param name of the file, "-" for standard input
-/// \param format "poly" or "wkt" instead of the ending, if it is not empty
+/// \param format "poly", "wkt" or "map" instead of the ending, if it is not empty
+/// \param field, crs of what GDAL reads, see `Ogr_reader`
 /// \throws std::runtime_error with the name and the place
-inline Domain read_domain_file(const std::string& name, const std::string& format)
+inline Domain read_domain_file(const std::string& name, const std::string& format, const std::string& field,
+                               const std::string& crs)
 {
   const bool is_standard_input = name == "-";
-  if (!format.empty() && format != "poly" && format != "wkt")
-    throw std::runtime_error("--format: '" + format + "' must be poly or wkt");
+  if (!format.empty() && format != "poly" && format != "wkt" && format != "map")
+    throw std::runtime_error("--format: '" + format + "' must be poly or wkt, or map for what GDAL reads");
   if (is_standard_input && format.empty())
     throw std::runtime_error("standard input needs --format poly or --format wkt");
   const std::string ending = format.empty() ? extension(name) : "." + format;
   if (format.empty())
-    check_extension(name, {".poly", ".wkt", ".node", ".ele"});
+    check_extension(name, {".poly", ".wkt", ".node", ".ele", ".geojson", ".shp", ".gpkg"});
+  if (ending == ".geojson" || ending == ".shp" || ending == ".gpkg" || ending == ".map")
+    return read_map(name, field, crs);
+  if (!field.empty() || !crs.empty())
+    throw std::runtime_error(name + ": --field and --crs are for what GDAL reads");
   errno = 0;
   std::ifstream file;
   if (!is_standard_input) {

@@ -9,6 +9,8 @@
 #ifndef BUBBLE_RELAXATION_2_DEMO_FILE_NAMES_H
 #define BUBBLE_RELAXATION_2_DEMO_FILE_NAMES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/files/write_file.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -46,12 +48,6 @@ inline void check_extension(const std::string& name, const std::vector<std::stri
   throw std::runtime_error(name + ": the ending must be " + list);
 }
 
-/// \throws std::runtime_error with the name and the system's reason
-[[noreturn]] inline void throw_not_written(const std::string& name)
-{
-  throw std::runtime_error(name + ": cannot be written: " + std::strerror(errno));
-}
-
 /// Tells that a file cannot be written before the work is done, not after it. Leaves what is there as it is.
 /// \throws std::runtime_error with the name and the system's reason
 inline void check_writable(const std::string& name)
@@ -60,22 +56,11 @@ inline void check_writable(const std::string& name)
   const bool is_there = std::filesystem::exists(name, ignored);
   errno = 0;
   if (!std::ofstream(name, std::ios::app))
-    throw_not_written(name);
+    throw std::runtime_error(name + ": cannot be written: " + std::strerror(errno));
   if (!is_there)
     std::filesystem::remove(name, ignored);
 }
 
-/// Writes a file with `write(stream)`.
-/// \throws std::runtime_error with the name and the system's reason
-template <class Write>
-void write_file(const std::string& name, const Write& write)
-{
-  errno = 0;
-  std::ofstream out(name);
-  if (out)
-    write(out);
-  if (!out || !out.flush())
-    throw_not_written(name);
-}
+using CGAL::Bubble_relaxation_2::internal::write_file;
 
 #endif // BUBBLE_RELAXATION_2_DEMO_FILE_NAMES_H

@@ -11,12 +11,13 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/files/in_xml.h>
+#include <CGAL/Bubble_relaxation_2/internal/files/write_file.h>
 
 #include <CGAL/radius_ratio_2.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <ostream>
 #include <set>
@@ -40,22 +41,6 @@ inline std::string pvtu_stem(const std::string& path)
 inline std::string vtu_path(const std::string& stem, int rank)
 {
   return stem + "_" + std::to_string(rank) + ".vtu";
-}
-
-inline std::string in_xml(const std::string& text)
-{
-  std::string result;
-  for (char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 /// Writes one rank's triangles for ParaView, with the points that they need, and the sides on constraints as lines.
@@ -265,18 +250,6 @@ private:
   std::vector<std::size_t> m_cells;   // triangles, then lines
   std::vector<Array> m_of_points, m_of_cells;
 };
-
-/// \throws std::runtime_error if the file cannot be written
-template <class Write>
-void write_file(const std::string& path, const Write& write)
-{
-  std::ofstream out(path);
-  if (out)
-    write(out);
-  out.close();
-  if (!out)
-    throw std::runtime_error("Bubble_relaxation_2: the file " + path + " cannot be written");
-}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

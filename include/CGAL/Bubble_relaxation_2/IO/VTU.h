@@ -6,26 +6,33 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef BUBBLE_RELAXATION_2_DEMO_VTU_FILE_H
-#define BUBBLE_RELAXATION_2_DEMO_VTU_FILE_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_IO_VTU_H
+#define CGAL_BUBBLE_RELAXATION_2_IO_VTU_H
 
-#include "mesh_arrays.h"
+#include <CGAL/license/Bubble_relaxation_2.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/files/in_xml.h>
+#include <CGAL/Bubble_relaxation_2/internal/files/write_file.h>
+#include <CGAL/Mesh_arrays_2.h>
 #include <CGAL/radius_ratio_2.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
 
-/// Writes a mesh for ParaView: triangles and the pieces of segments, which the cell data `dimension` tells
-/// apart. The arrays are in base64, in lines of XML that any reader takes; CGAL's writer leaves an element
-/// open and its raw bytes are no XML.
+namespace CGAL {
+namespace Bubble_relaxation_2::internal {
+
+/// Writes arrays in base64, in lines of XML that any reader takes.
 class Vtu_writer
 {
 public:
-  Vtu_writer(std::ostream& out, const Mesh_arrays& mesh) : m_out(out), m_mesh(mesh) {}
+  Vtu_writer(std::ostream& out, const Mesh_arrays_2& mesh) : m_out(out), m_mesh(mesh) {}
 
   void write()
   {
@@ -48,9 +55,9 @@ private:
   void write_point_data()
   {
     m_out << "<PointData>\n";
-    array("Int32", "marker", m_mesh.point_markers);
-    if (!m_mesh.sizes.empty())
-      array("Float64", "d", m_mesh.sizes);
+    array("Int32", "marker", m_mesh.vertex_markers);
+    for (const auto& data : m_mesh.vertex_data)
+      array("Float64", data.first, data.second);
     m_out << "</PointData>\n";
   }
 
@@ -79,8 +86,9 @@ private:
   void write_points()
   {
     std::vector<double> coordinates;
-    for (const Point& p : m_mesh.points)
-      coordinates.insert(coordinates.end(), {p.x(), p.y(), 0});
+    for (std::size_t k = 0; k < m_mesh.points.size(); ++k)
+      coordinates.insert(coordinates.end(), {m_mesh.points[k].x(), m_mesh.points[k].y(),
+                                             m_mesh.elevations.empty() ? 0 : m_mesh.elevations[k]});
     m_out << "<Points>\n";
     array("Float64", "Points", coordinates, 3);
     m_out << "</Points>\n";
@@ -107,9 +115,9 @@ private:
   }
 
   template <class T>
-  void array(const char* type, const char* name, const std::vector<T>& values, int components = 1)
+  void array(const char* type, const std::string& name, const std::vector<T>& values, int components = 1)
   {
-    m_out << "<DataArray type=\"" << type << "\" Name=\"" << name;
+    m_out << "<DataArray type=\"" << type << "\" Name=\"" << in_xml(name);
     if (components > 1)
       m_out << "\" NumberOfComponents=\"" << components;
     m_out << "\" format=\"binary\">";
@@ -138,7 +146,45 @@ private:
   }
 
   std::ostream& m_out;
-  const Mesh_arrays& m_mesh;
+  const Mesh_arrays_2& m_mesh;
 };
 
-#endif // BUBBLE_RELAXATION_2_DEMO_VTU_FILE_H
+} // namespace Bubble_relaxation_2::internal
+
+namespace IO {
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+writes a mesh as a `.vtu` file of VTK, for ParaView and others: triangles and the edges on constraints as lines, with the cell
+data `q` (not a number for lines), `dimension` (2 for triangles, 1 for lines), `marker` (of lines), and `region` if there
+are any; and the point data `marker` and those of `vertex_data`. It is XML with arrays in base64. Names are not kept.
+
+\cgal's function of this name writes what faces and constraints a triangulation has, with no tags.
+*/
+inline void write_VTU(std::ostream& out, const Mesh_arrays_2& mesh)
+{
+  mesh.check();
+  const Bubble_relaxation_2::internal::Plain_numbers plain(out);
+  Bubble_relaxation_2::internal::Vtu_writer(out, mesh).write();
+}
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+writes a mesh to the file `name`.
+
+\throws std::runtime_error with the name and the reason if it cannot be written; then it is not there
+*/
+inline void write_VTU(const std::string& name, const Mesh_arrays_2& mesh)
+{
+  mesh.check();
+  Bubble_relaxation_2::internal::write_file(name, [&mesh](std::ostream& out) { write_VTU(out, mesh); });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
+
+#endif // CGAL_BUBBLE_RELAXATION_2_IO_VTU_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_DEMO_RASTER_FILE_H
+#define BUBBLE_RELAXATION_2_DEMO_RASTER_FILE_H
+
+#include "domain.h"
+#include "map_projection.h"
+
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// The first band of a raster, as far as a domain needs it: linear between the centres of its cells. May be asked by
+/// several threads.
+class Raster
+{
+public:
+  /// \throws std::runtime_error with the name and the reason
+  Raster(const std::string& name, const Domain& domain)
+  try : m_file((GDALAllRegister(), GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR))) {
+    if (!m_file || m_file->GetRasterCount() == 0)
+      throw std::runtime_error(m_file ? "has no band; subdatasets have names of their own, which gdalinfo tells"
+                                      : "cannot be opened: " + Quiet_gdal::reason());
+    std::array<double, 6> to_map;
+    if (m_file->GetGeoTransform(to_map.data()) != CE_None || !GDALInvGeoTransform(to_map.data(), m_to_cells.data()))
+      throw std::runtime_error("does not tell where its cells are");
+    const OGRSpatialReference* system = m_file->GetSpatialRef();
+    if (system != nullptr && !domain.crs.empty()) {
+      OGRSpatialReference own = *system, of_domain = reference_system(domain.crs);
+      own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+      if (!own.IsSame(&of_domain))
+        m_projection = projection(of_domain, own);
+    }
+    read_cells(domain);
+    m_file.reset();
+  } catch (const std::exception& e) {
+    throw std::runtime_error("--raster: " + name + ": " + e.what());
+  }
+
+  /// \throws std::runtime_error if the raster has no value there
+  double operator()(double x, double y) const
+  {
+    const std::array<double, 2> cell = in_cells(x, y, my_projection());
+    std::array<int, 2> first;
+    std::array<double, 2> share; // of the cells after the first ones
+    for (std::size_t c = 0; c < 2; ++c) {
+      const double at = cell[c] - m_begin[c] - 0.5;
+      if (!(at >= -0.5 && at <= m_size[c] - 0.5))
+        throw_no_value(x, y);
+      first[c] = static_cast<int>(std::floor(at));
+      share[c] = at - first[c];
+    }
+    double sum = 0, weights = 0;
+    for (int k = 0; k < 4; ++k) {
+      const double weight = (k % 2 ? share[0] : 1 - share[0]) * (k / 2 ? share[1] : 1 - share[1]);
+      const int i = std::clamp(first[0] + k % 2, 0, m_size[0] - 1), j = std::clamp(first[1] + k / 2, 0, m_size[1] - 1);
+      const double value = m_cells[static_cast<std::size_t>(j) * static_cast<std::size_t>(m_size[0]) +
+                                   static_cast<std::size_t>(i)];
+      if (std::isnan(value))
+        continue;
+      sum += weight * value;
+      weights += weight;
+    }
+    if (!(weights > 0))
+      throw_no_value(x, y);
+    return sum / weights;
+  }
+
+private:
+  /// what the domain's box needs, and a few cells more
+  void read_cells(const Domain& domain)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, 2> low{infinity, infinity}, high{-infinity, -infinity};
+    for (CDT::Vertex_handle v : domain.cdt.finite_vertex_handles()) {
+      const std::array<double, 2> cell = in_cells(v->point().x(), v->point().y(), m_projection.get());
+      for (std::size_t c = 0; c < 2; ++c) {
+        low[c] = (std::min)(low[c], cell[c]);
+        high[c] = (std::max)(high[c], cell[c]);
+      }
+    }
+    const std::array<int, 2> all{m_file->GetRasterXSize(), m_file->GetRasterYSize()};
+    for (std::size_t c = 0; c < 2; ++c) { // straight lines between vertices are curved in another projection
+      const double margin = 3 + 0.1 * (high[c] - low[c]);
+      m_begin[c] = static_cast<int>(std::clamp(std::floor(low[c] - margin), 0., 1. * all[c]));
+      m_size[c] = static_cast<int>(std::clamp(std::ceil(high[c] + margin), 0., 1. * all[c])) - m_begin[c];
+      if (m_size[c] <= 0)
+        throw std::runtime_error("has no cells where the domain is");
+    }
+    GDALRasterBand& band = *m_file->GetRasterBand(1);
+    m_cells.resize(static_cast<std::size_t>(m_size[0]) * static_cast<std::size_t>(m_size[1]));
+    if (band.RasterIO(GF_Read, m_begin[0], m_begin[1], m_size[0], m_size[1], m_cells.data(), m_size[0], m_size[1],
+                      GDT_Float64, 0, 0, nullptr) != CE_None)
+      throw std::runtime_error("cannot be read: " + Quiet_gdal::reason());
+    int has_none = 0;
+    const double none = band.GetNoDataValue(&has_none), scale = band.GetScale(), offset = band.GetOffset();
+    for (double& value : m_cells)
+      value = has_none && value == none ? std::nan("") : scale * value + offset;
+  }
+
+  std::array<double, 2> in_cells(double x, double y, OGRCoordinateTransformation* projection) const
+  {
+    const Point given(x, y);
+    if (projection != nullptr && !projection->Transform(1, &x, &y))
+      throw std::runtime_error("the point " + to_string(given) + " cannot be projected");
+    std::array<double, 2> cell;
+    GDALApplyGeoTransform(const_cast<double*>(m_to_cells.data()), x, y, &cell[0], &cell[1]);
+    return cell;
+  }
+
+  /// a projection is of one thread only
+  OGRCoordinateTransformation* my_projection() const
+  {
+    thread_local const Raster* whose = nullptr;
+    thread_local Projection mine;
+    if (whose != this) {
+      mine.reset(m_projection ? m_projection->Clone() : nullptr);
+      whose = this;
+    }
+    return mine.get();
+  }
+
+  [[noreturn]] static void throw_no_value(double x, double y)
+  {
+    throw std::runtime_error("--raster: there is no value at " + to_string(Point(x, y)));
+  }
+
+  Quiet_gdal m_quiet;
+  GDALDatasetUniquePtr m_file; // until its cells are read
+  Projection m_projection;     // from the domain to the raster, nothing if it needs none
+  std::array<double, 6> m_to_cells;
+  std::array<int, 2> m_begin{}, m_size{}; // of the cells that are read
+  std::vector<double> m_cells;            // not a number where there is none
+};
+
+#endif // BUBBLE_RELAXATION_2_DEMO_RASTER_FILE_H

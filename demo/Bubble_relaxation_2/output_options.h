@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef BUBBLE_RELAXATION_2_DEMO_OUTPUT_OPTIONS_H
+#define BUBBLE_RELAXATION_2_DEMO_OUTPUT_OPTIONS_H
+
+#include "files/domain.h"
+#include "files/mesh_file.h"
+#include "formula.h"
+
+#include <CGAL/Mesh_arrays_2.h>
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What the programs for one rank and for several are told of the files that they write.
+
+namespace po = boost::program_options;
+
+inline po::options_description output_options()
+{
+  po::options_description options;
+  options.add_options()
+    ("name", po::value<std::vector<std::string>>(),
+     "MARKER=NAME, or region:ATTRIBUTE=NAME: a name for .msh; as often as there are names")
+    ("open", po::value<std::string>(),
+     "markers of open boundaries, such as 2,3, for .14, .grd and .gr3; others are land")
+    ("depth", po::value<std::string>(),
+     "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and raster");
+  return options;
+}
+
+/// What is said by the user of the mesh that is written.
+class Output_tags
+{
+public:
+  /// \throws std::runtime_error if an option makes no sense
+  explicit Output_tags(const po::variables_map& arguments)
+  {
+    if (arguments.count("name") > 0)
+      for (const std::string& text : arguments["name"].as<std::vector<std::string>>())
+        read_name(text);
+    if (arguments.count("open") > 0) {
+      if (arguments.count("output") == 0 || !is_of_adcirc(arguments["output"].as<std::string>()))
+        throw std::runtime_error("--open needs --output with the ending .14, .grd or .gr3");
+      std::istringstream list(arguments["open"].as<std::string>());
+      for (std::string marker; std::getline(list, marker, ',');)
+        m_open.insert(integer("--open", marker));
+    }
+    if (arguments.count("depth") > 0)
+      m_depth.emplace("--depth", arguments["depth"].as<std::string>());
+    if (m_depth && m_depth->uses("region"))
+      throw std::runtime_error("--depth: a node may lie in several regions; a formula in x and y is needed");
+  }
+
+  /// \throws std::runtime_error if a marker or a region that is named is not in the domain
+  void check(const Domain& domain) const
+  {
+    std::set<int> markers{1}; // of what has none on the boundary
+    for (const auto& s : domain.segment_markers)
+      markers.insert(s.second);
+    std::set<double> regions;
+    for (const Region& region : domain.regions)
+      regions.insert(region.attribute);
+    for (const int marker : m_open)
+      if (markers.count(marker) == 0)
+        throw std::runtime_error("--open: no segment has the marker " + std::to_string(marker));
+    for (const auto& name : m_marker_names)
+      if (markers.count(name.first) == 0)
+        throw std::runtime_error("--name: no segment has the marker " + std::to_string(name.first));
+    for (const auto& name : m_region_names)
+      if (regions.count(name.first) == 0)
+        throw std::runtime_error("--name: no region has the attribute of '" + name.second + "'");
+  }
+
+  /// \throws std::runtime_error if a raster is needed and there is none
+  void set_raster(const Raster_values& raster)
+  {
+    if (m_depth)
+      m_depth->set_raster(raster);
+  }
+
+  const std::set<int>& open() const { return m_open; }
+
+  /// \throws std::runtime_error if a depth is not finite
+  void add_to(CGAL::Mesh_arrays_2& mesh) const
+  {
+    mesh.marker_names = m_marker_names;
+    mesh.region_names = m_region_names;
+    if (!m_depth)
+      return;
+    std::vector<double>& depths = mesh.vertex_data["depth"];
+    for (const Point& p : mesh.points) {
+      depths.push_back((*m_depth)(p.x(), p.y()));
+      if (!std::isfinite(depths.back()))
+        throw std::runtime_error("--depth: at " + to_string(p) + " it must be finite");
+    }
+  }
+
+private:
+  void read_name(const std::string& text)
+  {
+    const std::string region = "region:";
+    const std::size_t at = text.find('=');
+    if (at == std::string::npos || at + 1 == text.size())
+      throw std::runtime_error("--name: '" + text + "' must be MARKER=NAME or region:ATTRIBUTE=NAME");
+    if (text.compare(0, region.size(), region) == 0)
+      m_region_names[number("--name", text.substr(region.size(), at - region.size()))] = text.substr(at + 1);
+    else
+      m_marker_names[integer("--name", text.substr(0, at))] = text.substr(at + 1);
+  }
+
+  static double number(const std::string& option, const std::string& text)
+  {
+    std::istringstream in(text);
+    double value = 0;
+    if (!(in >> value) || !(in >> std::ws).eof())
+      throw std::runtime_error(option + ": '" + text + "' is not a number");
+    return value;
+  }
+
+  static int integer(const std::string& option, const std::string& text)
+  {
+    const double value = number(option, text);
+    if (value != std::floor(value) || std::abs(value) > 2e9)
+      throw std::runtime_error(option + ": the marker '" + text + "' must be an integer");
+    return static_cast<int>(value);
+  }
+
+  std::map<int, std::string> m_marker_names;
+  std::map<double, std::string> m_region_names;
+  std::set<int> m_open;
+  std::optional<Formula> m_depth;
+};
+
+#endif // BUBBLE_RELAXATION_2_DEMO_OUTPUT_OPTIONS_H

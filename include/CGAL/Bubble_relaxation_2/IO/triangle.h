@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_IO_TRIANGLE_H
+#define CGAL_BUBBLE_RELAXATION_2_IO_TRIANGLE_H
+
+#include <CGAL/license/Bubble_relaxation_2.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
+
+#include <CGAL/Bubble_relaxation_2/internal/files/write_file.h>
+#include <CGAL/Mesh_arrays_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace CGAL::IO {
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+writes the points of a mesh as a `.node` file of Triangle, with their markers. All of Triangle's files are numbered from 1.
+*/
+inline void write_triangle_node(std::ostream& out, const Mesh_arrays_2& mesh)
+{
+  mesh.check();
+  const Bubble_relaxation_2::internal::Plain_numbers plain(out);
+  out << mesh.points.size() << " 2 0 1\n";
+  for (std::size_t k = 0; k < mesh.points.size(); ++k)
+    out << k + 1 << ' ' << mesh.points[k].x() << ' ' << mesh.points[k].y() << ' ' << mesh.vertex_markers[k] << '\n';
+}
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+writes the triangles of a mesh as an `.ele` file of Triangle, with their regions as attributes if there are any.
+*/
+inline void write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
+{
+  mesh.check();
+  const Bubble_relaxation_2::internal::Plain_numbers plain(out);
+  out << mesh.triangles.size() << " 3 " << (mesh.regions.empty() ? 0 : 1) << '\n';
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto& t = mesh.triangles[k];
+    out << k + 1 << ' ' << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1;
+    if (!mesh.regions.empty())
+      out << ' ' << mesh.regions[k];
+    out << '\n';
+  }
+}
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+writes the edges on constraints of a mesh, with their markers, and its holes, as a `.poly` file of Triangle. Its points are
+those of the `.node` file beside it.
+*/
+inline void write_triangle_poly(std::ostream& out, const Mesh_arrays_2& mesh)
+{
+  mesh.check();
+  const Bubble_relaxation_2::internal::Plain_numbers plain(out);
+  out << "0 2 0 1\n" << mesh.edges.size() << " 1\n";
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k)
+    out << k + 1 << ' ' << mesh.edges[k][0] + 1 << ' ' << mesh.edges[k][1] + 1 << ' ' << mesh.edge_markers[k] << '\n';
+  out << mesh.holes.size() << '\n';
+  for (std::size_t k = 0; k < mesh.holes.size(); ++k)
+    out << k + 1 << ' ' << mesh.holes[k].x() << ' ' << mesh.holes[k].y() << '\n';
+}
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+writes all edges of a mesh as an `.edge` file of Triangle, with their markers, 0 for those on no constraint.
+*/
+inline void write_triangle_edge(std::ostream& out, const Mesh_arrays_2& mesh)
+{
+  mesh.check();
+  const Bubble_relaxation_2::internal::Plain_numbers plain(out);
+  std::map<Mesh_arrays_2::Edge, int> markers;
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k)
+    markers[{(std::min)(mesh.edges[k][0], mesh.edges[k][1]), (std::max)(mesh.edges[k][0], mesh.edges[k][1])}] =
+      mesh.edge_markers[k];
+  std::vector<Mesh_arrays_2::Edge> edges;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back({(std::min)(t[i], t[(i + 1) % 3]), (std::max)(t[i], t[(i + 1) % 3])});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  out << edges.size() << " 1\n";
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const auto found = markers.find(edges[k]);
+    out << k + 1 << ' ' << edges[k][0] + 1 << ' ' << edges[k][1] + 1 << ' '
+        << (found == markers.end() ? 0 : found->second) << '\n';
+  }
+}
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+returns the names of the files that `write_triangle_files()` writes: with the endings `.node`, `.ele` and `.poly`, and
+`.edge` if `name` has that.
+*/
+inline std::vector<std::string> triangle_files(const std::string& name)
+{
+  std::filesystem::path path(name);
+  const bool has_edges = path.extension() == ".edge" || path.extension() == ".EDGE";
+  const std::string stem = path.replace_extension().string();
+  std::vector<std::string> files{stem + ".node", stem + ".ele", stem + ".poly"};
+  if (has_edges)
+    files.push_back(stem + ".edge");
+  return files;
+}
+
+/*!
+\ingroup PkgBubbleRelaxation2Files
+
+writes a mesh for Triangle and its users: the files that `triangle_files()` tells, with markers, attributes of regions, and a
+point in each hole. Names, elevations and data of vertices are not kept.
+
+\throws std::runtime_error with the name of a file and the reason if it cannot be written; then there is none of them
+*/
+inline void write_triangle_files(const std::string& name, const Mesh_arrays_2& mesh)
+{
+  mesh.check();
+  const std::vector<std::string> files = triangle_files(name);
+  void (*const writers[])(std::ostream&, const Mesh_arrays_2&) = {write_triangle_node, write_triangle_ele,
+                                                                  write_triangle_poly, write_triangle_edge};
+  std::size_t k = 0;
+  try {
+    for (; k < files.size(); ++k)
+      Bubble_relaxation_2::internal::write_file(files[k], [&](std::ostream& out) { writers[k](out, mesh); });
+  } catch (...) {
+    std::error_code ignored;
+    while (k-- > 0)
+      std::filesystem::remove(files[k], ignored);
+    throw;
+  }
+}
+
+} // namespace CGAL::IO
+
+#include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
+
+#endif // CGAL_BUBBLE_RELAXATION_2_IO_TRIANGLE_H
