@@ -12,6 +12,7 @@
 #include "dual_checks.h"
 #include "expect_throw.h"
 
+#include <CGAL/Bubble_relaxation_2/IO/DISV.h>
 #include <CGAL/Bubble_relaxation_2/IO/write_VTU_of_cells.h>
 #include <CGAL/Constraint_marker_map_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -21,12 +22,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using domains::CDT;
@@ -338,4 +342,85 @@ TEST(Voronoi_dual, cells_are_written_for_paraview)
   }
   EXPECT_NEAR(sum, 1, 1e-13);
   expect_invalid([&] { CGAL::IO::write_VTU_of_cells(out, dual, {1.}); }, {"values", "1 for", "cells"});
+}
+
+namespace {
+
+/// the words of a block of MODFLOW's
+std::vector<double> numbers_of_block(const std::string& text, const std::string& name)
+{
+  const std::size_t begin = text.find("BEGIN " + name + "\n"), end = text.find("END " + name + "\n");
+  EXPECT_TRUE(begin != std::string::npos && begin < end) << name;
+  std::istringstream in(text.substr(begin + 7 + name.size(), end - begin - 7 - name.size()));
+  std::vector<double> numbers;
+  std::string word;
+  while (in >> word)
+    if (std::isdigit(static_cast<unsigned char>(word.back())))
+      numbers.push_back(std::stod(word));
+  return numbers;
+}
+
+} // namespace
+
+TEST(Voronoi_dual, cells_are_written_for_groundwater)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1), domains::polygon(0.5, 0.5, 0.2, 12)});
+  CGAL::npbs_relax(cdt, 0.1);
+  const Dual dual(cdt);
+  std::ostringstream out;
+  const auto top = [](const Point& p) { return 10 + p.x(); };
+  CGAL::IO::write_DISV(out, dual, top, -2., 3);
+  const std::size_t n = dual.cells().size();
+  const std::vector<double> dimensions = numbers_of_block(out.str(), "DIMENSIONS"),
+                            data = numbers_of_block(out.str(), "GRIDDATA"),
+                            vertices = numbers_of_block(out.str(), "VERTICES"),
+                            cells = numbers_of_block(out.str(), "CELL2D");
+  ASSERT_EQ(dimensions, (std::vector<double>{3, double(n), double(dual.polygon_soup().points.size())}));
+  ASSERT_EQ(data.size(), 4 * (n + 1)); // each array has a factor
+  std::map<std::pair<double, double>, int> sides; // from one vertex to the next
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point& center = dual.cells()[k].center;
+    EXPECT_EQ(data[1 + k], top(center));
+    EXPECT_NEAR(data[n + 2 + k], top(center) - (top(center) + 2) / 3, 1e-14);
+    EXPECT_EQ(data[3 * (n + 1) + 1 + k], -2);
+    ASSERT_EQ(cells[at], k + 1);
+    EXPECT_EQ(Point(cells[at + 1], cells[at + 2]), center);
+    const auto corners = static_cast<std::size_t>(cells[at + 3]);
+    at += 4;
+    double twice_area = 0;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double u = cells[at + i], v = cells[at + (i + 1) % corners];
+      const auto place = [&](double number) { return 3 * (static_cast<std::size_t>(number) - 1); };
+      ASSERT_EQ(vertices[place(u)], u);
+      twice_area += vertices[place(u) + 1] * vertices[place(v) + 2] - vertices[place(u) + 2] * vertices[place(v) + 1];
+      ++sides[{u, v}];
+    }
+    at += corners;
+    EXPECT_NEAR(twice_area / 2, -dual.cells()[k].area, 1e-14); // clockwise
+  }
+  EXPECT_EQ(at, cells.size());
+  std::size_t shared = 0;
+  for (const auto& side : sides) {
+    EXPECT_EQ(side.second, 1);
+    shared += sides.count({side.first.second, side.first.first});
+  }
+  EXPECT_EQ(shared, 2 * dual.faces().size()); // cells with a face in common have two vertices in common
+}
+
+TEST(Voronoi_dual, what_is_no_groundwater_is_refused)
+{
+  std::ostringstream out;
+  CDT square = domains::make({domains::square(0, 0, 1)}), obtuse = domains::make({{{0, 0}, {4, 0}, {2, 1}}}),
+      touching = domains::make({domains::square(0, 0, 1), domains::square(1, 1, 1)});
+  CGAL::npbs_relax(touching, 0.2);
+  const auto write = [&out](const CDT& cdt, double top, double bottom, std::size_t layers) {
+    CGAL::IO::write_DISV(out, Dual(cdt), top, bottom, layers);
+  };
+  expect_invalid([&] { write(square, 1, 0, 0); }, {"number_of_layers"});
+  expect_invalid([&] { write(square, 1, 1, 1); }, {"top is not above bottom at (0, 0)"});
+  expect_invalid([&] { write(square, std::nan(""), 1, 1); }, {"parameter top is not finite at (0, 0)"});
+  expect_invalid([&] { write(obtuse, 1, 0, 1); }, {"1 faces", "negative lengths", "midpoint (2, 0)"});
+  expect_invalid([&] { write(touching, 1, 0, 1); }, {"touches itself at (1, 1)"});
+  EXPECT_EQ(out.str(), "");
 }
