@@ -102,6 +102,7 @@ private:
       m_system = *first->GetSpatialRef();
     m_system->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     m_domain.crs = in_wkt(*m_system);
+    m_domain.crs_of_file = in_wkt(*first->GetSpatialRef());
   }
 
   /// equal areas, and lengths true in the middle of a layer
