@@ -29,7 +29,7 @@ if(TARGET npbs_mesh)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION math)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-      "npbs_mesh reads outlines in WKT or Triangle's formats and writes meshes for ParaView, Gmsh and Triangle.")
+      "npbs_mesh reads outlines and writes meshes for ParaView, Gmsh, SMS, ADCIRC, SCHISM and Triangle.")
 endif()
 
 # what Debian wants to find beside each package; other ways to install have the licence under its own name

@@ -7,6 +7,7 @@ cd "$here"
 
 scripts/install_dependencies.sh
 scripts/install_dependencies.sh clang # its warnings are others
+scripts/install_dependencies.sh gmsh python3-meshio # they read files that are written
 export CTEST_PARALLEL_LEVEL=2
 export CCACHE_SLOPPINESS=pch_defines,time_macros # else it keeps nothing that uses precompiled headers
 

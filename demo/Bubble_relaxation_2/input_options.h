@@ -29,11 +29,12 @@ inline po::options_description input_options()
 {
   po::options_description options;
   options.add_options()
-    ("input", po::value<std::string>(), "the domain: .poly (Triangle), .wkt, a mesh to relax: .ele with its .node; and with "
-                                        "GDAL .geojson, .shp, .gpkg")
-    ("field", po::value<std::string>()->default_value(""), "of what GDAL reads: the field that is the marker of a feature")
-    ("crs", po::value<std::string>()->default_value(""), "of what GDAL reads: the reference system to project to, such as "
-                                                         "EPSG:32632; default: degrees to metres")
+    ("input", po::value<std::string>(),
+     "the domain: .poly (Triangle), .wkt, a mesh to relax: .ele with its .node; and with GDAL .geojson, .shp, .gpkg")
+    ("field", po::value<std::string>()->default_value(""),
+     "of what GDAL reads: the field that is the marker of a feature")
+    ("crs", po::value<std::string>()->default_value(""),
+     "of what GDAL reads: the reference system to project to, such as EPSG:32632; default: degrees to metres")
     ("raster", po::value<std::string>(), "what GDAL reads, such as a .tif or .nc: the variable raster of formulas");
   return options;
 }

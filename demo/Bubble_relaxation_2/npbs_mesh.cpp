@@ -75,8 +75,8 @@ po::options_description all_options()
   options.add_options()
     ("help,h", "shows this")
     ("version", "shows the version")
-    ("format,f", po::value<std::string>()->default_value(""), "of the input: poly or wkt, whatever the ending, needed for "
-                                                              "standard input, -; or map, for what else GDAL reads")
+    ("format,f", po::value<std::string>()->default_value(""),
+     "of the input: poly or wkt, whatever the ending, needed for standard input, -; or map, for what else GDAL reads")
     ("output,o", po::value<std::string>(), "the mesh: .vtu (ParaView), .msh (Gmsh 4.1), .msh2 (2.2), .2dm (SMS), .14, "
                                            ".grd or .gr3 (ADCIRC, SCHISM), or .node, .ele or .edge (Triangle; these, "
                                            "and .poly)")

@@ -12,7 +12,7 @@ INTERNAL = os.path.join(os.path.dirname(__file__), "..", "..", "include", "CGAL"
 STAGES = [("outline_simplification", 5.4, 0.1, 1.6), ("transfer", 4.66, 0.1, 0.74), ("adaptation", 3.8, 0.1, 0.86),
           ("reading", 0, 1, 1), ("placement", 1, 2, 1), ("simulation", 2, 2, 1),
           ("population", 3, 2, 1), ("treatment", 4, 2, 1), ("quality", 5, 2, 1), ("writing", 6, 1, 1),
-          ("dual", 6, 2, 1)]
+          ("dual", 6, 1.9, 1), ("files", 6, 2.6, 1)]
 FRAMES = [("engine", 1, 1, 5), ("relaxation", 1.06, 1.48, 2.88)]
 SHELVES = [("corners", 0, 3.28, 1), ("sizes", 1, 3.28, 1), ("fields", 2, 3.28, 1), ("domain", 3, 3.28, 1), ("geometry", 4, 3.28, 2),
            ("core", 6, 3.28, 1)]

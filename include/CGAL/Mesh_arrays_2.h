@@ -37,8 +37,8 @@ namespace CGAL {
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-The mesh of a domain in arrays, with all that files keep of it: what the functions of `CGAL::IO` write. It is made from a
-triangulation, which converts to it, or filled by hand.
+The mesh of a domain in arrays, with all that files keep of it: what the functions of `CGAL::IO` write. It is made from
+a triangulation, which converts to it, or filled by hand.
 
 Points, triangles and edges are numbered from 0 here; the formats number from 0 or 1 as is their custom.
 
@@ -72,8 +72,8 @@ struct Mesh_arrays_2
   /*!
   takes the part of a triangulation that lies in the domain.
 
-  Tags are numbers, enumerators, or names. Names are numbered from 1 in their alphabetical order, the empty one is 0, and
-  `marker_names` and `region_names` are filled.
+  Tags are numbers, enumerators, or names. Names are numbered from 1 in their alphabetical order, the empty one is 0,
+  and `marker_names` and `region_names` are filled.
 
   \tparam CDT as of `npbs_relax()`
 
@@ -90,8 +90,8 @@ struct Mesh_arrays_2
     \cgalParamNEnd
     \cgalParamNBegin{edge_marker_map}
       \cgalParamDescription{markers of constraints}
-      \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key, the
-                     ends of an edge as `make_sorted_pair()` sorts them, such as `Constraint_marker_map_2`}
+      \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key,
+                     the ends of an edge as `make_sorted_pair()` sorts them, such as `Constraint_marker_map_2`}
       \cgalParamDefault{edges of the boundary have the marker 1, others 0}
     \cgalParamNEnd
     \cgalParamNBegin{face_region_map}

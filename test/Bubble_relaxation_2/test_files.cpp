@@ -120,8 +120,10 @@ Mesh expected(const Mesh_arrays_2& arrays)
   Mesh mesh;
   for (std::size_t k = 0; k < arrays.points.size(); ++k)
     mesh.points[k + 1] = {arrays.points[k].x(), arrays.points[k].y(), 0};
-  for (std::size_t k = 0; k < arrays.edges.size(); ++k)
-    mesh.lines.push_back({{arrays.edges[k][0] + 1, arrays.edges[k][1] + 1}, arrays.edge_markers[k] == 0 ? 6. : arrays.edge_markers[k]});
+  for (std::size_t k = 0; k < arrays.edges.size(); ++k) {
+    const double group = arrays.edge_markers[k] == 0 ? 6 : arrays.edge_markers[k]; // the next one that is free
+    mesh.lines.push_back({{arrays.edges[k][0] + 1, arrays.edges[k][1] + 1}, group});
+  }
   for (std::size_t k = 0; k < arrays.triangles.size(); ++k) {
     const auto& t = arrays.triangles[k];
     mesh.triangles.push_back({{t[0] + 1, t[1] + 1, t[2] + 1}, arrays.regions[k]});

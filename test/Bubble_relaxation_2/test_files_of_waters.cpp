@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// Files for models of oceans and rivers, whose boundaries are lists of nodes: each edge of the boundary is in one of them,
-// in the right order.
+// Files for models of oceans and rivers, whose boundaries are lists of nodes: each edge of the boundary is in one of
+// them, in the right order.
 
 #include "domains.h"
 #include "file_readers.h"
@@ -31,8 +31,8 @@ using Nodes = std::vector<std::size_t>;
 
 namespace {
 
-/// A rectangle with two islands and a pier inside: 1 to the left, 5 to the right, 2 below, 3 above; islands have 6 and 7,
-/// half of the second one 1, and the pier 9.
+/// A rectangle with two islands and a pier inside: 1 to the left, 5 to the right, 2 below, 3 above; islands have 6 and
+/// 7, half of the second one 1, and the pier 9.
 Mesh_arrays_2 sea()
 {
   domains::CDT cdt = domains::make({{{0, 0}, {2, 0}, {2, 1}, {0, 1}},

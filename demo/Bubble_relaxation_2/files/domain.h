@@ -47,7 +47,7 @@ struct Domain
   std::map<Point, int> point_markers;                      ///< those that are not 0
   std::map<std::pair<Point, Point>, int> segment_markers; ///< of edges of `cdt`, those that are not 0
   std::vector<Region> regions;
-  std::string crs; ///< the reference system of coordinates, empty if it is not known
+  std::string crs, crs_of_file; ///< the reference systems of coordinates here and in the file, empty if not known
   std::vector<std::string> warnings; ///< what the user should know, without the name of the file
 };
 

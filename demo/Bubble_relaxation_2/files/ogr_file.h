@@ -29,15 +29,17 @@
 #include <utility>
 #include <vector>
 
-/// Reads what GDAL reads of maps: polygons are outlines, lines are inner constraints, points stay where they are. What lies
-/// in an odd number of polygons is the domain; polygons may share borders. Coordinates in degrees are projected to metres.
+/// Reads what GDAL reads of maps: polygons are outlines, lines are inner constraints, points stay where they are. What
+/// lies in an odd number of polygons is the domain; polygons may share borders. Coordinates in degrees are projected to
+/// metres.
 class Ogr_reader
 {
 public:
   /// \param field whose value is the marker of a feature, and the region of a polygon; empty for none
   /// \param crs the reference system that is wanted; empty for that of the file, or one in metres
   Ogr_reader(const std::string& name, const std::string& field, const std::string& crs)
-    : m_field(field), m_file((GDALAllRegister(), GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR)))
+    : m_field(field),
+      m_file((GDALAllRegister(), GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR)))
   {
     if (!m_file)
       throw std::runtime_error("cannot be opened: " + Quiet_gdal::reason());
@@ -102,6 +104,7 @@ private:
       m_system = *first->GetSpatialRef();
     m_system->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     m_domain.crs = in_wkt(*m_system);
+    m_domain.crs_of_file = in_wkt(*first->GetSpatialRef());
   }
 
   /// equal areas, and lengths true in the middle of a layer
@@ -164,7 +167,8 @@ private:
       for (const OGRGeometry* part : *geometry.toGeometryCollection())
         read_geometry(*part, marker);
     } else {
-      throw std::runtime_error(m_feature + ": " + geometry.getGeometryName() + " is none of points, lines and polygons");
+      throw std::runtime_error(m_feature + ": " + geometry.getGeometryName() +
+                               " is none of points, lines and polygons");
     }
   }
 

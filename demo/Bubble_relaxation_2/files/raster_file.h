@@ -38,9 +38,10 @@ public:
     std::array<double, 6> to_map;
     if (m_file->GetGeoTransform(to_map.data()) != CE_None || !GDALInvGeoTransform(to_map.data(), m_to_cells.data()))
       throw std::runtime_error("does not tell where its cells are");
-    const OGRSpatialReference* system = m_file->GetSpatialRef();
-    if (system != nullptr && !domain.crs.empty()) {
-      OGRSpatialReference own = *system, of_domain = reference_system(domain.crs);
+    if (!domain.crs.empty()) { // a raster that does not tell its system has that of the domain's file
+      const OGRSpatialReference* system = m_file->GetSpatialRef();
+      OGRSpatialReference own = system != nullptr ? *system : reference_system(domain.crs_of_file),
+                          of_domain = reference_system(domain.crs);
       own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
       if (!own.IsSame(&of_domain))
         m_projection = projection(of_domain, own);

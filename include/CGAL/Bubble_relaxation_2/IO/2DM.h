@@ -30,9 +30,10 @@ namespace CGAL::IO {
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes a mesh as a `.2dm` file of SMS, which QGIS, BASEMENT and others read as well: triangles (`E3T`) with their regions as
-materials, 1 if there are none, nodes (`ND`) with elevations, and the edges that have a marker as node strings (`NS`): one for
-each chain of edges of a marker, which is its number, closed ones with their first node at the end as well.
+writes a mesh as a `.2dm` file of SMS, which QGIS, BASEMENT and others read as well: triangles (`E3T`) with their
+regions as materials, 1 if there are none, nodes (`ND`) with elevations, and the edges that have a marker as node
+strings (`NS`): one for each chain of edges of a marker, which is its number, closed ones with their first node at the
+end as well.
 
 A node's z is its elevation, or else minus the vertex data `depth`, or else 0. Other data and names are not kept.
 */

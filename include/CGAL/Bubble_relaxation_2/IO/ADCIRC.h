@@ -91,15 +91,15 @@ namespace IO {
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes a mesh as a `fort.14` (`.14`, `.grd`) file of ADCIRC, which is also an `hgrid.gr3` file of SCHISM: nodes with depths,
-triangles, open boundaries, and land boundaries, islands last.
+writes a mesh as a `fort.14` (`.14`, `.grd`) file of ADCIRC, which is also an `hgrid.gr3` file of SCHISM: nodes with
+depths, triangles, open boundaries, and land boundaries, islands last.
 
-All boundaries have the domain on their left: around it counterclockwise, around islands clockwise. A boundary that ends where
-another kind begins shares the node there. Closed ones do not have their first node again at the end, but for a mainland
-without an opening. Edges of a hole are an island if none of them is open, and land otherwise.
+All boundaries have the domain on their left: around it counterclockwise, around islands clockwise. A boundary that ends
+where another kind begins shares the node there. Closed ones do not have their first node again at the end, but for a
+mainland without an opening. Edges of a hole are an island if none of them is open, and land otherwise.
 
-The depth of a node is the vertex data `depth`, or else minus its elevation, or else 0. Other data, regions and names are not
-kept; of markers only what is open.
+The depth of a node is the vertex data `depth`, or else minus its elevation, or else 0. Other data, regions and names
+are not kept; of markers only what is open.
 
 \param out takes the file
 \param mesh a mesh, or a triangulation

@@ -236,12 +236,12 @@ namespace IO {
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes a mesh as an `.msh` file of Gmsh, ASCII, version 4.1: the edges on constraints as lines and the triangles, of which
-those with one tag are one elementary entity.
+writes a mesh as an `.msh` file of Gmsh, ASCII, version 4.1: the edges on constraints as lines and the triangles, of
+which those with one tag are one elementary entity.
 
-The physical group of a line is its marker, that of a triangle its region, and 1 if there are no regions. Tags that are no
-positive integers, 0 too, get the next free numbers, and their values as names. `marker_names` and `region_names` are the
-names of physical groups, in which `"` becomes `'`; `vertex_data` becomes `$NodeData`.
+The physical group of a line is its marker, that of a triangle its region, and 1 if there are no regions. Tags that are
+no positive integers, 0 too, get the next free numbers, and their values as names. `marker_names` and `region_names` are
+the names of physical groups, in which `"` becomes `'`; `vertex_data` becomes `$NodeData`.
 */
 inline void write_MSH(std::ostream& out, const Mesh_arrays_2& mesh)
 {

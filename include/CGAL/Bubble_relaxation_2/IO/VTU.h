@@ -156,9 +156,10 @@ namespace IO {
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes a mesh as a `.vtu` file of VTK, for ParaView and others: triangles and the edges on constraints as lines, with the cell
-data `q` (not a number for lines), `dimension` (2 for triangles, 1 for lines), `marker` (of lines), and `region` if there
-are any; and the point data `marker` and those of `vertex_data`. It is XML with arrays in base64. Names are not kept.
+writes a mesh as a `.vtu` file of VTK, for ParaView and others: triangles and the edges on constraints as lines, with
+the cell data `q` (not a number for lines), `dimension` (2 for triangles, 1 for lines), `marker` (of lines), and
+`region` if there are any; and the point data `marker` and those of `vertex_data`. It is XML with arrays in base64.
+Names are not kept.
 
 \cgal's function of this name writes what faces and constraints a triangulation has, with no tags.
 */

@@ -30,7 +30,8 @@ namespace CGAL::IO {
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes the points of a mesh as a `.node` file of Triangle, with their markers. All of Triangle's files are numbered from 1.
+writes the points of a mesh as a `.node` file of Triangle, with their markers. All of Triangle's files are numbered from
+1.
 */
 inline void write_triangle_node(std::ostream& out, const Mesh_arrays_2& mesh)
 {
@@ -63,8 +64,8 @@ inline void write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes the edges on constraints of a mesh, with their markers, and its holes, as a `.poly` file of Triangle. Its points are
-those of the `.node` file beside it.
+writes the edges on constraints of a mesh, with their markers, and its holes, as a `.poly` file of Triangle. Its points
+are those of the `.node` file beside it.
 */
 inline void write_triangle_poly(std::ostream& out, const Mesh_arrays_2& mesh)
 {
@@ -125,8 +126,8 @@ inline std::vector<std::string> triangle_files(const std::string& name)
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes a mesh for Triangle and its users: the files that `triangle_files()` tells, with markers, attributes of regions, and a
-point in each hole. Names, elevations and data of vertices are not kept.
+writes a mesh for Triangle and its users: the files that `triangle_files()` tells, with markers, attributes of regions,
+and a point in each hole. Names, elevations and data of vertices are not kept.
 
 \throws std::runtime_error with the name of a file and the reason if it cannot be written; then there is none of them
 */
