@@ -242,24 +242,24 @@ inline std::vector<Case> cases()
     return [=](Hash& hash) { mesh_domain(hash, outlines, size); };
   };
   return {
-    {"square with hole", 0, domain(square_with_hole(32), at(0, 0.1, 0, 0, 1))},
-    {"graded circle", 0, domain({circle(0.6, 64)}, [](const Point& p) {
+    {"square with hole", 0x713bebcab3c0d516, domain(square_with_hole(32), at(0, 0.1, 0, 0, 1))},
+    {"graded circle", 0xba0e5edb03b93427, domain({circle(0.6, 64)}, [](const Point& p) {
        return 0.06 * std::abs(distance(p, 0, 0) - 0.3) / 0.3 + 0.02;
      })},
-    {"L", 0, domain({l_shape()}, at(0.01, 0.16, 0.4, 0.6, 0.08))},
-    {"comb", 0, domain({comb()}, [](const Point& p) {
+    {"L", 0xde81dfec18a7498f, domain({l_shape()}, at(0.01, 0.16, 0.4, 0.6, 0.08))},
+    {"comb", 0x9283bb156f09fe73, domain({comb()}, [](const Point& p) {
        return p.x() > 0.7 ? 0.015 : (std::min)((0.7 - p.x()) / 5 + 0.015, 0.05);
      })},
-    {"ring", 0, domain({circle(1, 64), circle(1. / 64, 64)}, at(0, 1. / 8, 0, 0, 1))},
-    {"paper's parameters", 0, mesh_as_in_paper},
-    {"needle", 0, domain({{{0, 0}, {2, 0.1}, {1.2, 0.3}, {2, 0.6}}}, at(0.04, 0, 0, 0, 1))},
-    {"refined", 0, refine},
-    {"lake", 0, [](Hash& hash) { mesh_lake(hash, 20, 0.2); }},
-    {"lake with steep sizes", 0, [](Hash& hash) { mesh_lake(hash, 33, 1); }},
-    {"simplified lake", 0, simplify},
-    {"adapted", 0, adapt},
-    {"fields", 0, mesh_with_fields},
-    {"transfer", 0, transfer},
+    {"ring", 0xed621f5f04c71b59, domain({circle(1, 64), circle(1. / 64, 64)}, at(0, 1. / 8, 0, 0, 1))},
+    {"paper's parameters", 0x74c19c8719ff02f3, mesh_as_in_paper},
+    {"needle", 0xaaf8b517a2c8ee62, domain({{{0, 0}, {2, 0.1}, {1.2, 0.3}, {2, 0.6}}}, at(0.04, 0, 0, 0, 1))},
+    {"refined", 0x0a31bc7275eff5bb, refine},
+    {"lake", 0xd33e981b2f6afbbb, [](Hash& hash) { mesh_lake(hash, 20, 0.2); }},
+    {"lake with steep sizes", 0x1f240c46cef21a35, [](Hash& hash) { mesh_lake(hash, 33, 1); }},
+    {"simplified lake", 0x2fc20f09999abf1d, simplify},
+    {"adapted", 0xa48962b685feb2dd, adapt},
+    {"fields", 0x67a141cee5b58510, mesh_with_fields},
+    {"transfer", 0xa0acf5c6ab578830, transfer},
   };
 }
 

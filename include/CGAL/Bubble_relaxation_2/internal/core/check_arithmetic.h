@@ -23,11 +23,11 @@
 #  error "Bubble_relaxation_2: double is computed with more digits (x87): compile with -msse2 -mfpmath=sse"
 #endif
 
-// What may be contracted to fused operations cannot be asked. The target of CMake turns it off, and says so by this macro.
+// What may be fused cannot be asked. The target of CMake turns it off, and says so by this macro.
 #if !defined(CGAL_BUBBLE_RELAXATION_2_NO_CONTRACTION) && \
   (defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA))
-#  pragma message("Bubble_relaxation_2: compile with -ffp-contract=off, for the same bits on every machine, and with " \
-                  "-DCGAL_BUBBLE_RELAXATION_2_NO_CONTRACTION, to be told no more")
+#  pragma message("Bubble_relaxation_2: for the same bits on every machine compile with -ffp-contract=off, with g++ 12.0 " \
+                  "to 12.2 also with -fno-tree-slp-vectorize; -DCGAL_BUBBLE_RELAXATION_2_NO_CONTRACTION ends this note")
 #endif
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_CHECK_ARITHMETIC_H
