@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -56,7 +57,7 @@ public:
   Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Misfit_criteria& criteria,
                   const std::vector<Forced_place_2>& forced)
     : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria), m_forced(forced),
-      m_smallest_sine(std::sin(criteria.misfit_angle * CGAL_PI / 180)), m_numbers(sizeof(typename Cdt::Face)),
+      m_smallest_sine(sine_of(criteria.misfit_angle * CGAL_PI / 180)), m_numbers(sizeof(typename Cdt::Face)),
       m_star_numbers(sizeof(typename Cdt::Vertex))
   {}
 
@@ -105,7 +106,7 @@ private:
 
   bool is_slight_misfit(Face_handle f)
   {
-    return is_misfit(f, 0, 0, std::cbrt(m_criteria.longest_edge), std::cbrt(m_criteria.shortest_edge));
+    return is_misfit(f, 0, 0, cube_root_of(m_criteria.longest_edge), cube_root_of(m_criteria.shortest_edge));
   }
 
   /// Whether q is less than this, an angle is less than that of this sine, or edges are longer or shorter than so many

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <tuple>
 #include <vector>
@@ -268,6 +269,7 @@ public:
 
   /// adds up counts of all ranks, so many
   virtual void add_up(std::size_t* /* counts */, std::size_t) const {}
+  virtual void add_up(std::uint64_t& /* sum */) const {} ///< the same, of more than a count may be
 
   /// The values that sorting those of all ranks would bring to some positions, which do not decrease.
   /// \pre none is negative

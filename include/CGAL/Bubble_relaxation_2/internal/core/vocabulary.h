@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/check_arithmetic.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Sharp_corner_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -156,15 +156,15 @@ private:
   {
     const Sharp_corner_2::Arm& arm = c.arms()[sector.first];
     const Point& o = m_whole.corners()[c.corner];
-    const double start = std::atan2(arm.to_other_end.y(), arm.to_other_end.x());
+    const double start = angle_of(arm.to_other_end.x(), arm.to_other_end.y());
     Index last = node_on_arm(arm);
     const auto add_chord = [&](Index next) { // counterclockwise, so the corner is on its left
       add_piece(Domain_edge_2{last, next, false, true, false}, Piece{no_index, 0, 0});
       last = next;
     };
     for (double angle : c.nodes(sector))
-      add_chord(add_node(Node{no_index, 0}, Point(o.x() + c.radius * std::cos(start + angle),
-                                                            o.y() + c.radius * std::sin(start + angle))));
+      add_chord(add_node(Node{no_index, 0}, Point(o.x() + c.radius * cosine_of(start + angle),
+                                                  o.y() + c.radius * sine_of(start + angle))));
     add_chord(node_on_arm(c.arms()[sector.second]));
   }
 

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_SHARP_CORNER_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
@@ -57,7 +58,7 @@ public:
   Sharp_corner_2(Index c, std::vector<Arm> arms_at_corner, const Domain_2& domain, double growth)
     : corner(c), m_arms(std::move(arms_at_corner)), m_growth(growth)
   {
-    std::sort(m_arms.begin(), m_arms.end(), [](const Arm& a, const Arm& b) {
+    std::stable_sort(m_arms.begin(), m_arms.end(), [](const Arm& a, const Arm& b) {
       return Kernel::Direction_2(a.to_other_end) < Kernel::Direction_2(b.to_other_end);
     });
     for (std::size_t k = 0; k < m_arms.size(); ++k)
@@ -113,7 +114,7 @@ private:
     if (!(m_arms[k].is_source ? e.inside_left : e.inside_right))
       return;
     const Kernel::Vector_2 &u = m_arms[k].to_other_end, &v = m_arms[next].to_other_end;
-    double angle = std::atan2(u.x() * v.y() - u.y() * v.x(), u * v);
+    double angle = angle_of(u * v, u.x() * v.y() - u.y() * v.x());
     if (!(angle > 0))
       angle += 2 * pi; // of the only edge in its corner with itself
     m_sectors.push_back(Sector{k, next, angle});
@@ -126,7 +127,7 @@ private:
     for (const Sector& s : m_sectors)
       if (s.angle < sharp)
         for (std::size_t k : {s.first, s.second})
-          m_arms[k].spacing = (std::min)(m_arms[k].spacing, 2 * std::sin(0.5 * s.angle));
+          m_arms[k].spacing = (std::min)(m_arms[k].spacing, 2 * sine_of(0.5 * s.angle));
     const std::size_t n = m_arms.size();
     for (std::size_t turn = 0; turn < 2 * n; ++turn) {
       grow(turn % n, (turn + 1) % n);
@@ -137,7 +138,7 @@ private:
   void grow(std::size_t from, std::size_t to)
   {
     const Kernel::Vector_2 &u = m_arms[from].to_other_end, &v = m_arms[to].to_other_end;
-    const double angle = std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u * v));
+    const double angle = std::abs(angle_of(u * v, u.x() * v.y() - u.y() * v.x()));
     m_arms[to].spacing = (std::min)(m_arms[to].spacing, m_arms[from].spacing + m_growth * angle);
   }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
@@ -42,7 +43,7 @@ public:
     m_directions.clear();
     for (const Domain_edge_2& e : m_edges) {
       const Kernel::Vector_2 u = m_corners[e.target] - m_corners[e.source];
-      m_lengths.push_back(std::hypot(u.x(), u.y()));
+      m_lengths.push_back(length_of(u.x(), u.y()));
       m_directions.push_back({u.x() / m_lengths.back(), u.y() / m_lengths.back()});
     }
     m_by_corners.clear();

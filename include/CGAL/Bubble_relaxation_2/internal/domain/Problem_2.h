@@ -11,10 +11,10 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,11 +38,11 @@ inline Mesh_star_2 mesh_star(const Point& p, const std::vector<Point>& ring)
 {
   double sum = 0, shortest = 0, direction = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const double dx = ring[k].x() - p.x(), dy = ring[k].y() - p.y(), length = std::hypot(dx, dy);
+    const double dx = ring[k].x() - p.x(), dy = ring[k].y() - p.y(), length = length_of(dx, dy);
     sum += length;
     if (k == 0 || length < shortest) {
       shortest = length;
-      direction = std::atan2(dy, dx);
+      direction = angle_of(dx, dy);
     }
   }
   return Mesh_star_2{sum / static_cast<double>(ring.size()), direction};

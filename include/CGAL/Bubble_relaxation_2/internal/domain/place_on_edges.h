@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ struct Edge_integral
 inline double integrate_piece(double length, double d, double next_d)
 {
   return std::abs(next_d - d) < 1e-4 * d ? 2 * length / (d + next_d)
-                                         : length / (next_d - d) * std::log(next_d / d);
+                                         : length / (next_d - d) * logarithm_of(next_d / d);
 }
 
 /// Integrates ds/d with steps that follow d, as if d were linear in each.

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_INTERPOLATED_FIELD_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_INTERPOLATED_FIELD_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -96,7 +97,7 @@ private:
     const double along = ((q.x() - a.x()) * dx + (q.y() - a.y()) * dy) / (dx * dx + dy * dy);
     const double s = (std::max)(0., (std::min)(1., along));
     return Nearest{Point(a.x() + s * dx, a.y() + s * dy),
-                   std::hypot(q.x() - a.x() - s * dx, q.y() - a.y() - s * dy),
+                   length_of(q.x() - a.x() - s * dx, q.y() - a.y() - s * dy),
                    (1 - s) * value(t, from) + s * value(t, to)};
   }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_REGION_SEARCH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_REGION_SEARCH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
 
@@ -100,7 +101,7 @@ private:
     const Point &a = m_tr.point(t, ccw(i)), &b = m_tr.point(t, cw(i));
     const double dx = b.x() - a.x(), dy = b.y() - a.y();
     return std::abs(dx * (q.y() - a.y()) - dy * (q.x() - a.x())) <=
-           (std::max)(tolerance(a), tolerance(b)) * std::hypot(dx, dy);
+           (std::max)(tolerance(a), tolerance(b)) * length_of(dx, dy);
   }
 
   Flat_triangulation_2 m_tr;

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FILL_GAPS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 
@@ -247,8 +248,8 @@ private:
   {
     const int i = tr().vertices[t][0] == v ? 0 : tr().vertices[t][1] == v ? 1 : 2;
     const Point &p = tr().point(t, i), &a = tr().point(t, ccw(i)), &b = tr().point(t, cw(i));
-    return std::atan2(2 * m_triangulation.area(t),
-                      (a.x() - p.x()) * (b.x() - p.x()) + (a.y() - p.y()) * (b.y() - p.y()));
+    return angle_of((a.x() - p.x()) * (b.x() - p.x()) + (a.y() - p.y()) * (b.y() - p.y()),
+                    2 * m_triangulation.area(t));
   }
 
   /// the triangles of the domain around a vertex, in sets that hang together

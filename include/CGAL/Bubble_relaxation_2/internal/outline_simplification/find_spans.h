@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FIND_SPANS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FIND_SPANS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 
 #include <algorithm>
@@ -94,7 +95,7 @@ public:
                   double largest_angle)
     : m_outline(outline), m_span(span), m_cosines(span.size(), -2), m_reach(span.size())
   {
-    const double limit = std::cos(largest_angle * (3.14159265358979323846 / 180));
+    const double limit = cosine_of(largest_angle * (3.14159265358979323846 / 180));
     m_length.push_back(0);
     for (std::size_t k = 0; k < (span.is_ring ? 2 : 1) * span.size(); ++k)
       m_length.push_back(m_length.back() + distance(point(k % span.size()), point(k % span.size() + 1)));

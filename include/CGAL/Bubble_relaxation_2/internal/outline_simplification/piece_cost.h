@@ -9,9 +9,9 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_PIECE_COST_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_PIECE_COST_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
-#include <cmath>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -24,7 +24,7 @@ inline double length_cost(double x)
 {
   if (x >= 1)
     return 2 * (x - 1) * (x - 1);
-  return 25 * (x - 1 - std::log(x)) - 12.5 * (1 - x) * (1 - x);
+  return 25 * (x - 1 - logarithm_of(x)) - 12.5 * (1 - x) * (1 - x);
 }
 
 /// `deviation`: from the old outline, in units of the tolerance. It costs little, so that of two pieces of about the

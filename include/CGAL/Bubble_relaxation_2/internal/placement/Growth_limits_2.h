@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_LIMITS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <boost/container/small_vector.hpp>
@@ -138,7 +139,7 @@ public:
       sum_x += cube_x * cube_x - cube_y * cube_y;
       sum_y += 2 * cube_x * cube_y;
     });
-    const double angle = std::atan2(sum_y, sum_x) / 6, c = std::cos(angle), s = std::sin(angle);
+    const double angle = angle_of(sum_x, sum_y) / 6, c = cosine_of(angle), s = sine_of(angle);
     return {c * u.x - s * u.y, s * u.x + c * u.y};
   }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
@@ -54,7 +55,7 @@ public:
     const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
     m_crystal.make_room_for(expected);
     for (std::size_t i = 0; i < directions.size(); ++i)
-      m_crystal.direction(i) = Direction{std::cos(directions[i]), std::sin(directions[i])};
+      m_crystal.direction(i) = Direction{cosine_of(directions[i]), sine_of(directions[i])};
     team.start_growth(m_crystal, expected);
     m_crystal.link_from(0);
   }

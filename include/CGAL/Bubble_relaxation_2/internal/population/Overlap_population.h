@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
@@ -20,7 +21,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <vector>
@@ -67,7 +67,7 @@ public:
 private:
   static double distance(const Bubbles_2& b, Index i, Index j)
   {
-    return std::hypot(b.x[i] - b.x[j], b.y[i] - b.y[j]);
+    return length_of(b.x[i] - b.x[j], b.y[i] - b.y[j]);
   }
 
   static double overlapping_ratio(const Bubbles_2& b, const Neighbor_sets_2& neighbors, Index i)
@@ -136,7 +136,7 @@ private:
   {
     constexpr double largest_ratio_of_sizes = 4; // where d jumps, others are looked for no farther than this allows
     const double angle = middle_of_largest_gap(b, neighbors, i);
-    const Point p(b.x[i] + b.d[i] * std::cos(angle), b.y[i] + b.d[i] * std::sin(angle));
+    const Point p(b.x[i] + b.d[i] * cosine_of(angle), b.y[i] + b.d[i] * sine_of(angle));
     const Walk_end end = m_domain.walk(b.host[i], b.point(i), p);
     if (end.is_blocked())
       return;
@@ -152,7 +152,7 @@ private:
     constexpr double full_turn = 6.283185307179586;
     std::vector<double> angles;
     for (const Index *j = neighbors.begin(i), *end = neighbors.end(i); j != end; ++j)
-      angles.push_back(std::atan2(b.y[*j] - b.y[i], b.x[*j] - b.x[i]));
+      angles.push_back(angle_of(b.x[*j] - b.x[i], b.y[*j] - b.y[i]));
     if (angles.empty())
       return 0;
     std::sort(angles.begin(), angles.end());

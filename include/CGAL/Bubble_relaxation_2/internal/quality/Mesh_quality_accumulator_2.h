@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
@@ -162,9 +163,9 @@ private:
     const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
     const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();
     if (may_be_smallest(cotangent))
-      add_smallest(cotangent, is_angle ? degrees * std::atan2(cross, dot) : 0.);
+      add_smallest(cotangent, is_angle ? degrees * angle_of(dot, cross) : 0.);
     if (may_be_largest(cotangent))
-      add_largest(cotangent, is_angle ? degrees * std::atan2(cross, dot) : 0.);
+      add_largest(cotangent, is_angle ? degrees * angle_of(dot, cross) : 0.);
   }
 
   bool may_be_smallest(double cotangent) const { return !(cotangent < m_largest_cotangent); }
@@ -261,10 +262,10 @@ private:
     const int digits = 60 - std::ilogb(static_cast<double>(n)) - std::ilogb(largest);
     // in two parts, since the largest terms may be the smallest numbers
     const double scale = std::ldexp(1., digits / 2), rest = std::ldexp(1., digits - digits / 2);
-    std::size_t sum = 0; // stays below 2^62
+    std::uint64_t sum = 0; // stays below 2^62
     for (double v : values)
-      sum += static_cast<std::size_t>(static_cast<std::int64_t>(term(v) * scale * rest));
-    all.add_up(&sum, 1);
+      sum += static_cast<std::uint64_t>(static_cast<std::int64_t>(term(v) * scale * rest));
+    all.add_up(sum);
     return std::ldexp(static_cast<double>(sum), -digits);
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
@@ -218,7 +219,7 @@ class Small_angles_2
 {
 public:
   Small_angles_2(const Domain_2& domain, double minimum_angle)
-    : m_sine(std::sin(minimum_angle * CGAL_PI / 180)), m_is_sharp(domain.corners().size(), 0)
+    : m_sine(sine_of(minimum_angle * CGAL_PI / 180)), m_is_sharp(domain.corners().size(), 0)
   {
     for (const Sharp_corner_2& c : sharp_corners(domain, default_size_growth))
       m_is_sharp[c.corner] = c.sharpest_angle() < minimum_angle * CGAL_PI / 180;

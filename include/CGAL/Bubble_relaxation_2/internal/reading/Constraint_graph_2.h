@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
@@ -152,12 +153,12 @@ private:
     if (!(ux * vx + uy * vy > 0))
       return false;
     // u x v, not u x w: where p is a few roundings from b, products of two long vectors tell nothing
-    const double off = std::abs(ux * vy - uy * vx) / std::hypot(b.x() - a.x(), b.y() - a.y());
+    const double off = std::abs(ux * vy - uy * vx) / length_of(b.x() - a.x(), b.y() - a.y());
     const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(a.x()),
                                        std::abs(a.y()), std::abs(b.x()), std::abs(b.y())});
     // a few roundings of the coordinates, but never a bend that could be meant
     return off <= 16 * std::numeric_limits<double>::epsilon() * largest &&
-           off <= 1e-3 * (std::min)(std::hypot(ux, uy), std::hypot(vx, vy));
+           off <= 1e-3 * (std::min)(length_of(ux, uy), length_of(vx, vy));
   }
 
   /// follows the edges from corner to corner; returns false when a vertex had to become a corner

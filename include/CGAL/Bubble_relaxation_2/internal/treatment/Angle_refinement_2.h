@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
@@ -48,7 +49,7 @@ struct Steiner_point_2
 
   bool operator<(const Steiner_point_2& p) const
   {
-    return std::tie(sine, x, y, radius) < std::tie(p.sine, p.x, p.y, p.radius);
+    return std::tie(sine, x, y, radius, host) < std::tie(p.sine, p.x, p.y, p.radius, p.host);
   }
 };
 
@@ -96,7 +97,7 @@ public:
     std::vector<Steiner_point_2> result;
     for (const Steiner_point_2& p : points)
       if (std::none_of(result.begin(), result.end(), [&p](const Steiner_point_2& q) {
-            return std::hypot(p.x - q.x, p.y - q.y) < (std::max)(p.radius, q.radius);
+            return length_of(p.x - q.x, p.y - q.y) < (std::max)(p.radius, q.radius);
           }))
         result.push_back(p);
     return result;
@@ -218,7 +219,7 @@ inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bu
                                               const std::vector<char>& is_counted)
 {
   std::vector<Index> result;
-  const double sine = std::sin(problem.options.minimum_angle * CGAL_PI / 180);
+  const double sine = sine_of(problem.options.minimum_angle * CGAL_PI / 180);
   for (std::size_t t = 0; t < is_counted.size(); ++t) {
     tick(t);
     if (is_counted[t] && is_to_be_refined(mesh, static_cast<Index>(t), sine))

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Patch_operation_2.h>
@@ -45,7 +46,7 @@ struct Bad_triangle_2
 /// q of the isosceles triangle with an angle of twice `half` at its tip: 8 sin(a) sin^2(45 - a/2)
 inline double quality_of_isosceles(double half)
 {
-  const double s = std::sin(half);
+  const double s = sine_of(half);
   return 4 * s * (1 - s);
 }
 
@@ -58,7 +59,7 @@ inline double best_quality(const Bubble_mesh_2& mesh, Index t)
       continue;
     const Kernel::Vector_2 u = mesh.point(t, ccw(i)) - mesh.point(t, i),
                            v = mesh.point(t, cw(i)) - mesh.point(t, i);
-    const double half = 0.5 * std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v);
+    const double half = 0.5 * angle_of(u * v, std::abs(u.x() * v.y() - u.y() * v.x()));
     best = (std::min)(best, (std::max)(quality_of_isosceles(half), quality_of_isosceles(half / 2)));
   }
   return best;
@@ -141,7 +142,7 @@ private:
     std::vector<Operation> result;
     choice.decide([&](Index k) {
       Mesh_patch_2 patch(m_mesh, std::move(triangles[k]));
-      const std::size_t signature = patch.signature(worst[k].triangle);
+      const std::uint64_t signature = patch.signature(worst[k].triangle);
       if (m_hopeless.count(signature) != 0)
         return false;
       Patch_operation_2 operate(m_domain, m_mesh, patch);
@@ -206,7 +207,7 @@ private:
 
   const Domain_2& m_domain;
   Bubble_mesh_2& m_mesh;
-  std::unordered_set<std::size_t> m_hopeless; // signatures of what could not be made better
+  std::unordered_set<std::uint64_t> m_hopeless; // signatures of what could not be made better
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -10,14 +10,15 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_MESH_PATCH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
 #include <boost/container/flat_map.hpp>
-#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -78,12 +79,11 @@ public:
   }
 
   /// the same for what is the same, seen from a triangle of the patch
-  std::size_t signature(Index triangle) const
+  std::uint64_t signature(Index triangle) const
   {
-    std::size_t result = 0;
+    std::uint64_t result = 0;
     const auto add = [&result](const Bubbles_2& b, std::size_t i) {
-      boost::hash_combine(result, b.x[i]);
-      boost::hash_combine(result, b.y[i]);
+      result = hash_of_two(result, hash_of_place(b.x[i], b.y[i]));
     };
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
       add(m_bubbles, i);

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -136,7 +137,7 @@ private:
     if (!(s > 0 && s < 1))
       throw_property("position", s, p, "must be between 0 and 1");
     const Point q = m_domain.point_on_edge(edge, s);
-    if (!(std::hypot(q.x() - p.x(), q.y() - p.y()) <= m_locate.rounding(edge, p)))
+    if (!(length_of(q.x() - p.x(), q.y() - p.y()) <= m_locate.rounding(edge, p)))
       throw_property("position", s, p, "is another point of the edge");
     return Location_2{Bubbles_2::EDGE, edge, s};
   }

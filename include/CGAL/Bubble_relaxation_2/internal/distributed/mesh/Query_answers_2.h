@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_QUERY_ANSWERS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
@@ -67,7 +68,7 @@ inline double reach_beyond_side(const Point& p, const Point& q, const Point& r)
 {
   constexpr double margin = 1 + 1e-9, rounding = 8 * std::numeric_limits<double>::epsilon();
   const double ax = p.x() - r.x(), ay = p.y() - r.y(), bx = q.x() - r.x(), by = q.y() - r.y();
-  const double half = 0.5 * std::hypot(q.x() - p.x(), q.y() - p.y()) * margin;
+  const double half = 0.5 * length_of(q.x() - p.x(), q.y() - p.y()) * margin;
   const double dot = ax * bx + ay * by;
   if (dot >= 0) // less than half of the disc
     return half;
@@ -75,7 +76,7 @@ inline double reach_beyond_side(const Point& p, const Point& q, const Point& r)
   const double cross = std::abs(ax * by - ay * bx) - rounding * (std::abs(ax * by) + std::abs(ay * bx));
   if (!(cross > 0))
     return std::numeric_limits<double>::infinity();
-  return half * (std::max)(1., margin * (std::hypot(ax, ay) * std::hypot(bx, by) - dot) / cross);
+  return half * (std::max)(1., margin * (length_of(ax, ay) * length_of(bx, by) - dot) / cross);
 }
 
 /// The part of the plane that matters for the triangle `t`, in a box.

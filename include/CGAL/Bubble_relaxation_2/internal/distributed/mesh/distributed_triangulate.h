@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Query_answers_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
@@ -148,7 +149,7 @@ private:
       const Bbox_2 box = box_that_matters(m_mesh, t, m_domain.bbox());
       const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin();
       const auto ranks = clearance.others_in_disc(box.xmin() + dx / 2, box.ymin() + dy / 2,
-                                                  0.5000001 * std::hypot(dx, dy) + m_stray);
+                                                  0.5000001 * length_of(dx, dy) + m_stray);
       if (ranks.empty() || m_is_certain.count(triangle(t)) != 0)
         continue;
       const auto question = make_question(m_mesh, t, box, vertex, static_cast<std::int32_t>(m_asked.size()));

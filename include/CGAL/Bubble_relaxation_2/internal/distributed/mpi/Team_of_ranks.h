@@ -41,6 +41,8 @@ public:
     std::copy(sums.begin(), sums.end(), counts);
   }
 
+  void add_up(std::uint64_t& sum) const override { sum = m_comm.sum(sum); }
+
   std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions) const override
   {
     std::sort(values.begin(), values.end());

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_DISTRIBUTE_BUBBLES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
@@ -230,7 +231,7 @@ private:
       sorted.d[i] = m_partition.curve().side();
       for (std::size_t n : {i - 1, i + 1}) // what is before the first is not there either
         if (n < sorted.size())
-          sorted.d[i] = (std::min)(sorted.d[i], std::hypot(sorted.x[n] - sorted.x[i], sorted.y[n] - sorted.y[i]));
+          sorted.d[i] = (std::min)(sorted.d[i], length_of(sorted.x[n] - sorted.x[i], sorted.y[n] - sorted.y[i]));
     }
   }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_HALO_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -193,7 +193,7 @@ public:
   bool is_far_from_home(const Bubbles_2& b, Index i) const
   {
     const Place& p = m_places[i];
-    return !is_surely_home(b, i) && std::hypot(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
+    return !is_surely_home(b, i) && length_of(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
   }
 
   /// Makes bubbles known to those who need them, and others to those who need them for these. `finder` is a
@@ -227,7 +227,7 @@ public:
   bool is_ours_within(const Bubbles_2& b, Index i, double radius) const
   {
     const Place& p = m_places[i];
-    return p.clearance > 0 && std::hypot(b.x[i] - p.x, b.y[i] - p.y) + radius < p.clearance;
+    return p.clearance > 0 && length_of(b.x[i] - p.x, b.y[i] - p.y) + radius < p.clearance;
   }
 
   /// Gets bubbles that others own at places where this rank asks for them: `asked` are places by ranks, and
