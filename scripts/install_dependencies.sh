@@ -8,7 +8,7 @@ packages=("$@")
 [ ${#packages[@]} -gt 0 ] ||
   packages=(g++ cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-dev
             libboost-program-options-dev libmuparser-dev libtbb-dev libgtest-dev libbenchmark-dev
-            libopenmpi-dev openmpi-bin libeigen3-dev libgdal-dev gdal-bin dpkg-dev)
+            libopenmpi-dev openmpi-bin libeigen3-dev dpkg-dev)
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' ||

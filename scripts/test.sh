@@ -6,8 +6,8 @@ here=$(cd "$(dirname "$0")/.." && pwd)
 cd "$here"
 
 scripts/install_dependencies.sh
-scripts/install_dependencies.sh clang # its warnings are others
-scripts/install_dependencies.sh gmsh python3-meshio # they read files that are written
+# clang's warnings are others; npbs_mesh reads maps by GDAL; Gmsh and meshio read files that are written
+scripts/install_dependencies.sh clang libgdal-dev gdal-bin gmsh python3-meshio
 export CTEST_PARALLEL_LEVEL=2
 export CCACHE_SLOPPINESS=pch_defines,time_macros # else it keeps nothing that uses precompiled headers
 

@@ -71,8 +71,8 @@ inline void check_mesh_options(const po::variables_map& arguments)
     if (!(gradation > 0))
       throw std::runtime_error("--gradation must be positive");
     if (gradation > 1 && std::isfinite(gradation)) // infinity is refused elsewhere
-      throw std::runtime_error("--gradation must be at most 1, and not a percentage: the length changes by no more than "
-                               "the way");
+      throw std::runtime_error("--gradation must be at most 1, and not a percentage: the length changes by no more "
+                               "than the way");
   }
   if (arguments.count("tolerance") > 0 && arguments.count("size") == 0)
     throw std::runtime_error("--tolerance needs --size");

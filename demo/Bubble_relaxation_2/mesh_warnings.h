@@ -80,7 +80,8 @@ inline std::string forced_by_outline_message(const Report& report, bool is_simpl
 {
   std::ostringstream text;
   text << "--size alone asks for about " << report.number_of_wanted_vertices << " vertices, the outline forces "
-       << report.number_of_vertices - report.number_of_wanted_vertices << " more, where it is finer or narrower, most near";
+       << report.number_of_vertices - report.number_of_wanted_vertices
+       << " more, where it is finer or narrower, most near";
   constexpr std::size_t most_places = 3;
   for (std::size_t k = 0; k < most_places && report.forced_places[k].number_of_vertices > 0; ++k)
     text << (k > 0 ? "," : "") << ' ' << in_words(Point(report.forced_places[k].x, report.forced_places[k].y));
@@ -215,8 +216,8 @@ private:
 };
 
 /// The points outside of the mesh in which so many segments end. If it is one, inside this is a crack; outside, the
-/// outline that it belongs to was perhaps meant to be closed, and bounds nothing as it is. If none does, somebody wanted a
-/// node there.
+/// outline that it belongs to was perhaps meant to be closed, and bounds nothing as it is. If none does, somebody wanted
+/// a node there.
 inline std::vector<Point> points_outside(const CDT& meshed, int wanted_segments)
 {
   std::vector<Point> points;

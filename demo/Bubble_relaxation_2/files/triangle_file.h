@@ -255,10 +255,10 @@ inline void insert_points(Numbered_points& points, const Triangle_reader& reader
     if (!vertices.insert(points.vertex(p.first, domain, reader, "a segment")).second)
       doubles.push_back(p.first);
   if (!doubles.empty())
-    domain.warnings.push_back(std::to_string(doubles.size()) +
-                              (doubles.size() == 1 ? " point is" : " points are") + " where others are, such as point " +
-                              std::to_string(static_cast<long long>(doubles.front())) + " at " +
-                              to_string(points.points.at(doubles.front()).point));
+    domain.warnings.push_back(
+      std::to_string(doubles.size()) + (doubles.size() == 1 ? " point is" : " points are") +
+      " where others are, such as point " + std::to_string(static_cast<long long>(doubles.front())) + " at " +
+      to_string(points.points.at(doubles.front()).point));
 }
 
 /// Triangle's .poly: points, segments, seeds of holes, regions.

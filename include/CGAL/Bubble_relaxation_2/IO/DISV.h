@@ -88,8 +88,8 @@ namespace IO {
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes the cells of a dual as input of MODFLOW 6, package DISV: a discretization of groundwater by vertices. Cells have the
-numbers of `dual.cells()`, from 1 on, and their centres are the vertices of the mesh, so that lines of centres are
+writes the cells of a dual as input of MODFLOW 6, package DISV: a discretization of groundwater by vertices. Cells have
+the numbers of `dual.cells()`, from 1 on, and their centres are the vertices of the mesh, so that lines of centres are
 perpendicular to faces. The length of all coordinates is left undefined.
 
 \tparam CDT, Marker see `Voronoi_dual_2`
@@ -98,8 +98,8 @@ perpendicular to faces. The length of all coordinates is left undefined.
 \param bottom the elevation of the lowest layer's bottom
 \param number_of_layers between them; all layers of a cell are equally thick
 
-\throws std::invalid_argument if a face has a negative length (see `Voronoi_quality_2`), if the domain touches itself in a
-vertex, if `number_of_layers` is 0, or if `top` is not above `bottom` in the centre of a cell
+\throws std::invalid_argument if a face has a negative length (see `Voronoi_quality_2`), if the domain touches itself in
+a vertex, if `number_of_layers` is 0, or if `top` is not above `bottom` in the centre of a cell, or not finite
 */
 template <class CDT, class Marker, class Top, class Bottom>
 void write_DISV(std::ostream& out, const Voronoi_dual_2<CDT, Marker>& dual, const Top& top, const Bottom& bottom,
