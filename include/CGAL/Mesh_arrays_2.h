@@ -107,7 +107,7 @@ struct Mesh_arrays_2
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument as `npbs_relax()` does if there is no domain with constraints all around it, or if a
-  marker is a number that is no integer
+  marker is a number that is no `int`
   */
   template <class CDT, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -117,14 +117,16 @@ struct Mesh_arrays_2
   Mesh_arrays_2(const CDT& cdt, const NamedParameters& np = parameters::default_values());
 
   /// gives edges of the boundary that have no marker the marker 1, and then its points the largest of their edges, as
-  /// Triangle does.
+  /// Triangle does. Markers that are missing count as 0.
+  /// \throws std::invalid_argument as `check()` does
   void mark_boundary();
 
   /// the edges of the boundary, of which one triangle only is, each with the domain on its left: among `edges`.
+  /// \pre their indices are those of points
   std::vector<Edge> boundary_edges() const;
 
-  /// \throws std::invalid_argument if arrays do not belong together: if one is too short, or an index too large, or a
-  /// coordinate is not finite
+  /// \throws std::invalid_argument if arrays do not belong together: if one is too short, or an index too large, or if
+  /// a coordinate, an elevation, a hole or a region is not finite
   void check() const;
 
 private:
@@ -162,11 +164,12 @@ std::vector<Number> as_numbers(const std::vector<Tag>& tags, [[maybe_unused]] st
     static_assert(std::is_arithmetic<Tag>::value || std::is_enum<Tag>::value,
                   "markers and regions for files must be numbers, enumerators or names");
     for (const Tag& tag : tags) {
-      if constexpr (std::is_floating_point<Tag>::value && std::is_integral<Number>::value)
-        if (!(tag >= -2147483648. && tag <= 2147483647.) || tag != static_cast<Tag>(static_cast<Number>(tag)))
+      const double value = static_cast<double>(tag); // exact for all that are in the range
+      if constexpr (std::is_integral<Number>::value)
+        if (!(value >= -2147483648. && value <= 2147483647.) || value != std::floor(value))
           throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + ": the marker " +
-                                      in_words(static_cast<double>(tag)) + " must be an integer");
-      result.push_back(static_cast<Number>(tag));
+                                      in_words(value) + " must be an integer of at most 2147483647 in magnitude");
+      result.push_back(static_cast<Number>(value));
     }
   }
   return result;
@@ -310,6 +313,9 @@ inline void Mesh_arrays_2::mark_vertices()
 
 inline void Mesh_arrays_2::mark_boundary()
 {
+  vertex_markers.resize((std::max)(vertex_markers.size(), points.size()), 0);
+  edge_markers.resize((std::max)(edge_markers.size(), edges.size()), 0);
+  check();
   const auto sorted = [](const Edge& e) { return Edge{(std::min)(e[0], e[1]), (std::max)(e[0], e[1])}; };
   std::vector<Edge> boundary;
   for (const Edge& e : boundary_edges())
@@ -356,9 +362,14 @@ inline void Mesh_arrays_2::check() const
                                       std::to_string(v) + " of " + std::to_string(points.size()));
   };
   using Bubble_relaxation_2::internal::in_words;
-  for (const Point_2& p : points)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
-      throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: the point " + in_words(p.x(), p.y()) +
+  for (const std::vector<Point_2>* places : {&points, &holes})
+    for (const Point_2& p : *places)
+      if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+        throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: the point " + in_words(p.x(), p.y()) +
+                                    " must be finite");
+  for (const double elevation : elevations)
+    if (!std::isfinite(elevation))
+      throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: the elevation " + in_words(elevation) +
                                   " must be finite");
   check_size("vertex_markers", vertex_markers.size(), points.size());
   if (!elevations.empty())
