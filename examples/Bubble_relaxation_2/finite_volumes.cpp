@@ -23,7 +23,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <string>
@@ -132,8 +131,7 @@ int main()
     last_error = e;
     quality = dual.quality();
     if (d == 0.08) {
-      std::ofstream out("finite_volumes.vtu", std::ios::binary);
-      CGAL::IO::write_VTU_of_cells(out, dual, values);
+      CGAL::IO::write_VTU_of_cells("finite_volumes.vtu", dual, values);
       Svg_picture picture;
       picture.add_cells(cdt, dual.polygon_soup(), "the cells of " + std::to_string(values.size()) + " vertices");
       picture.write("finite_volumes.svg");

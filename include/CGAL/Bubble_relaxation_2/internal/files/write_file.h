@@ -30,6 +30,7 @@ public:
     : m_out(out), m_flags(out.flags(std::ios_base::dec)), m_precision(out.precision(17)), m_locale(out.getloc())
   {
     set_locale(std::locale::classic());
+    out.width(0);
   }
 
   ~Plain_numbers()
@@ -85,7 +86,8 @@ void write_file(const std::string& name, const Write& write)
     remove_part();
     throw;
   }
-  if (!out || !out.flush()) {
+  out.close(); // some file systems tell only now that there is no room
+  if (!out) {
     const int reason = errno;
     remove_part();
     throw_not_written(name, reason);
