@@ -8,7 +8,7 @@
 
 // Meshes go to files whole, with all that a format keeps: read back they are the same to the last bit.
 
-#include "domains.h"
+#include "bays.h"
 #include "expect_throw.h"
 #include "file_readers.h"
 
@@ -17,15 +17,13 @@
 #include <CGAL/Bubble_relaxation_2/IO/MSH.h>
 #include <CGAL/Bubble_relaxation_2/IO/VTU.h>
 #include <CGAL/Bubble_relaxation_2/IO/triangle.h>
-#include <CGAL/Constraint_marker_map_2.h>
-#include <CGAL/Face_region_map_2.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/npbs_relax.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <locale>
 #include <map>
@@ -35,84 +33,16 @@
 #include <vector>
 #include <sys/resource.h>
 
+using bays::Bay;
+using bays::Folder;
+using bays::tagged_bay;
 using file_readers::Mesh;
 using file_readers::text_of;
 using file_readers::Words;
 using file_readers::written;
 using CGAL::Mesh_arrays_2;
-using Cdt = domains::CDT;
-
-namespace P = CGAL::Bubble_relaxation_parameters;
-namespace fs = std::filesystem;
 
 namespace {
-
-/// a folder of its own, which goes with it
-struct Folder
-{
-  fs::path path = fs::temp_directory_path() / ("test_files_" + std::to_string(std::rand()));
-
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  std::string operator/(const std::string& name) const { return (path / name).string(); }
-  bool is_empty() const { return fs::is_empty(path); }
-};
-
-/// A bay, meshed: 5 is the open sea to the right, 2 the coast, 3 an island, 4 a wall that parts two regions, and a
-/// second island has no marker. Coordinates have many digits, and are as large as those of maps.
-template <class Marker = int, class Region = int>
-struct Bay
-{
-  Cdt cdt;
-  CGAL::Constraint_marker_map_2<Cdt, Marker> markers;
-  CGAL::Face_region_map_2<Cdt, Region> regions;
-
-  Bay(Marker sea, Marker coast, Marker island, Marker wall, Region left, Region right)
-  {
-    const auto insert = [&](const domains::Outline& outline, std::size_t first, std::size_t n, const Marker& marker) {
-      for (std::size_t k = first; k < first + n; ++k) {
-        const auto at = [&](std::size_t i) { return cdt.insert(place(outline[i % outline.size()])); };
-        const auto u = at(k), v = at(k + 1);
-        cdt.insert_constraint(u, v);
-        markers.set(u, v, marker);
-      }
-    };
-    const domains::Outline bay{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
-    insert(bay, 2, 1, sea);
-    insert(bay, 3, 5, coast);
-    insert({{1, 0}, {1, 1}}, 0, 1, wall);
-    insert(domains::polygon(0.5, 0.5, 0.2, 7), 0, 7, island);
-    insert(domains::square(1.4, 0.4, 0.2), 0, 4, Marker());
-    const std::vector<domains::Point> holes{place({0.5, 0.5}), place({1.5, 0.5})};
-    for (auto f : cdt.finite_face_handles())
-      regions.set(f, CGAL::centroid(cdt.triangle(f)).x() < place({1, 0}).x() ? left : right);
-    CGAL::npbs_relax(cdt, P::sizing_function(0.1 / 3 * 1000).seeds(holes).edge_marker_map(markers).face_region_map(
-                            regions));
-  }
-
-  static domains::Point place(const std::pair<double, double>& p)
-  {
-    return domains::Point(500000.1 + 1000 * p.first / 3, 6e6 + 1000 * p.second / 3);
-  }
-
-  Mesh_arrays_2 mesh() const { return {cdt, P::edge_marker_map(markers).face_region_map(regions)}; }
-};
-
-const Bay<>& bay()
-{
-  static const Bay<> bay(5, 2, 3, 4, 10, 20);
-  return bay;
-}
-
-Mesh_arrays_2 tagged_bay()
-{
-  Mesh_arrays_2 mesh = bay().mesh();
-  mesh.marker_names = {{5, "open sea"}, {3, "a \"small\" island"}, {77, "not there"}};
-  mesh.region_names = {{10, "sand"}};
-  for (const auto& p : mesh.points)
-    mesh.vertex_data["depth"].push_back((p.x() - 500000) / 7);
-  return mesh;
-}
 
 /// the mesh as a reader of a file of Gmsh should have it
 Mesh expected(const Mesh_arrays_2& arrays)
@@ -147,79 +77,6 @@ void expect_gmsh_has_all(const Mesh& mesh, const Mesh_arrays_2& arrays)
 }
 
 } // namespace
-
-TEST(Mesh_arrays, have_what_the_domain_has)
-{
-  const Mesh_arrays_2 mesh = bay().mesh();
-  std::map<int, double> length;
-  for (std::size_t k = 0; k < mesh.edges.size(); ++k)
-    length[mesh.edge_markers[k]] +=
-      std::sqrt(CGAL::squared_distance(mesh.points[mesh.edges[k][0]], mesh.points[mesh.edges[k][1]]));
-  EXPECT_EQ(length.size(), 5u);
-  EXPECT_NEAR(length[5], 1000 / 3., 1e-6);
-  EXPECT_NEAR(length[2], 5000 / 3., 1e-6);
-  EXPECT_NEAR(length[4], 1000 / 3., 1e-6);
-  EXPECT_NEAR(length[0], 800 / 3., 1e-6);
-  std::map<double, double> area;
-  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-    const auto& t = mesh.triangles[k];
-    area[mesh.regions[k]] += CGAL::area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-  }
-  EXPECT_NEAR(area[20], 1e6 / 9 * 0.96, 1e-4);
-  EXPECT_EQ(area.size(), 2u);
-  ASSERT_EQ(mesh.holes.size(), 2u);
-  for (const auto& hole : mesh.holes)
-    EXPECT_FALSE(bay().cdt.locate(hole)->is_in_domain());
-  const auto boundary = mesh.boundary_edges();
-  EXPECT_EQ(mesh.edges.size() - boundary.size(),
-            static_cast<std::size_t>(std::count(mesh.edge_markers.begin(), mesh.edge_markers.end(), 4)));
-  for (const auto& e : boundary) // as they are: with the domain on the left
-    EXPECT_EQ(std::count(mesh.edges.begin(), mesh.edges.end(), e), 1);
-}
-
-TEST(Mesh_arrays, tell_which_vertices_their_points_are)
-{
-  std::vector<Cdt::Vertex_handle> vertices;
-  const Mesh_arrays_2 mesh(bay().cdt, P::output_iterator(std::back_inserter(vertices)));
-  ASSERT_EQ(vertices.size(), mesh.points.size());
-  for (std::size_t k = 0; k < vertices.size(); ++k)
-    EXPECT_EQ(vertices[k]->point(), mesh.points[k]);
-}
-
-// without markers the boundary has 1, as Triangle has it; with markers nothing is added to what the user says
-TEST(Mesh_arrays, mark_the_boundary_where_there_are_no_markers)
-{
-  const Mesh_arrays_2 mesh = bay().cdt;
-  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
-    const auto turned = Mesh_arrays_2::Edge{mesh.edges[k][1], mesh.edges[k][0]};
-    const auto boundary = mesh.boundary_edges();
-    const bool is_boundary = std::count(boundary.begin(), boundary.end(), mesh.edges[k]) +
-                               std::count(boundary.begin(), boundary.end(), turned) > 0;
-    EXPECT_EQ(mesh.edge_markers[k], is_boundary);
-  }
-  EXPECT_TRUE(mesh.regions.empty());
-  EXPECT_EQ(*std::max_element(mesh.vertex_markers.begin(), mesh.vertex_markers.end()), 1);
-  EXPECT_EQ(*std::min_element(mesh.vertex_markers.begin(), mesh.vertex_markers.end()), 0);
-}
-
-TEST(Mesh_arrays, number_names)
-{
-  const Bay<std::string, std::string> named("sea", "coast", "island", "", "sand", "rock");
-  const Mesh_arrays_2 mesh = named.mesh();
-  const std::map<int, std::string> markers{{1, "coast"}, {2, "island"}, {3, "sea"}};
-  EXPECT_EQ(mesh.marker_names, markers);
-  const std::map<double, std::string> regions{{1, "rock"}, {2, "sand"}};
-  EXPECT_EQ(mesh.region_names, regions);
-  const Mesh read = file_readers::Msh4_reader(written([&](std::ostream& out) { CGAL::IO::write_MSH(out, mesh); })).mesh;
-  EXPECT_EQ(read.names.at({1, 3}), "sea");
-  EXPECT_EQ(read.names.at({2, 1}), "rock");
-}
-
-TEST(Mesh_arrays, refuse_markers_that_are_no_integers)
-{
-  const Bay<double> bay(5, 2.5, 3, 4, 10, 20);
-  expect_invalid([&] { bay.mesh(); }, {"edge_marker_map", "2.5"});
-}
 
 TEST(Files, gmsh_4_1)
 {
@@ -421,6 +278,7 @@ TEST(Files, do_not_depend_on_the_stream_and_leave_it_as_it_was)
   odd.imbue(std::locale(odd.getloc(), new Commas));
   odd << std::hex << std::fixed;
   odd.precision(2);
+  odd.width(60);
   CGAL::IO::write_MSH(odd, arrays);
   EXPECT_EQ(odd.str(), written([&](std::ostream& out) { CGAL::IO::write_MSH(out, arrays); }));
   odd.str("");
@@ -450,4 +308,51 @@ TEST(Files, of_a_terrain_have_elevations)
     const double x = ocean.number(), y = ocean.number();
     EXPECT_NEAR(ocean.number(), -1 - x - y, 1e-14);
   }
+}
+
+TEST(Files, tell_if_a_stream_has_failed)
+{
+  const Mesh_arrays_2 mesh = tagged_bay();
+  const auto expect_told = [&](const auto& write) {
+    std::ostringstream out;
+    EXPECT_TRUE(write(out));
+    out.setstate(std::ios_base::badbit);
+    EXPECT_FALSE(write(out));
+  };
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_MSH(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_MSH2(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_VTU(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_2DM(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_ADCIRC(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_triangle_node(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_triangle_ele(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_triangle_poly(out, mesh); });
+  expect_told([&](std::ostream& out) { return CGAL::IO::write_triangle_edge(out, mesh); });
+}
+
+// arrays that are filled by hand may have points of no triangle, or nothing at all
+TEST(Files, gmsh_of_points_of_no_triangle)
+{
+  Mesh_arrays_2 mesh;
+  const auto text = [&] { return written([&](std::ostream& out) { CGAL::IO::write_MSH(out, mesh); }); };
+  EXPECT_NE(text().find("$Nodes\n0 0 0 0\n$EndNodes\n$Elements\n0 0 0 0\n$EndElements\n"), std::string::npos);
+  mesh.points = {{0, 0}, {1, 0}, {0, 1}, {5, 7}};
+  mesh.vertex_markers.assign(4, 0);
+  EXPECT_NE(text().find("$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n"), std::string::npos);
+  mesh.triangles = {{0, 1, 2}};
+  const Mesh all = file_readers::Msh4_reader(text()).mesh; // also tells whether boxes contain their points
+  EXPECT_EQ(all.points.size(), 4u);
+  EXPECT_EQ(all.triangles.size(), 1u);
+  EXPECT_EQ(all.points.at(4)[1], 7);
+}
+
+// box.1 is the name of Triangle's first refinement of box
+TEST(Files, of_triangle_have_names_with_points)
+{
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(CGAL::IO::triangle_files("box.1"), (Names{"box.1.node", "box.1.ele", "box.1.poly"}));
+  EXPECT_EQ(CGAL::IO::triangle_files("a.b/box.1.EDGE"),
+            (Names{"a.b/box.1.node", "a.b/box.1.ele", "a.b/box.1.poly", "a.b/box.1.edge"}));
+  EXPECT_EQ(CGAL::IO::triangle_files("box.poly"), (Names{"box.node", "box.ele", "box.poly"}));
+  EXPECT_EQ(CGAL::IO::triangle_files("box"), (Names{"box.node", "box.ele", "box.poly"}));
 }

@@ -36,8 +36,12 @@ strings (`NS`): one for each chain of edges of a marker, which is its number, cl
 end as well.
 
 A node's z is its elevation, or else minus the vertex data `depth`, or else 0. Other data and names are not kept.
+
+\returns whether it was written
+
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does
 */
-inline void write_2DM(std::ostream& out, const Mesh_arrays_2& mesh)
+inline bool write_2DM(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   using namespace Bubble_relaxation_2::internal;
   mesh.check();
@@ -66,6 +70,7 @@ inline void write_2DM(std::ostream& out, const Mesh_arrays_2& mesh)
             << chain[k] + 1;
       out << ' ' << edges.first << '\n';
     }
+  return static_cast<bool>(out);
 }
 
 /*!

@@ -107,9 +107,11 @@ are not kept; of markers only what is open.
 \param land_type of the mainland: 0, 10 or 20, as ADCIRC has them; islands have one more, which is 1, 11 or 21. SCHISM
 wants 0
 
+\returns whether it was written
+
 \throws std::invalid_argument if `land_type` is none of these, or as `Mesh_arrays_2::check()` does
 */
-inline void write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std::set<int>& open_markers = {},
+inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std::set<int>& open_markers = {},
                          int land_type = 0)
 {
   using namespace Bubble_relaxation_2::internal;
@@ -148,6 +150,7 @@ inline void write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std
         << '\n';
     write_nodes(land.nodes);
   }
+  return static_cast<bool>(out);
 }
 
 /*!

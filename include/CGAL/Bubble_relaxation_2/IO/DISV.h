@@ -169,6 +169,8 @@ perpendicular to faces. The length of all coordinates is left undefined.
 
 \tparam CDT, Marker see `Voronoi_dual_2`
 \tparam Top, Bottom a number, or a function of points that returns one
+\param out takes the file
+\param dual the cells
 \param top the elevation of the uppermost layer's top
 \param bottom the elevation of the lowest layer's bottom
 \param number_of_layers between them; all layers of a cell are equally thick

@@ -79,7 +79,7 @@ private:
     int dimension;
     Tag_groups::Group group;
     std::vector<std::size_t> cells; ///< edges or triangles
-    std::vector<std::size_t> nodes; ///< that belong to no curve before it
+    std::vector<std::size_t> nodes; ///< that belong to no entity before it; the last one has those of no cell as well
     std::array<double, 6> box;      ///< the least coordinates, then the greatest
   };
 
@@ -112,6 +112,12 @@ private:
     };
     add(1, m_curves, m_mesh.edges, [this](std::size_t k) { return curve(k); });
     add(2, m_surfaces, m_mesh.triangles, [this](std::size_t k) { return surface(k); });
+    Entity& last = m_entities.back(); // there is a surface at least
+    for (std::size_t v = 0; v < is_taken.size(); ++v)
+      if (!is_taken[v]) { // a point of no edge or triangle
+        widen(last.box, v, last.cells.empty() && last.nodes.empty());
+        last.nodes.push_back(v);
+      }
   }
 
   void widen(std::array<double, 6>& box, std::size_t v, bool is_first) const
@@ -242,12 +248,17 @@ which those with one tag are one elementary entity.
 The physical group of a line is its marker, that of a triangle its region, and 1 if there are no regions. Tags that are
 no positive integers, 0 too, get the next free numbers, and their values as names. `marker_names` and `region_names` are
 the names of physical groups, in which `"` becomes `'`; `vertex_data` becomes `$NodeData`.
+
+\returns whether it was written
+
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does
 */
-inline void write_MSH(std::ostream& out, const Mesh_arrays_2& mesh)
+inline bool write_MSH(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   mesh.check();
   const Bubble_relaxation_2::internal::Plain_numbers plain(out);
   Bubble_relaxation_2::internal::Msh_writer(out, mesh).write_4_1();
+  return static_cast<bool>(out);
 }
 
 /*!
@@ -267,12 +278,17 @@ inline void write_MSH(const std::string& name, const Mesh_arrays_2& mesh)
 \ingroup PkgBubbleRelaxation2Files
 
 writes a mesh as `write_MSH()` does, in version 2.2 of the format, for programs that do not read 4.1.
+
+\returns whether it was written
+
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does
 */
-inline void write_MSH2(std::ostream& out, const Mesh_arrays_2& mesh)
+inline bool write_MSH2(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   mesh.check();
   const Bubble_relaxation_2::internal::Plain_numbers plain(out);
   Bubble_relaxation_2::internal::Msh_writer(out, mesh).write_2_2();
+  return static_cast<bool>(out);
 }
 
 /*!

@@ -17,6 +17,7 @@
 #include <CGAL/Mesh_arrays_2.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -32,22 +33,31 @@ namespace CGAL::IO {
 
 writes the points of a mesh as a `.node` file of Triangle, with their markers. All of Triangle's files are numbered from
 1.
+
+\returns whether it was written
+
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does
 */
-inline void write_triangle_node(std::ostream& out, const Mesh_arrays_2& mesh)
+inline bool write_triangle_node(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   mesh.check();
   const Bubble_relaxation_2::internal::Plain_numbers plain(out);
   out << mesh.points.size() << " 2 0 1\n";
   for (std::size_t k = 0; k < mesh.points.size(); ++k)
     out << k + 1 << ' ' << mesh.points[k].x() << ' ' << mesh.points[k].y() << ' ' << mesh.vertex_markers[k] << '\n';
+  return static_cast<bool>(out);
 }
 
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
 writes the triangles of a mesh as an `.ele` file of Triangle, with their regions as attributes if there are any.
+
+\returns whether it was written
+
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does
 */
-inline void write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
+inline bool write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   mesh.check();
   const Bubble_relaxation_2::internal::Plain_numbers plain(out);
@@ -59,6 +69,7 @@ inline void write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
       out << ' ' << mesh.regions[k];
     out << '\n';
   }
+  return static_cast<bool>(out);
 }
 
 /*!
@@ -66,8 +77,12 @@ inline void write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
 
 writes the edges on constraints of a mesh, with their markers, and its holes, as a `.poly` file of Triangle. Its points
 are those of the `.node` file beside it.
+
+\returns whether it was written
+
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does
 */
-inline void write_triangle_poly(std::ostream& out, const Mesh_arrays_2& mesh)
+inline bool write_triangle_poly(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   mesh.check();
   const Bubble_relaxation_2::internal::Plain_numbers plain(out);
@@ -77,14 +92,19 @@ inline void write_triangle_poly(std::ostream& out, const Mesh_arrays_2& mesh)
   out << mesh.holes.size() << '\n';
   for (std::size_t k = 0; k < mesh.holes.size(); ++k)
     out << k + 1 << ' ' << mesh.holes[k].x() << ' ' << mesh.holes[k].y() << '\n';
+  return static_cast<bool>(out);
 }
 
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
 writes all edges of a mesh as an `.edge` file of Triangle, with their markers, 0 for those on no constraint.
+
+\returns whether it was written
+
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does
 */
-inline void write_triangle_edge(std::ostream& out, const Mesh_arrays_2& mesh)
+inline bool write_triangle_edge(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   mesh.check();
   const Bubble_relaxation_2::internal::Plain_numbers plain(out);
@@ -104,21 +124,26 @@ inline void write_triangle_edge(std::ostream& out, const Mesh_arrays_2& mesh)
     out << k + 1 << ' ' << edges[k][0] + 1 << ' ' << edges[k][1] + 1 << ' '
         << (found == markers.end() ? 0 : found->second) << '\n';
   }
+  return static_cast<bool>(out);
 }
 
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-returns the names of the files that `write_triangle_files()` writes: with the endings `.node`, `.ele` and `.poly`, and
-`.edge` if `name` has that.
+returns the names of the files that `write_triangle_files()` writes: `name` with the endings `.node`, `.ele` and
+`.poly`, and `.edge` if `name` has that. If `name` has one of these endings it is left out before; another one stays, as
+in `box.1`, which is how Triangle numbers meshes.
 */
 inline std::vector<std::string> triangle_files(const std::string& name)
 {
   std::filesystem::path path(name);
-  const bool has_edges = path.extension() == ".edge" || path.extension() == ".EDGE";
-  const std::string stem = path.replace_extension().string();
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool is_known = ending == ".node" || ending == ".ele" || ending == ".poly" || ending == ".edge";
+  const std::string stem = is_known ? path.replace_extension().string() : name;
   std::vector<std::string> files{stem + ".node", stem + ".ele", stem + ".poly"};
-  if (has_edges)
+  if (ending == ".edge")
     files.push_back(stem + ".edge");
   return files;
 }
@@ -135,7 +160,7 @@ inline void write_triangle_files(const std::string& name, const Mesh_arrays_2& m
 {
   mesh.check();
   const std::vector<std::string> files = triangle_files(name);
-  void (*const writers[])(std::ostream&, const Mesh_arrays_2&) = {write_triangle_node, write_triangle_ele,
+  bool (*const writers[])(std::ostream&, const Mesh_arrays_2&) = {write_triangle_node, write_triangle_ele,
                                                                   write_triangle_poly, write_triangle_edge};
   std::size_t k = 0;
   try {
