@@ -36,6 +36,7 @@ cp "$here/output/coast.svg" .
   grep -v '^\[\|^ninja' | tee "$figures/coasts.txt"
 "$here/scripts/benchmark.sh" dual 1000 10000 {superior,aegean,norway,patagonia,finland}_intermediate |
   grep -v '^\[\|^ninja' | tee "$figures/dual.txt"
+"$here/scripts/same_bits.sh" | grep -v ' s to run' | tail -n 15 | tee "$figures/same_bits.txt" # those of the last one
 "$here/doc/Bubble_relaxation_2/draw_rooms.py" rooms.svg
 ../release/demo/Bubble_relaxation_2/moving_body | tail -n 1 | tee "$figures/moving_body.txt"
 cp moving_body.svg "$figures" # it moves

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes an outline of the sea of coasts: make_sea.py west/east/south/north x y < coast.txt > sea.geojson
 
-Reads lines as GMT writes them, in degrees, and writes the part of the box between them that has the point (x, y): a polygon
-with the marker 1, and lines with the marker 2 where it is the box that bounds it, which is the open sea.
+Reads lines as GMT writes them, in degrees, and writes the part of the box between them that has the point (x, y): a
+polygon with the marker 1, and lines with the marker 2 where it is the box that bounds it, which is the open sea.
 """
 import json
 import sys
