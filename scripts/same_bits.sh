@@ -34,7 +34,7 @@ for_another() { # NAME COMPILER OPTION...
   12.[0-2].*) vectors=(-fno-tree-slp-vectorize) ;; # as in CMakeLists.txt
   esac
   ccache "$compiler" -std=c++17 -ffp-contract=off -DCGAL_BUBBLE_RELAXATION_2_NO_CONTRACTION "${vectors[@]}" "$@" \
-    -DNDEBUG -DCGAL_DISABLE_GMP=1 -Iinclude -isystem "$out/include" -w \
+    -DNDEBUG -DCGAL_DISABLE_GMP=1 -Iinclude -isystem "$out/include" -w -Wno-psabi \
     -c test/Bubble_relaxation_2/same_bits/print_hashes.cpp -o "$out/$name.o"
   "$compiler" -static "$out/$name.o" -o "$out/$name"
 }
