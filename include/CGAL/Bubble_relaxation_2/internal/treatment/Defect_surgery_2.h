@@ -94,8 +94,10 @@ inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, doub
 class Defect_surgery_2
 {
 public:
-  /// \pre the edges of `mesh` are labelled
-  Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh) : m_domain(domain), m_mesh(mesh) {}
+  /// \param smallest q of the mesh, which does not get smaller \pre the edges of `mesh` are labelled
+  Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest)
+    : m_domain(domain), m_mesh(mesh), m_smallest(smallest)
+  {}
 
   /// what was done
   std::size_t number_of_insertions = 0, number_of_deletions = 0;
@@ -145,7 +147,7 @@ private:
       const std::uint64_t signature = patch.signature(worst[k].triangle);
       if (m_hopeless.count(signature) != 0)
         return false;
-      Patch_operation_2 operate(m_domain, m_mesh, patch);
+      Patch_operation_2 operate(m_domain, m_mesh, patch, m_smallest);
       const bool has_helped = operate(worst[k].triangle);
       if (has_helped)
         result.push_back(Operation{std::move(patch), operate.best()});
@@ -207,6 +209,7 @@ private:
 
   const Domain_2& m_domain;
   Bubble_mesh_2& m_mesh;
+  const double m_smallest;
   std::unordered_set<std::uint64_t> m_hopeless; // signatures of what could not be made better
 };
 

@@ -26,12 +26,15 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its
 /// vertices or of the three beyond its sides, or to insert one in its middle or on a side. The patch is triangulated;
 /// where that has left the best triangles vertices are moved, which takes longest. The best outcome counts if the worst
-/// triangle of the patch gets better, or stays as it is and the second worst gets better, and so on.
+/// triangle of the patch gets better, or stays as it is and the second worst gets better, and so on. Obtuse triangles are
+/// worse than their q, but no triangle gets worse than the worst of the mesh.
 class Patch_operation_2
 {
 public:
-  Patch_operation_2(const Domain_2& domain, const Bubble_mesh_2& mesh, const Mesh_patch_2& patch)
-    : m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_triangles(mesh.triangles), m_patch(patch)
+  /// \param smallest the smallest q of all meshes that come out
+  Patch_operation_2(const Domain_2& domain, const Bubble_mesh_2& mesh, const Mesh_patch_2& patch, double smallest)
+    : m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_triangles(mesh.triangles), m_patch(patch),
+      m_smallest(smallest)
   {}
 
   /// tries what could help triangle `t`; returns whether anything did
@@ -69,7 +72,7 @@ private:
   static constexpr double hard_quality = 0.84;
   static constexpr int easy_sweeps = Smoothing_sweeps_2::number_of_sweeps - 1;
 
-  using Defects = std::vector<double>; // the qualities of bad triangles, the worst first
+  using Defects = std::vector<double>; // what bad triangles are worth, the worst first
 
   struct Candidate
   {
@@ -77,12 +80,26 @@ private:
     Patch_outcome_2 outcome;
   };
 
+  static bool is_obtuse(const Bubble_mesh_2& mesh, Index t)
+  {
+    for (int i = 0; i < 3; ++i)
+      if ((mesh.point(t, ccw(i)) - mesh.point(t, i)) * (mesh.point(t, cw(i)) - mesh.point(t, i)) < 0)
+        return true;
+    return false;
+  }
+
+  /// q of a triangle, less a tenth if it is obtuse: a slimmer one that is acute is better
+  static double worth(const Bubble_mesh_2& mesh, Index t)
+  {
+    return quality(mesh, t) * (is_obtuse(mesh, t) ? 0.9 : 1.);
+  }
+
   static Defects defects_among(const Bubble_mesh_2& mesh, const std::vector<Index>& triangles)
   {
     Defects defects;
     for (Index t : triangles)
       if (mesh.triangles.inside[t]) {
-        const double q = quality(mesh, t);
+        const double q = worth(mesh, t);
         if (q < good_quality)
           defects.push_back(q);
       }
@@ -248,7 +265,7 @@ private:
       Team alone;
       Smoothing_sweeps_2(m_domain, mesh, alone)(is_hard ? Smoothing_sweeps_2::number_of_sweeps : easy_sweeps);
       Defects defects = defects_of(mesh);
-      if (is_better(defects, m_defects, m_is_better ? 0. : least_gain)) {
+      if (smallest_quality(mesh) >= m_smallest && is_better(defects, m_defects, m_is_better ? 0. : least_gain)) {
         m_defects = std::move(defects);
         m_is_better = true;
         m_best = std::move(m_candidates[k].outcome);
@@ -261,6 +278,7 @@ private:
   const Bubbles_2& m_bubbles;            // of it
   const Marked_triangles_2& m_triangles; // of it
   const Mesh_patch_2& m_patch;
+  const double m_smallest;
   bool m_is_better = false;
   double m_mean_size = 0;
   std::vector<Candidate> m_candidates;

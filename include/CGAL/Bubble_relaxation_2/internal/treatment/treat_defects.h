@@ -154,7 +154,7 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
 {
   label_edges(mesh.triangles);
   Bubble_mesh_2 changed = mesh;
-  Defect_surgery_2 surgery(domain, changed);
+  Defect_surgery_2 surgery(domain, changed, smallest);
   for (double bad_quality : bad_qualities)
     if (is_stop_wanted() || !surgery(bad_quality))
       break;

@@ -50,9 +50,9 @@ struct Ranked_operation_2
 class Distributed_surgery_2
 {
 public:
-  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, Communicator& comm)
+  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, double smallest, Communicator& comm)
     : m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
-      m_comm(comm)
+      m_smallest(smallest), m_comm(comm)
   {}
 
   /// what was done on all ranks
@@ -149,7 +149,7 @@ private:
   /// returns whether it helped
   bool operate_on(Ranked_operation_2& operation) const
   {
-    Patch_operation_2 operate(m_domain, m_piece.mesh, operation.patch);
+    Patch_operation_2 operate(m_domain, m_piece.mesh, operation.patch, m_smallest);
     operation.is_chosen = operate(operation.triangle);
     operation.outcome = operate.best();
     return operation.is_chosen;
@@ -205,6 +205,7 @@ private:
   const Mesh_piece_2& m_piece;
   const Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;
+  const double m_smallest;
   Communicator& m_comm;
   std::vector<Ranked_operation_2> m_operations;
   std::size_t m_number_of_places = 0; // of operations of all ranks

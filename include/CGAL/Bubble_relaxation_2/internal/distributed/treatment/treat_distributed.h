@@ -126,7 +126,7 @@ public:
     double smallest_now = -1;
     try {
       for (double bad_quality : bad_qualities)
-        if (!operate_once(last, bad_quality, changes, has_changed_outline))
+        if (!operate_once(last, bad_quality, smallest, changes, has_changed_outline))
           break;
       smallest_now = smallest_quality(last.mesh);
     } catch (const std::runtime_error&) { // the same
@@ -240,12 +240,13 @@ private:
   }
 
   /// inserts and deletes bubbles around bad triangles; returns whether there was something to be done
-  bool operate_once(Mesh_piece_2& piece, double bad_quality, Treatment_counts& counts, bool& has_changed_outline) const
+  bool operate_once(Mesh_piece_2& piece, double bad_quality, double smallest, Treatment_counts& counts,
+                    bool& has_changed_outline) const
   {
-    std::optional<Distributed_surgery_2> surgery(std::in_place, m_domain, piece, m_comm);
+    std::optional<Distributed_surgery_2> surgery(std::in_place, m_domain, piece, smallest, m_comm);
     for (double reach = m_reach; !surgery->find_patches(bad_quality); reach *= 2) { // they are cut off
       renew(piece, reach);
-      surgery.emplace(m_domain, piece, m_comm);
+      surgery.emplace(m_domain, piece, smallest, m_comm);
     }
     const std::int64_t end = static_cast<std::int64_t>(number_of_bubbles(piece.mesh));
     const Patch_changes_2 changes = surgery->operate(end);
