@@ -99,7 +99,7 @@ public:
   /// @{
   FT minimum_angle() const { return FT(m.minimum_angle); } ///< the smallest angle of all triangles
   FT maximum_angle() const { return FT(m.maximum_angle); } ///< the largest angle of all triangles
-  /// triangles with an angle of more than 90 degrees. A triangle with q > 2 (sqrt 2 - 1) = 0.8284 has none
+  /// triangles with an angle of more than 90 degrees and a rounding (10<sup>-12</sup>). A triangle with q > 2 (sqrt 2 - 1) = 0.8284 has none
   std::size_t number_of_obtuse_triangles() const { return m.obtuse; }
   /// whether no triangle is right-angled or obtuse, so that each contains its circumcentre
   bool is_well_centered() const { return number_of_triangles() > 0 && m.maximum_angle < 90; }

@@ -43,7 +43,7 @@ struct Voronoi_quality_2
 
   /// \name Triangles
   /// @{
-  std::size_t number_of_obtuse_triangles = 0; ///< those with an angle of more than 90 degrees
+  std::size_t number_of_obtuse_triangles = 0; ///< as `Mesh_quality_2` counts them
   /// of these, those that have it opposite to a constraint. If there are none, the cells are the Voronoi cells of the
   /// vertices, clipped at the constraints.
   std::size_t number_of_centers_beyond_constraints = 0;

@@ -94,6 +94,10 @@ inline double rest_of_inverse_tangent(double square)
   return square * polynomial(terms, square);
 }
 
+/// Whether an angle of more than 90 degrees has the direction (x, y), y >= 0. What roundings of their points make of right
+/// angles is right.
+inline bool is_obtuse(double x, double y) { return x < -1e-12 * y; }
+
 /// The angle from the x-axis to a vector, between -pi and pi; 0 for no vector.
 inline double angle_of(double x, double y)
 {

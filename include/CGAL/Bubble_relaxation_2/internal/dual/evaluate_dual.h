@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DUAL_EVALUATE_DUAL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DUAL_EVALUATE_DUAL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/dual/dual_faces.h>
 
@@ -27,7 +28,9 @@ inline void add_obtuse_triangles(const Marked_copy_2& domain, Voronoi_quality_2&
   for (std::size_t k = 0; k < domain.tr.number_of_triangles(); ++k)
     for (int i = 0; i < 3 && domain.tr.inside[k]; ++i) {
       const Index t = static_cast<Index>(k);
-      if (CGAL::angle(domain.tr.point(t, cw(i)), domain.tr.point(t, i), domain.tr.point(t, ccw(i))) != OBTUSE)
+      const Point tip = domain.tr.point(t, i);
+      const Kernel::Vector_2 u = domain.tr.point(t, ccw(i)) - tip, v = domain.tr.point(t, cw(i)) - tip;
+      if (!is_obtuse(u * v, u.x() * v.y() - u.y() * v.x()))
         continue;
       ++quality.number_of_obtuse_triangles;
       quality.number_of_centers_beyond_constraints += domain.is_constrained(t, i) ? 1 : 0;

@@ -158,7 +158,7 @@ private:
     const double scale = (std::max)(std::abs(ux) + std::abs(uy), std::abs(vx) + std::abs(vy));
     const double cross = std::abs(ux / scale * (vy / scale) - uy / scale * (vx / scale));
     const double dot = ux / scale * (vx / scale) + uy / scale * (vy / scale);
-    m.obtuse += dot < 0;
+    m.obtuse += is_obtuse(dot, cross);
     // the cotangent falls as the angle grows, and costs less
     const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
     const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_PATCH_OPERATION_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_PATCH_OPERATION_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Mesh_patch_2.h>
@@ -82,9 +83,11 @@ private:
 
   static bool is_obtuse(const Bubble_mesh_2& mesh, Index t)
   {
-    for (int i = 0; i < 3; ++i)
-      if ((mesh.point(t, ccw(i)) - mesh.point(t, i)) * (mesh.point(t, cw(i)) - mesh.point(t, i)) < 0)
+    for (int i = 0; i < 3; ++i) {
+      const Kernel::Vector_2 u = mesh.point(t, ccw(i)) - mesh.point(t, i), v = mesh.point(t, cw(i)) - mesh.point(t, i);
+      if (internal::is_obtuse(u * v, u.x() * v.y() - u.y() * v.x()))
         return true;
+    }
     return false;
   }
 
