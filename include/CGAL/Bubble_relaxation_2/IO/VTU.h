@@ -28,6 +28,13 @@
 namespace CGAL {
 namespace Bubble_relaxation_2::internal {
 
+/// that of this machine, in the words of VTK
+inline const char* byte_order()
+{
+  const std::uint16_t one = 1;
+  return *reinterpret_cast<const unsigned char*>(&one) == 1 ? "LittleEndian" : "BigEndian";
+}
+
 /// Writes arrays in base64, in lines of XML that any reader takes.
 class Vtu_writer
 {
@@ -36,10 +43,8 @@ public:
 
   void write()
   {
-    const std::uint16_t one = 1;
-    const bool is_little = *reinterpret_cast<const unsigned char*>(&one) == 1;
-    m_out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-          << (is_little ? "Little" : "Big") << "Endian\" header_type=\"UInt64\">\n"
+    m_out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"" << byte_order()
+          << "\" header_type=\"UInt64\">\n"
           << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << m_mesh.points.size() << "\" NumberOfCells=\""
           << m_mesh.triangles.size() + m_mesh.edges.size() << "\">\n";
     write_point_data();
@@ -75,11 +80,14 @@ private:
     array("Float64", "q", q);
     array("Int32", "dimension", dimension);
     array("Int32", "marker", marker);
-    if (!m_mesh.regions.empty()) {
-      std::vector<double> regions = m_mesh.regions;
-      regions.resize(cells, std::numeric_limits<double>::quiet_NaN());
-      array("Float64", "region", regions);
-    }
+    const auto of_triangles = [&](const std::string& name, std::vector<double> values) {
+      values.resize(cells, std::numeric_limits<double>::quiet_NaN());
+      array("Float64", name, values);
+    };
+    if (!m_mesh.regions.empty())
+      of_triangles("region", m_mesh.regions);
+    for (const auto& data : m_mesh.triangle_data)
+      of_triangles(data.first, data.second);
     m_out << "</CellData>\n";
   }
 
@@ -158,7 +166,8 @@ namespace IO {
 
 writes a mesh as a `.vtu` file of VTK, for ParaView and others: triangles and the edges on constraints as lines, with
 the cell data `q` (not a number for lines), `dimension` (2 for triangles, 1 for lines), `marker` (of lines), and
-`region` if there are any; and the point data `marker` and those of `vertex_data`. It is XML with arrays in base64.
+`region` if there are any, and those of `triangle_data`; and the point data `marker` and those of `vertex_data`. It is
+XML with arrays in base64.
 Names are not kept.
 
 \cgal's function of this name writes what faces and constraints a triangulation has, with no tags.
