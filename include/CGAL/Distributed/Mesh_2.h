@@ -16,7 +16,6 @@
 #include <CGAL/Bubble_relaxation_2/IO/VTU.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Triangle_places_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_pvtu.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_regions_2.h>

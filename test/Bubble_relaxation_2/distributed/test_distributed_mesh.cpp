@@ -16,7 +16,6 @@
 #include <CGAL/Distributed/triangulate.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/Point_replacement_2.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>
@@ -68,13 +67,6 @@ Points bare_points(const Case& c, Spread spread)
     if (is_here(i, spread))
       points.insert(c.bubbles.point(i));
   return points;
-}
-
-void write_bubbles(const Bubbles_2& numbered, Points& points)
-{
-  Point_replacement_2<Points> replacement(points);
-  replacement.prepare(numbered);
-  replacement.finish();
 }
 
 Points with_properties(const Case& c, const std::vector<std::int64_t>& numbers, Spread spread)
