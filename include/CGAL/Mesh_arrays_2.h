@@ -60,6 +60,7 @@ struct Mesh_arrays_2
   std::map<std::string, std::vector<double>> vertex_data; ///< values at the points, by their names; may be filled
   std::vector<Triangle> triangles; ///< of the domain, counterclockwise
   std::vector<double> regions;     ///< of the triangles; empty if there are none
+  std::map<std::string, std::vector<double>> triangle_data; ///< the same of triangles, for `CGAL::IO::write_VTU()`
   std::vector<Edge> edges; ///< on constraints: all of the boundary, with the domain on the left, and those inside
   std::vector<int> edge_markers; ///< 0 for none
   std::vector<Point_2> holes;    ///< a point in each hole
@@ -376,6 +377,8 @@ inline void Mesh_arrays_2::check() const
     check_size("elevations", elevations.size(), points.size());
   for (const auto& data : vertex_data)
     check_size("the vertex data '" + data.first + "'", data.second.size(), points.size());
+  for (const auto& data : triangle_data)
+    check_size("the triangle data '" + data.first + "'", data.second.size(), triangles.size());
   if (!regions.empty())
     check_size("regions", regions.size(), triangles.size());
   for (const double region : regions)

@@ -36,11 +36,11 @@ room(meshless/galerkin Galerkin_method_2.h)
 room(distributed/mpi SHELF)
 room(distributed/parts SHELF)
 room(distributed/input read_same_input.h point_set_bubbles.h)
-room(distributed/mesh Distributed_mesh_2.h Triangle_places_2.h distributed_triangulate.h)
+room(distributed/mesh Distributed_mesh_2.h distributed_triangulate.h)
 room(distributed/placement place_distributed.h)
 room(distributed/simulation simulate_distributed.h)
 room(distributed/treatment treat_distributed.h)
-room(distributed/writing Point_replacement_2.h relax_by_all.h write_neighbors.h write_pvtu.h)
+room(distributed/writing relax_by_all.h write_neighbors.h write_pvtu.h)
 
 # what several ranks do together is made of the parts of what one does alone
 set(behind_of_distributed/placement placement)

@@ -13,12 +13,14 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/IO/VTU.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Triangle_places_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_pvtu.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_regions_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/files/write_file.h>
+#include <CGAL/Mesh_arrays_2.h>
 #include <CGAL/Mesh_quality_2.h>
 
 #include <mpi.h>
@@ -186,10 +188,10 @@ public:
   /*!
   \brief writes the mesh for ParaView. All ranks must call it, with the same name.
 
-  Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, and the first one
-  `name.pvtu`, which refers to them. Points have the data `global_id`, `size`, and `rank`, their owner; triangles
-  `q`, the radius ratio, and `rank`. Sides on constraints are lines, each in one file; `dimension` is 2 for triangles and
-  1 for lines. There are also `marker`, of lines, and `region`, of triangles, if the mesh has them and they are numbers.
+  Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, as `CGAL::IO::write_VTU()` does,
+  and the first one `name.pvtu`, which refers to them. Points have also the data `global_id`, `size`, and `rank`, their
+  owner; triangles `rank`. Sides on constraints are lines, each in one file. Markers and regions are there if the mesh
+  has them and they are numbers.
 
   \param path name of the file, which must end with `.pvtu`
   \param of_points more data of points, such as a solution: numbers by local indices, of owned points and of ghosts
@@ -204,13 +206,21 @@ public:
   {
     using namespace Bubble_relaxation_2::internal;
     Communicator ranks(m_comm);
-    const Vtu_piece_2<Mesh_2> piece(*this, of_points, of_triangles);
-    check_same(ranks, piece.hash_of_names(), "the data of write_pvtu() have not the same names on all ranks");
+    std::string stem;
+    Mesh_arrays_2 part;
     ranks.agree_after([&] {
-      const std::string stem = pvtu_stem(path);
-      write_file(vtu_path(stem, m_rank), [&](std::ostream& out) { piece.write(out); });
+      stem = pvtu_stem(path);
+      part = arrays_of_part(*this, of_points, of_triangles);
+    });
+    Hash_of_numbers names;
+    for (const auto* data : {&part.vertex_data, &part.triangle_data})
+      for (const auto& array : *data)
+        names.add(array.first);
+    check_same(ranks, names.value(), "the data of write_pvtu() have not the same names on all ranks");
+    ranks.agree_after([&] {
+      IO::write_VTU(vtu_path(stem, m_rank), part);
       if (m_rank == 0)
-        write_file(path, [&](std::ostream& out) { piece.write_header(out, stem); });
+        write_file(path, [&](std::ostream& out) { write_pvtu_header(out, part, stem, m_number_of_ranks); });
     });
   }
 

@@ -85,9 +85,8 @@ auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
   using Tags = Tags_2<CDT, NamedParameters>;
   using Mesh = Mesh_2<Kernel, typename Tags::Marker, typename Tags::Region>;
   Relaxed_mesh_2<Kernel, typename Tags::Marker, typename Tags::Region> result{{}, Mesh(comm)};
-  const auto write = [&](const Relaxed_part_2& relaxed, const auto& reading, const auto& sizing, const auto& report) {
+  const auto write = [&](const Relaxed_part_2& relaxed, const auto& reading, const auto& report) {
     relaxed.comm.agree_after([&] {
-      ask_ghost_sizes(relaxed.mesh, relaxed.comm.rank(), sizing);
       result.mesh = Mesh(relaxed.mesh, reading.domain, Tags(np, domain, reading),
                          Mesh_quality_2<double>(report.quality), comm);
     });

@@ -71,9 +71,9 @@ protected:
     Position_index_2 finder(m_here);
     m_halo.look_after(
       m_here, those, finder,
-      [&](Index i) { return bubble_state(m_here, static_cast<std::size_t>(i), Bubble_memory_2()); },
+      [&](Index i) { return Bubble_state_2{record(m_here, static_cast<std::size_t>(i)), {}}; },
       [&](const Bubble_state_2& s, int owner) {
-        add_here(s.bubble(), owner);
+        add_here(s.bubble, owner);
         finder.add(m_here, static_cast<Index>(m_here.size()) - 1);
       });
   }
@@ -188,7 +188,6 @@ TEST_F(Halo, sets_of_others_are_those_of_their_owners)
 TEST_F(Halo, neighbors_tell_where_they_are_at_a_stage)
 {
   Neighbor_sets_2 sets(radius);
-  Stage_messages_2 share(m_comm);
   for (int turn = 0; turn < 2; ++turn) { // the second with other neighbours
     sets.build(m_here);
     std::vector<double> x = m_here.x, y = m_here.y;
@@ -196,8 +195,8 @@ TEST_F(Halo, neighbors_tell_where_they_are_at_a_stage)
       x[i] = 3 * m_here.x[i] + 1;
       y[i] = 2 * m_here.y[i];
     }
-    share.send(m_halo, x, y);
-    share.receive(m_halo, x, y);
+    share_values(m_comm, m_halo.lists(), x);
+    share_values(m_comm, m_halo.lists(), y);
     for (std::size_t i = 0; i < m_number_of_own; ++i)
       for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j) {
         EXPECT_EQ(x[*j], 3 * m_here.x[*j] + 1);

@@ -16,7 +16,6 @@
 #include <CGAL/Distributed/triangulate.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/Point_replacement_2.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>
@@ -68,13 +67,6 @@ Points bare_points(const Case& c, Spread spread)
     if (is_here(i, spread))
       points.insert(c.bubbles.point(i));
   return points;
-}
-
-void write_bubbles(const Bubbles_2& numbered, Points& points)
-{
-  Point_replacement_2<Points> replacement(points);
-  replacement.prepare(numbered);
-  replacement.finish();
 }
 
 Points with_properties(const Case& c, const std::vector<std::int64_t>& numbers, Spread spread)
@@ -264,20 +256,23 @@ TEST(Distributed_mesh, is_written_for_paraview)
   MPI_Barrier(MPI_COMM_WORLD);
   if (rank() == 0 && std::system("python3 -c 'import xml' 2> /dev/null") == 0) {
     const std::string script = R"(
-import os, sys, xml.etree.ElementTree as tree
+import base64, os, sys, xml.etree.ElementTree as tree
 path, triangles = sys.argv[1], int(sys.argv[2])
+kinds = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}
+def values(array):
+    return memoryview(base64.b64decode(array.text)[8:]).cast(kinds[array.get("type")]).tolist()
 cells = 0
 for piece in tree.parse(path).iter("Piece"):
     part = tree.parse(os.path.join(os.path.dirname(path), piece.get("Source"))).find(".//Piece")
-    arrays = {a.get("Name"): a.text.split() for a in part.find("CellData")}
-    arrays.update({a.get("Name"): a.text.split() for a in part.find("Cells")})
+    arrays = {a.get("Name"): values(a) for a in part.find("CellData")}
+    arrays.update({a.get("Name"): values(a) for a in part.find("Cells")})
     n, points = int(part.get("NumberOfCells")), int(part.get("NumberOfPoints"))
-    lines = arrays["types"].count("3")
+    lines = arrays["types"].count(3)
     assert len(arrays["q"]) == len(arrays["types"]) == n and len(arrays["connectivity"]) == 3 * n - lines
-    assert all(0 < float(q) <= 1 for q in arrays["q"][:n - lines])
-    assert all(0 <= int(v) < points for v in arrays["connectivity"])
-    assert len(part.find("Points/DataArray").text.split()) == 3 * points
-    assert len(part.find("PointData/DataArray").text.split()) == points
+    assert all(0 < q <= 1 for q in arrays["q"][:n - lines])
+    assert all(0 <= v < points for v in arrays["connectivity"])
+    assert len(values(part.find("Points/DataArray"))) == 3 * points
+    assert len(values(part.find("PointData/DataArray"))) == points
     cells += n - lines
 assert cells == triangles, cells
 )";

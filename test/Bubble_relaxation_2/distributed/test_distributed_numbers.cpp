@@ -6,12 +6,11 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// numbers of bubbles that ranks have are compacted; what few bubbles have is listed
+// numbers of bubbles that ranks have are compacted
 
 #include "../random_seeds.h"
 #include "same_exception.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 
 #include <gtest/gtest.h>
@@ -66,38 +65,4 @@ TEST(Compact_numbers, numbers_of_whatever_ranks)
     expect_compact(end, [end](std::int64_t n) { return size() - 1 - static_cast<int>(n * size() / end); });
     expect_compact(end, [end](std::int64_t n) { return n % 7 == 3 ? -1 : static_cast<int>(n * size() / end); });
   }
-}
-
-TEST(Lists_of_few, as_a_list_for_each)
-{
-  std::mt19937 engine(random_seeds::seed(1));
-  Lists_of_few<int> lists(20);
-  std::vector<std::vector<int>> expected(20);
-  for (int turn = 0; turn < 2000; ++turn) {
-    const std::size_t n = expected.size();
-    if (engine() % 100 == 0) {
-      lists.clear();
-      expected.assign(n, {});
-      lists.resize(n + 3);
-      expected.resize(n + 3);
-    }
-    if (engine() % 20 == 0) {
-      expected.emplace_back();
-      lists.resize(expected.size());
-    }
-    const Index i = static_cast<Index>(engine() % expected.size());
-    if (engine() % 3 == 0) {
-      lists.add(i, turn);
-      expected[i].push_back(turn);
-    }
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-      const Index j = static_cast<Index>(k);
-      ASSERT_EQ(std::vector<int>(lists[j].begin(), lists[j].end()), expected[k]);
-      ASSERT_EQ(lists.is_empty(j), expected[k].empty());
-      ASSERT_EQ(lists.has(j, turn), !expected[k].empty() && expected[k].back() == turn);
-    }
-  }
-  lists.clear();
-  lists.resize(2);
-  EXPECT_TRUE(lists.is_empty(1));
 }

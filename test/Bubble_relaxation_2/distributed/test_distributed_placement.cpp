@@ -120,7 +120,7 @@ void expect_same(Communicator& ranks, const Case& whole, const Case& bare, const
     of_all{bare.domain(), bare.given(), options, sizes, sizes};
   expect_same(ranks, of_one, of_all, points);
   expect_parts_make_the_whole(
-    ranks, given_bubbles_distributed(ranks, of_all, points),
+    ranks, place_by_all(ranks, of_all, points, given_bubbles),
     given_bubbles(of_one));
 }
 
@@ -264,7 +264,7 @@ TEST(Given_points, in_one_place_are_refused_on_all_ranks)
   const Relaxation_options options;
   const Problem_2 problem{given.bare.domain(), given.bare.given(), options, sizes, sizes};
   const auto place = [&] {
-    given_bubbles_distributed(ranks, problem, points);
+    place_by_all(ranks, problem, points, given_bubbles);
   };
   EXPECT_NO_THROW(place());
   if (ranks.rank() == ranks.size() - 1)

@@ -176,7 +176,7 @@ TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
   std::mt19937 engine(random_seeds::seed(3));
   std::uniform_real_distribution<double> uniform(0, 1), flatness(-18, 0);
   const CGAL::Bbox_2 domain(0, 0, 1, 1);
-  std::size_t in_boxes = 0;
+  std::size_t in_discs = 0;
   for (int k = 0; k < 3000; ++k) {
     Bubble_mesh_2 mesh;
     const Point p(uniform(engine), uniform(engine)), q(uniform(engine), uniform(engine));
@@ -192,8 +192,8 @@ TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
     mesh.triangles.edges = {{no_index, no_index, no_index}};
     if (hidden < 3)
       mesh.triangles.edges[0][hidden] = 0;
-    const CGAL::Bbox_2 box = box_that_matters(mesh, 0, domain);
-    const Triangle_question_2 question = make_question(mesh, 0, box, 0, 0);
+    const Disc_2 disc = disc_that_matters(mesh, 0, domain);
+    const Triangle_question_2 question = make_question(mesh, 0, disc, 0, 0);
     for (int i = 0; i < 50; ++i) {
       // at all distances from the vertices
       const double d = std::pow(10, flatness(engine) / 6), angle = 7 * uniform(engine);
@@ -202,11 +202,11 @@ TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
       const bool is_in_domain = x.x() >= 0 && x.x() <= 1 && x.y() >= 0 && x.y() <= 1;
       if (!is_in_domain || !question.concerns(x))
         continue;
-      ++in_boxes;
-      EXPECT_TRUE(x.x() >= box.xmin() && x.x() <= box.xmax() && x.y() >= box.ymin() && x.y() <= box.ymax());
+      ++in_discs;
+      EXPECT_LE(std::hypot(x.x() - disc.x, x.y() - disc.y), disc.radius);
     }
   }
-  EXPECT_GT(in_boxes, 1000u);
+  EXPECT_GT(in_discs, 1000u);
 }
 
 TEST(Distributed_triangulation, fewer_bubbles_than_ranks)
@@ -233,7 +233,6 @@ TEST(Distributed_triangulation, one_rank_has_all)
   const auto owned = gather_records(
     ranks.comm, distributed::triangles(part.triangles, part.bubbles.id, part.is_owned));
   EXPECT_TRUE(owned == distributed::triangles(whole, numbers, whole.inside));
-  EXPECT_EQ(part.number_of_answers, 0u);
 }
 
 TEST(Distributed_triangulation, a_rank_holds_no_more_than_it_needs)

@@ -42,11 +42,10 @@ inline void write_cell_data(Vtu_file& file, const Mesh_arrays_2& mesh)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN(); // a line has neither q nor a region
   const std::size_t triangles = mesh.triangles.size(), cells = triangles + mesh.edges.size();
-  std::vector<double> q, regions = mesh.regions;
+  std::vector<double> q;
   for (const auto& t : mesh.triangles)
     q.push_back(CGAL::radius_ratio_2(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
   q.resize(cells, none);
-  regions.resize(cells, none);
   std::vector<std::int32_t> dimension(triangles, 2), marker(triangles, 0);
   dimension.resize(cells, 1);
   marker.insert(marker.end(), mesh.edge_markers.begin(), mesh.edge_markers.end());
@@ -54,8 +53,14 @@ inline void write_cell_data(Vtu_file& file, const Mesh_arrays_2& mesh)
     file.array("q", q);
     file.array("dimension", dimension);
     file.array("marker", marker);
+    const auto of_triangles = [&](const std::string& name, std::vector<double> values) {
+      values.resize(cells, none);
+      file.array(name, values);
+    };
     if (!mesh.regions.empty())
-      file.array("region", regions);
+      of_triangles("region", mesh.regions);
+    for (const auto& data : mesh.triangle_data)
+      of_triangles(data.first, data.second);
   });
 }
 
@@ -68,7 +73,8 @@ namespace IO {
 
 writes a mesh as a `.vtu` file of VTK, for ParaView and others: triangles and the edges on constraints as lines, with
 the cell data `q` (not a number for lines), `dimension` (2 for triangles, 1 for lines), `marker` (of lines), and
-`region` if there are any; and the point data `marker` and those of `vertex_data`. It is XML with arrays in base64.
+`region` if there are any, and those of `triangle_data`; and the point data `marker` and those of `vertex_data`. It is
+XML with arrays in base64.
 Names are not kept.
 
 \cgal's function of this name writes what faces and constraints a triangulation has, with no tags.

@@ -33,7 +33,6 @@ class Domain_2;
 class Editable_triangulation_2;
 class Neighbor_sets_2;
 class Simulation_2;
-class Undo_log_2;
 struct Growth_proposal_2;
 struct Bubble_mesh_2;
 struct Growth_proposer;
@@ -229,9 +228,6 @@ public:
   /// \name Population
   /// @{
 
-  /// who controls the population together
-  virtual Team& population() { return *this; }
-
   /// adds bubbles of others that may have moved
   virtual std::vector<Index> share_touched(const Bubbles_2&, std::vector<Index> touched) { return touched; }
 
@@ -248,13 +244,12 @@ public:
   /// the largest number of colours of all ranks
   virtual std::size_t largest_number(std::size_t here) const { return here; }
 
-  /// tells other ranks of vertices that were moved, and moves theirs, which the log is told of
-  virtual void share_moved(Bubble_mesh_2&, const std::vector<Index>& /* moved */, Undo_log_2&) {}
+  /// tells other ranks of vertices that were moved, and moves theirs
+  virtual void share_moved(Bubble_mesh_2&, const std::vector<Index>& /* moved */) {}
 
   /// Makes the mesh around the vertices of other ranks what it is after their moves. Returns whether it had to be made
-  /// anew for that, with other indices also of the vertices that were moved in this sweep, and in any; then the log
-  /// begins there.
-  virtual bool restore_border(Editable_triangulation_2&, Undo_log_2&, std::vector<Index>& /* moved */,
+  /// anew for that, with other indices also of the vertices that were moved in this sweep, and in any.
+  virtual bool restore_border(Editable_triangulation_2&, std::vector<Index>& /* moved */,
                               std::vector<char>& /* was_moved */)
   {
     return false;

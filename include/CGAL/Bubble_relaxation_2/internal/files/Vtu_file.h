@@ -21,6 +21,13 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
+/// that of this machine, in the words of VTK
+inline const char* byte_order()
+{
+  const std::uint16_t one = 1;
+  return *reinterpret_cast<const unsigned char*>(&one) == 1 ? "LittleEndian" : "BigEndian";
+}
+
 /// What the unstructured grids of VTK have in common: head and end, cells, and arrays in base64, in lines of XML that
 /// any reader takes.
 class Vtu_file
@@ -29,10 +36,8 @@ public:
   /// writes the head; the rest is to be written in the order of the functions
   Vtu_file(std::ostream& out, std::size_t number_of_points, std::size_t number_of_cells) : m_out(out), m_plain(out)
   {
-    const std::uint16_t one = 1;
-    const bool is_little = *reinterpret_cast<const unsigned char*>(&one) == 1;
     m_out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-          << (is_little ? "Little" : "Big") << "Endian\" header_type=\"UInt64\">\n"
+          << byte_order() << "\" header_type=\"UInt64\">\n"
           << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << number_of_points << "\" NumberOfCells=\""
           << number_of_cells << "\">\n";
   }

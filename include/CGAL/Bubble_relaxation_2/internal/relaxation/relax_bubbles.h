@@ -99,7 +99,7 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Repo
     const Phase_timer timer(report.seconds.population);
     const Population_step step = simulation.rests_coarsely() ? Population_step::INSERTION : Population_step::DELETION;
     const Population_change change =
-      adjust_population(problem, bubbles, simulation.neighbors(), simulation.touched(), step, team.population());
+      adjust_population(problem, bubbles, simulation.neighbors(), simulation.touched(), step, team);
     if (!team.any(!change.is_empty()) && result.is_at_rest && !simulation.rest_finely()) {
       report.stop_reason = Bubble_stop_reason::CONVERGED;
       break;

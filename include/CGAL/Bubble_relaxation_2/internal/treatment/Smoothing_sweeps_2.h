@@ -76,14 +76,14 @@ public:
       mesh->restore_delaunay(moved);
       for (Index v : moved)
         was_moved[v] = 1;
-      if (m_team.restore_border(*mesh, m_log, moved, was_moved))
+      if (m_team.restore_border(*mesh, moved, was_moved))
         mesh.emplace(m_mesh, &m_log);
       candidates = neighbors_of(*mesh, moved);
     }
     return marked(was_moved);
   }
 
-  /// takes back all moves and flips \pre nobody else has changed the mesh since
+  /// takes back all moves and flips \pre no other rank has moved vertices, and nobody else has changed the mesh since
   void undo() { m_log.undo(m_mesh); }
 
 private:
@@ -123,7 +123,7 @@ private:
           moved.push_back(set[k]);
           m_log.note(before[k]);
         }
-      m_team.share_moved(m_mesh, moved, m_log);
+      m_team.share_moved(m_mesh, moved);
       result.insert(result.end(), moved.begin(), moved.end());
     }
     return result;

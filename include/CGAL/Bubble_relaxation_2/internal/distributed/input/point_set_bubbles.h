@@ -79,17 +79,6 @@ public:
   {}
 
   template <class Sizing>
-  Bubbles_2 operator()(const Sizing& sizing)
-  {
-    Bubbles_2 result;
-    result.make_room_for(m_points.size());
-    for (const Index_in_set& i : m_points)
-      add_own(result, read(i, sizing));
-    return result;
-  }
-
-private:
-  template <class Sizing>
   Bubble_record_2 read(const Index_in_set& i, const Sizing& sizing)
   {
     const Point p(CGAL::to_double(m_points.point(i).x()), CGAL::to_double(m_points.point(i).y()));
@@ -114,6 +103,7 @@ private:
     return r;
   }
 
+private:
   Location_2 locate(const Index_in_set& i, const Point& p)
   {
     Location_2 location = m_locate(p);
@@ -164,7 +154,38 @@ private:
 template <class Point_set, class Sizing>
 Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)
 {
-  return Point_set_reader_2<Point_set>(points, domain)(sizing);
+  Point_set_reader_2<Point_set> reader(points, domain);
+  Bubbles_2 result;
+  result.make_room_for(points.size());
+  for (const typename Point_set::Index& i : points)
+    add_own(result, reader.read(i, sizing));
+  return result;
+}
+
+/// Puts bubbles in the place of the points of a `Point_set_3`, with the properties that `read_bubbles()` knows, which
+/// are added as far as they are missing. Nothing but memory can be wanting.
+template <class Point_set>
+void write_bubbles(const Bubbles_2& b, Point_set& points)
+{
+  const auto number = points.template add_property_map<std::int64_t>("global_id", no_index).first;
+  const auto size = points.template add_property_map<double>("size", 0.).first;
+  const auto dimension = points.template add_property_map<int>("dimension", 0).first;
+  const auto edge = points.template add_property_map<int>("edge", no_index).first;
+  const auto position = points.template add_property_map<double>("position", 0.).first;
+  points.add_normal_map();
+  points.reserve(points.number_of_points() + points.number_of_removed_points() + b.size());
+  while (!points.is_empty())
+    points.remove(points.end() - 1);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const auto k = *points.insert();
+    points.point(k) = typename Point_set::Point_3(b.x[i], b.y[i]); // so it calls them, whatever their dimension
+    points.normal(k) = typename Point_set::Vector_3(b.vx[i], b.vy[i]);
+    number[k] = b.id[i];
+    size[k] = b.d[i];
+    dimension[k] = b.dimension[i];
+    edge[k] = b.is_on_edge(i) ? b.host[i] : no_index;
+    position[k] = b.s[i];
+  }
 }
 
 /// Collective. `here`: points that this rank was given.
@@ -172,9 +193,7 @@ Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Si
 inline void check_given_points(const Communicator& comm, std::size_t here, bool has_sizing_function)
 {
   const std::int64_t n = comm.sum(static_cast<std::int64_t>(here));
-  if (n == 0)
-    return;
-  if (!has_sizing_function)
+  if (n != 0 && !has_sizing_function)
     comm.throw_on_all(
       std::invalid_argument("Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
                             "together, but there is no sizing_function; no rank has their mesh to take sizes from"));

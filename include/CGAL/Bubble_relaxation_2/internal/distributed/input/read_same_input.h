@@ -18,7 +18,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -26,67 +25,37 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// the hash FNV-1a of numbers, byte by byte
+/// a hash of numbers in their order, and of what is made of such
 class Hash_of_numbers
 {
 public:
-  template <class T>
-  void add(T number)
+  void add(std::uint64_t number) { m_hash = hash_of_two(m_hash, number); }
+  void add(const Point& p) { add(hash_of_place(p.x(), p.y())); }
+
+  void add(const Domain_edge_2& e)
   {
-    static_assert(std::is_arithmetic<T>::value || std::is_enum<T>::value,
-                  "what has gaps has not the same bytes everywhere");
-    add_bytes(&number, sizeof(T));
+    for (Index number : {e.source, e.target, Index(e.inside_left), Index(e.inside_right)})
+      add(static_cast<std::uint64_t>(number));
   }
 
-  void add(const Point& p)
+  /// of something with a size
+  template <class Range>
+  auto add(const Range& values) -> decltype(values.begin(), void())
   {
-    add(p.x());
-    add(p.y());
-  }
-
-  template <class T>
-  void add(const std::vector<T>& values)
-  {
-    for (const T& value : values)
+    add(std::uint64_t(values.size()));
+    for (const auto& value : values)
       add(value);
-  }
-  template <class T, std::size_t n>
-  void add(const std::array<T, n>& values)
-  {
-    for (const T& value : values)
-      add(value);
-  }
-
-  /// of something without gaps
-  void add_bytes(const void* first, std::size_t n)
-  {
-    for (const unsigned char *byte = static_cast<const unsigned char*>(first), *end = byte + n; byte != end; ++byte)
-      m_hash = (m_hash ^ *byte) * 1099511628211u;
   }
 
   std::uint64_t value() const { return m_hash; }
 
 private:
-  std::uint64_t m_hash = 14695981039346656037u;
+  std::uint64_t m_hash = 0;
 };
-
-inline std::uint64_t hash_of(const Domain_2& domain)
-{
-  Hash_of_numbers hash;
-  hash.add(domain.corners());
-  for (const Domain_edge_2& e : domain.edges()) {
-    hash.add(e.source);
-    hash.add(e.target);
-    hash.add(e.inside_left);
-    hash.add(e.inside_right);
-  }
-  return hash.value();
-}
 
 /// Collective. \throws std::invalid_argument on all ranks, with the words `what`, if not all have the same hash
 inline void check_same(const Communicator& comm, std::uint64_t hash, const std::string& what)
@@ -98,7 +67,10 @@ inline void check_same(const Communicator& comm, std::uint64_t hash, const std::
 
 inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
 {
-  check_same(comm, hash_of(domain), "the domain is not the same on all ranks");
+  Hash_of_numbers hash;
+  hash.add(domain.corners());
+  hash.add(domain.edges());
+  check_same(comm, hash.value(), "the domain is not the same on all ranks");
 }
 
 /// Collective. \throws std::invalid_argument on all ranks if vertices in the domain, or on its edges, are not the
@@ -106,14 +78,9 @@ inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
 inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& given)
 {
   Hash_of_numbers hash;
-  const auto add = [&hash](const std::vector<Point>& points) {
-    hash.add(points.size());
-    hash.add(points);
-  };
-  add(given.pinned);
-  add(given.free);
-  for (const std::vector<Point>& points : given.on_edge)
-    add(points);
+  hash.add(given.pinned);
+  hash.add(given.free);
+  hash.add(given.on_edge);
   check_same(comm, hash.value(), "the domain has not the same vertices on all ranks, or not the same are pinned");
 }
 
@@ -191,14 +158,6 @@ inline void check_same_options(const Communicator& comm, const Relaxation_option
      {"maximum_number_of_bubbles", static_cast<double>(o.maximum_number_of_bubbles)}});
 }
 
-/// Collective. A sizing function cannot be compared, but how many bubbles it asks for in the domain.
-/// \throws std::invalid_argument on all ranks if that is not the same on all
-inline void check_same_sizes(const Communicator& comm, double expected_number)
-{
-  const auto text = [](double v) { return "one that asks for " + in_words(v) + " bubbles"; };
-  check_same_values(comm, {{"sizing_function", expected_number, text}});
-}
-
 /// What the user's callback throws on one rank stops all. It is kept until all ranks can throw it.
 inline std::function<bool(double)> agreed_callback(const std::function<bool(double)>& callback, Communicator& comm)
 {
@@ -242,7 +201,9 @@ std::unique_ptr<Input_2<Cdt>> read_same_input(const Cdt& cdt, const NamedParamet
   check_same_options(comm, input->options);
   check_same_domain(comm, input->reading.domain);
   check_same_vertices(comm, input->reading.given);
-  check_same_sizes(comm, input->limits.sizes.expected_number);
+  // a sizing function cannot be compared, but how many bubbles it asks for in the domain
+  check_same_values(comm, {{"sizing_function", input->limits.sizes.expected_number,
+                            [](double v) { return "one that asks for " + in_words(v) + " bubbles"; }}});
   comm.agree_after([&] { // no rank can stop alone, so all is told from here on only, and stops are remembered
     Progress& progress = *input->options.progress;
     progress = Progress(agreed_callback(read_callback(np), comm));

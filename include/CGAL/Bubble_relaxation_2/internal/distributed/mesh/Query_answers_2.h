@@ -12,29 +12,30 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Fuzzy_iso_box.h>
-#include <CGAL/Kd_tree.h>
 #include <CGAL/Kernel/global_functions_2.h>
-#include <CGAL/Search_traits_2.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
+
+struct Disc_2
+{
+  double x, y, radius;
+};
 
 /// The question whether any point that a rank does not know lies where it would change one of its triangles:
 /// in the circumscribed disc, and not beyond a side that is a constraint. What lies beyond such a side is
@@ -42,7 +43,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 struct Triangle_question_2
 {
   std::array<double, 3> x, y; ///< the vertices, counterclockwise
-  Bbox_2 box; ///< all that matters lies in it
+  Disc_2 disc; ///< all that matters lies in it
   std::array<std::int32_t, 3> is_hidden; ///< for each vertex, what lies beyond the opposite side
   std::int32_t vertex; ///< points near to this one matter first
   std::int32_t number; ///< of the question, among those of its rank
@@ -62,46 +63,24 @@ struct Triangle_question_2
   }
 };
 
-/// Distance from the midpoint of the side `pq` of the triangle `pqr` to the farthest point of the part of
-/// its circumscribed disc that lies beyond that side, or a bit more; infinite if rounding hides it.
-inline double reach_beyond_side(const Point& p, const Point& q, const Point& r)
+/// The circumscribed disc of a triangle, or a bit more; that of the domain's box if rounding hides it.
+inline Disc_2 disc_that_matters(const Bubble_mesh_2& mesh, Index t, const Bbox_2& box)
 {
-  constexpr double margin = 1 + 1e-9, rounding = 8 * std::numeric_limits<double>::epsilon();
-  const double ax = p.x() - r.x(), ay = p.y() - r.y(), bx = q.x() - r.x(), by = q.y() - r.y();
-  const double half = 0.5 * length_of(q.x() - p.x(), q.y() - p.y()) * margin;
-  const double dot = ax * bx + ay * by;
-  if (dot >= 0) // less than half of the disc
-    return half;
-  // the angle at r is obtuse: that part is as high as half the side times the tangent of half the angle
-  const double cross = std::abs(ax * by - ay * bx) - rounding * (std::abs(ax * by) + std::abs(ay * bx));
-  if (!(cross > 0))
-    return std::numeric_limits<double>::infinity();
-  return half * (std::max)(1., margin * (length_of(ax, ay) * length_of(bx, by) - dot) / cross);
-}
-
-/// The part of the plane that matters for the triangle `t`, in a box.
-inline Bbox_2 box_that_matters(const Bubble_mesh_2& mesh, Index t, const Bbox_2& domain_box)
-{
-  Bbox_2 box = mesh.point(t, 0).bbox() + mesh.point(t, 1).bbox() + mesh.point(t, 2).bbox();
-  const double largest = (std::max)((std::max)(std::abs(box.xmin()), std::abs(box.xmax())),
-                                    (std::max)(std::abs(box.ymin()), std::abs(box.ymax())));
-  for (int i = 0; i < 3; ++i) {
-    if (mesh.triangles.edges[t][i] != no_index)
-      continue;
-    const Point p = mesh.point(t, ccw(i)), q = mesh.point(t, cw(i));
-    const double radius = reach_beyond_side(p, q, mesh.point(t, i)) +
-                          4 * std::numeric_limits<double>::epsilon() * largest;
-    if (!std::isfinite(radius))
-      return domain_box;
-    const double x = p.x() + (q.x() - p.x()) / 2, y = p.y() + (q.y() - p.y()) / 2;
-    box += Bbox_2(x - radius, y - radius, x + radius, y + radius);
+  constexpr double margin = 1e-6;
+  const Point p = mesh.point(t, 0), q = mesh.point(t, 1), r = mesh.point(t, 2);
+  const double ax = q.x() - p.x(), ay = q.y() - p.y(), bx = r.x() - p.x(), by = r.y() - p.y();
+  const double a = ax * ax + ay * ay, b = bx * bx + by * by, area2 = ax * by - ay * bx;
+  if (!(area2 > margin * (a + b))) {
+    const double dx = (box.xmax() - box.xmin()) / 2, dy = (box.ymax() - box.ymin()) / 2;
+    return Disc_2{box.xmin() + dx, box.ymin() + dy, (1 + margin) * length_of(dx, dy)};
   }
-  return Bbox_2((std::max)(box.xmin(), domain_box.xmin()), (std::max)(box.ymin(), domain_box.ymin()),
-                (std::min)(box.xmax(), domain_box.xmax()), (std::min)(box.ymax(), domain_box.ymax()));
+  const double x = (by * a - ay * b) / (2 * area2), y = (ax * b - bx * a) / (2 * area2);
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * (std::abs(p.x()) + std::abs(p.y()));
+  return Disc_2{p.x() + x, p.y() + y, (1 + margin) * length_of(x, y) + rounding};
 }
 
-inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, const Bbox_2& box,
-                                         int vertex, std::int32_t number)
+inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, const Disc_2& disc, int vertex,
+                                         std::int32_t number)
 {
   Triangle_question_2 question{};
   for (int i = 0; i < 3; ++i) {
@@ -109,7 +88,7 @@ inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, con
     question.y[i] = mesh.point(t, i).y();
     question.is_hidden[i] = mesh.triangles.edges[t][i] != no_index;
   }
-  question.box = box;
+  question.disc = disc;
   question.vertex = vertex;
   question.number = number;
   return question;
@@ -139,19 +118,17 @@ public:
   /// adds what a question of `rank` asks for
   void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
   {
-    if (m_inner.empty())
+    if (!m_inner)
       collect();
     std::unordered_set<Index>& sent = m_sent[rank];
-    std::vector<Bubble> in_box;
-    const Bbox_2& box = question.box;
-    m_inner.search(std::back_inserter(in_box),
-                   Fuzzy_iso_box<Traits>(Point(box.xmin(), box.ymin()), Point(box.xmax(), box.ymax())));
     std::vector<std::pair<double, Index>> found; // by distances
-    for (const Bubble& b : in_box)
-      if (sent.count(b.second) == 0 && question.concerns(b.first)) {
-        const double dx = b.first.x() - question.x[question.vertex], dy = b.first.y() - question.y[question.vertex];
-        found.emplace_back(dx * dx + dy * dy, b.second);
+    m_inner->for_each_within(question.disc.x, question.disc.y, question.disc.radius, [&](const auto& e, double) {
+      if (sent.count(e.id) == 0 && question.concerns(m_own.point(static_cast<std::size_t>(e.id)))) {
+        const double dx = e.x - question.x[question.vertex], dy = e.y - question.y[question.vertex];
+        found.emplace_back(dx * dx + dy * dy, e.id);
       }
+      return true;
+    });
     const std::size_t n = (std::min)(found.size(), most_bubbles);
     std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(n), found.end());
     for (std::size_t k = 0; k < n; ++k) {
@@ -161,18 +138,18 @@ public:
   }
 
 private:
-  using Bubble = std::pair<Point, Index>;
-  using Traits = Search_traits_adapter<Bubble, First_of_pair_property_map<Bubble>, Search_traits_2<Kernel>>;
-
   void collect()
   {
-    for (std::size_t i = 0; i < m_own.size(); ++i)
-      if (!is_on_outline(m_own, i))
-        m_inner.insert(Bubble(m_own.point(i), static_cast<Index>(i)));
+    const Bubbles_2& b = m_own;
+    const bool is_empty = b.size() == 0;
+    m_inner.emplace(1., is_empty ? 1. : b.d[0], is_empty ? 0. : b.x[0], is_empty ? 0. : b.y[0], b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!is_on_outline(b, i))
+        m_inner->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
   }
 
   const Bubbles_2& m_own;
-  Kd_tree<Traits> m_inner; // those that others may not know
+  std::optional<Bubble_buckets_2> m_inner; // those that others may not know
   std::map<int, std::unordered_set<Index>> m_sent;
 };
 

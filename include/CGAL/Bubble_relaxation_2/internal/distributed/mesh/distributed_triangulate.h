@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Query_answers_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
@@ -17,9 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -27,19 +24,6 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// Whether bubbles that follow each other are near to each other, as they are if they are numbered by the
-/// package, but perhaps not by users.
-inline bool follow_space(const Bubbles_2& b)
-{
-  constexpr double far = 30;
-  double steps = 0, sizes = 0;
-  for (std::size_t i = 1; i < b.size(); ++i) {
-    steps += std::abs(b.x[i] - b.x[i - 1]) + std::abs(b.y[i] - b.y[i - 1]);
-    sizes += b.d[i];
-  }
-  return steps <= far * sizes;
-}
 
 /// Makes each rank's part of the constrained Delaunay triangulation of the bubbles of all ranks.
 ///
@@ -72,7 +56,6 @@ public:
       const Messages<Triangle_question_2> questions = questions_about_triangles();
       if (!m_comm.any(!questions.empty()))
         break;
-      ++m_mesh.number_of_rounds;
       ask(questions);
     }
     m_mesh.mark_triangles(m_comm.rank());
@@ -80,8 +63,6 @@ public:
   }
 
 private:
-  using Triangle = std::array<std::int64_t, 3>; // numbers of the vertices, ascending
-
   void get_outline()
   {
     m_mesh.bubbles = with_owner(m_own, m_comm.rank());
@@ -108,18 +89,8 @@ private:
     m_mesh.bubbles.sort_by_id();
   }
 
+  /// along the curve, since CGAL searches each point from the last one, and numbers may be those of a user
   void triangulate()
-  {
-    const Bubbles_2& b = m_mesh.bubbles;
-    if (follow_space(b))
-      internal::triangulate(m_domain, m_mesh);
-    else
-      triangulate_along_curve();
-    m_is_new = false;
-  }
-
-  /// CGAL searches each point from the last one
-  void triangulate_along_curve()
   {
     Bubble_mesh_2 sorted{m_mesh.bubbles, {}};
     std::vector<Point> points;
@@ -132,6 +103,7 @@ private:
     for (std::array<Index, 3>& vertices : m_mesh.triangles.vertices)
       for (Index& v : vertices)
         v = order[v];
+    m_is_new = false;
   }
 
   Messages<Triangle_question_2> questions_about_triangles()
@@ -146,18 +118,15 @@ private:
       const int vertex = m_mesh.triangles.inside[k] ? own_vertex(t) : -1;
       if (vertex == -1)
         continue;
-      const Bbox_2 box = box_that_matters(m_mesh, t, m_domain.bbox());
-      const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin();
-      const auto ranks = clearance.others_in_disc(box.xmin() + dx / 2, box.ymin() + dy / 2,
-                                                  0.5000001 * length_of(dx, dy) + m_stray);
+      const Disc_2 disc = disc_that_matters(m_mesh, t, m_domain.bbox());
+      const auto ranks = clearance.others_in_disc(disc.x, disc.y, disc.radius + m_stray);
       if (ranks.empty() || m_is_certain.count(triangle(t)) != 0)
         continue;
-      const auto question = make_question(m_mesh, t, box, vertex, static_cast<std::int32_t>(m_asked.size()));
+      const auto question = make_question(m_mesh, t, disc, vertex, static_cast<std::int32_t>(m_asked.size()));
       m_asked.push_back(triangle(t));
       for (int rank : ranks)
         questions[rank].push_back(question);
     }
-    m_mesh.number_of_questions += m_asked.size();
     return questions;
   }
 
@@ -170,14 +139,7 @@ private:
     return -1;
   }
 
-  Triangle triangle(Index t) const
-  {
-    Triangle result;
-    for (int i = 0; i < 3; ++i)
-      result[i] = m_mesh.bubbles.id[m_mesh.triangles.vertices[t][i]];
-    std::sort(result.begin(), result.end());
-    return result;
-  }
+  Numbers_of_triangle triangle(Index t) const { return sorted_numbers(m_mesh.bubbles, m_mesh.triangles.vertices[t]); }
 
   void ask(const Messages<Triangle_question_2>& questions)
   {
@@ -191,21 +153,17 @@ private:
   void learn(const Messages<Bubble_answer_2>& answers)
   {
     std::vector<char> is_open(m_asked.size(), 0);
-    std::size_t n = 0;
     for (const auto& message : answers)
       for (const Bubble_answer_2& answer : message.second) {
         add(m_mesh.bubbles, answer.bubble, message.first);
-        ++n;
         is_open[static_cast<std::size_t>(answer.question)] = 1;
       }
     for (std::size_t k = 0; k < m_asked.size(); ++k)
       if (!is_open[k])
         m_is_certain.insert(m_asked[k]);
-    if (n == 0)
-      return;
-    m_mesh.number_of_answers += n;
-    m_mesh.bubbles.sort_by_id();
-    m_is_new = true;
+    m_is_new = !answers.empty();
+    if (m_is_new)
+      m_mesh.bubbles.sort_by_id();
   }
 
   const Domain_2& m_domain;
@@ -216,8 +174,8 @@ private:
   Query_answers_2 m_answers;
   Distributed_mesh_2 m_mesh;
   bool m_is_new = true;          // there are bubbles that are not in the triangulation
-  std::vector<Triangle> m_asked; // in this round
-  std::set<Triangle> m_is_certain; // of those that were asked about
+  std::vector<Numbers_of_triangle> m_asked; // in this round
+  std::set<Numbers_of_triangle> m_is_certain; // of those that were asked about
 };
 
 /// Collective. The part of this rank of the constrained Delaunay triangulation of the bubbles of all ranks:

@@ -32,20 +32,15 @@ inline MPI_Datatype mpi_type(std::int32_t) { return MPI_INT32_T; }
 inline MPI_Datatype mpi_type(std::int64_t) { return MPI_INT64_T; }
 inline MPI_Datatype mpi_type(std::uint64_t) { return MPI_UINT64_T; }
 
-/// MPI's words for what a call returned
-inline std::string mpi_error_text(int result)
+/// \throws std::runtime_error, with MPI's words, if a call of MPI failed
+inline void check_mpi(int result)
 {
+  if (result == MPI_SUCCESS)
+    return;
   char text[MPI_MAX_ERROR_STRING];
   int length = 0;
   MPI_Error_string(result, text, &length);
-  return std::string(text, static_cast<std::size_t>(length));
-}
-
-/// \throws std::runtime_error if a call of MPI failed
-inline void check_mpi(int result)
-{
-  if (result != MPI_SUCCESS)
-    throw std::runtime_error("Bubble_relaxation_2: MPI: " + mpi_error_text(result));
+  throw std::runtime_error("Bubble_relaxation_2: MPI: " + std::string(text, static_cast<std::size_t>(length)));
 }
 
 /// A communicator of our own, so that messages never mix with the user's. Its reductions are those whose

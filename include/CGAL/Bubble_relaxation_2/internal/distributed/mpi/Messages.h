@@ -37,21 +37,6 @@ int bytes_of(const std::vector<T>& records)
   return static_cast<int>(n);
 }
 
-/// receives a message, if there is one
-template <class T>
-void receive_if_any(const Communicator& comm, int tag, Messages<T>& in)
-{
-  int is_there = 0, size = 0;
-  MPI_Status status;
-  check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, tag, comm.handle(), &is_there, &status));
-  if (!is_there)
-    return;
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  std::vector<T>& records = in[status.MPI_SOURCE];
-  records.resize(static_cast<std::size_t>(size) / sizeof(T));
-  check_mpi(MPI_Recv(records.data(), size, MPI_BYTE, status.MPI_SOURCE, tag, comm.handle(), MPI_STATUS_IGNORE));
-}
-
 /// Collective. Delivers messages between ranks that do not know beforehand who will send: each rank sends to few, and
 /// nothing is of the size of the communicator (non-blocking consensus, Hoefler, Siebert and Lumsdaine 2010). What a
 /// rank sends to itself it gets as well.
@@ -75,7 +60,15 @@ Messages<T> deliver(Communicator& comm, const Messages<T>& out)
   MPI_Request barrier = MPI_REQUEST_NULL;
   bool is_waiting = false;
   for (int is_done = 0; !is_done;) {
-    receive_if_any(comm, tag, in);
+    int is_there = 0, size = 0;
+    MPI_Status status;
+    check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, tag, comm.handle(), &is_there, &status));
+    if (is_there) {
+      MPI_Get_count(&status, MPI_BYTE, &size);
+      std::vector<T>& records = in[status.MPI_SOURCE];
+      records.resize(static_cast<std::size_t>(size) / sizeof(T));
+      check_mpi(MPI_Recv(records.data(), size, MPI_BYTE, status.MPI_SOURCE, tag, comm.handle(), MPI_STATUS_IGNORE));
+    }
     if (is_waiting) {
       check_mpi(MPI_Test(&barrier, &is_done, MPI_STATUS_IGNORE));
       continue;
@@ -90,46 +83,65 @@ Messages<T> deliver(Communicator& comm, const Messages<T>& out)
   return in;
 }
 
-/// Delivers messages between ranks that know who sends how much at most, while they do something else: something that
-/// does not throw, since what was begun has to be ended.
+/// What a rank shares with others: the indices of what it owns and they have, and of what they own and it has, in one
+/// order on both sides.
+struct Shared_lists
+{
+  Messages<Index> sent, received;
+};
+
+/// Tells ranks of what they share, at most a record of each thing, while they do something else: something that does
+/// not throw, since what was begun has to be ended.
 template <class T>
-class Expected_delivery
+class Shared_delivery
 {
 public:
-  explicit Expected_delivery(const Communicator& comm) : m_comm(comm) {}
+  explicit Shared_delivery(const Communicator& comm) : m_comm(comm) {}
 
-  Expected_delivery(const Expected_delivery&) = delete;
-  Expected_delivery& operator=(const Expected_delivery&) = delete;
+  Shared_delivery(const Shared_delivery&) = delete;
+  Shared_delivery& operator=(const Shared_delivery&) = delete;
 
-  /// Begins. `in`: messages of the sizes that those that come have at most. Until `finish()` nobody else may touch `in`
-  /// and `out`. \pre what was begun before is ended
-  void start(const Messages<T>& out, Messages<T>& in)
+  /// Begins. `tell(i, position, message)` may add to a message what is told of `i`, which has this position in the
+  /// lists of both ranks. \pre what was begun before is ended
+  template <class Tell>
+  void start(const Shared_lists& lists, const Tell& tell)
   {
-    m_in = &in;
+    m_in.clear();
+    m_out.clear();
     m_requests.clear();
-    m_requests.reserve(in.size() + out.size());
-    m_statuses.resize(in.size() + out.size());
-    for (auto& message : in) {
+    m_requests.reserve(lists.received.size() + lists.sent.size());
+    for (const auto& list : lists.received) {
+      std::vector<T>& message = m_in[list.first];
+      message.resize(list.second.size());
       m_requests.emplace_back();
-      check_mpi(MPI_Irecv(message.second.data(), bytes_of(message.second), MPI_BYTE, message.first, tag,
-                          m_comm.handle(), &m_requests.back()));
+      check_mpi(MPI_Irecv(message.data(), bytes_of(message), MPI_BYTE, list.first, tag, m_comm.handle(),
+                          &m_requests.back()));
     }
-    for (const auto& message : out) {
+    for (const auto& list : lists.sent) {
+      std::vector<T>& message = m_out[list.first];
+      for (std::size_t position = 0; position < list.second.size(); ++position)
+        tell(list.second[position], position, message);
       m_requests.emplace_back();
-      check_mpi(MPI_Isend(message.second.data(), bytes_of(message.second), MPI_BYTE, message.first, tag,
-                          m_comm.handle(), &m_requests.back()));
+      check_mpi(MPI_Isend(message.data(), bytes_of(message), MPI_BYTE, list.first, tag, m_comm.handle(),
+                          &m_requests.back()));
     }
   }
 
-  /// Ends: the messages in `in` get the sizes of what came.
-  void finish()
+  /// what this rank tells
+  const Messages<T>& out() const { return m_out; }
+
+  /// Ends, and calls `take(list, message)` with each message that came, and the list of what it tells about.
+  template <class Take>
+  void finish(const Shared_lists& lists, const Take& take)
   {
-    check_mpi(MPI_Waitall(static_cast<int>(m_requests.size()), m_requests.data(), m_statuses.data()));
+    std::vector<MPI_Status> statuses(m_requests.size()); // those of `m_in` first
+    check_mpi(MPI_Waitall(static_cast<int>(m_requests.size()), m_requests.data(), statuses.data()));
     std::size_t k = 0;
-    for (auto& message : *m_in) {
+    for (auto& message : m_in) {
       int size = 0;
-      MPI_Get_count(&m_statuses[k++], MPI_BYTE, &size);
+      MPI_Get_count(&statuses[k++], MPI_BYTE, &size);
       message.second.resize(static_cast<std::size_t>(size) / sizeof(T));
+      take(lists.received.at(message.first), message.second);
     }
   }
 
@@ -137,61 +149,21 @@ private:
   static constexpr int tag = 2; // not those of deliveries from unknown senders
 
   const Communicator& m_comm;
-  Messages<T>* m_in = nullptr;
-  std::vector<MPI_Request> m_requests; // those of `in` first
-  std::vector<MPI_Status> m_statuses;
+  Messages<T> m_out, m_in;
+  std::vector<MPI_Request> m_requests;
 };
 
-/// The same at once.
+/// Collective. Puts in the values of what others own.
 template <class T>
-void deliver_expected(const Communicator& comm, const Messages<T>& out, Messages<T>& in)
+void share_values(const Communicator& comm, const Shared_lists& lists, std::vector<T>& values)
 {
-  Expected_delivery<T> delivery(comm);
-  delivery.start(out, in);
-  delivery.finish();
+  Shared_delivery<T> delivery(comm);
+  delivery.start(lists, [&](Index i, std::size_t, std::vector<T>& message) { message.push_back(values[i]); });
+  delivery.finish(lists, [&](const std::vector<Index>& list, const std::vector<T>& message) {
+    for (std::size_t n = 0; n < list.size(); ++n)
+      values[list[n]] = message[n];
+  });
 }
-
-/// What a rank shares with others: the indices of what it owns and they have, and of what they own and it has, in one
-/// order on both sides.
-struct Shared_lists
-{
-  Messages<Index> sent, received;
-
-  /// what is `here` the k-th goes to a rank
-  template <class T>
-  void send(int rank, const std::vector<T>& here, std::size_t k, Messages<T>& out)
-  {
-    sent[rank].push_back(static_cast<Index>(k));
-    out[rank].push_back(here[k]);
-  }
-
-  /// Collective. Delivers it, and adds what comes after the last that is here.
-  template <class T>
-  void deliver_to(std::vector<T>& here, const Messages<T>& out, Communicator& comm)
-  {
-    for (const auto& message : deliver(comm, out))
-      for (const T& record : message.second) {
-        received[message.first].push_back(static_cast<Index>(here.size()));
-        here.push_back(record);
-      }
-  }
-
-  /// Puts in the values of what others own.
-  template <class T>
-  void share(const Communicator& comm, std::vector<T>& values) const
-  {
-    Messages<T> out, in;
-    for (const auto& list : sent)
-      for (Index i : list.second)
-        out[list.first].push_back(values[i]);
-    for (const auto& list : received)
-      in[list.first].resize(list.second.size());
-    deliver_expected(comm, out, in);
-    for (const auto& list : received)
-      for (std::size_t n = 0; n < list.second.size(); ++n)
-        values[list.second[n]] = in[list.first][n];
-  }
-};
 
 /// Collective. The records of all ranks, one rank after the other: for what is small against the bubbles.
 /// \throws std::length_error on all ranks if they have more than 2^31 bytes

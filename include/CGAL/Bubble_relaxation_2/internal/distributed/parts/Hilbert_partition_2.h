@@ -134,6 +134,20 @@ private:
   std::vector<Key> m_first_keys;
 };
 
+inline bool is_among(const Hilbert_partition_2::Ranks& ranks, int rank)
+{
+  return std::find(ranks.begin(), ranks.end(), rank) != ranks.end();
+}
+
+/// adds a rank unless it is there; returns whether it was added
+inline bool add_once(Hilbert_partition_2::Ranks& ranks, int rank)
+{
+  if (is_among(ranks, rank))
+    return false;
+  ranks.push_back(rank);
+  return true;
+}
+
 /// Collective. Cuts the curve so that all ranks own equally many of some elements, which are on any ranks.
 /// \param sorted this rank's
 /// \param key where on the curve an element is

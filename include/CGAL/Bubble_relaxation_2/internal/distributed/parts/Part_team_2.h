@@ -14,12 +14,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -33,10 +33,8 @@ inline double farthest_stray(const Communicator& comm, const Hilbert_partition_2
     if (partition.owner(own.x[i], own.y[i]) == comm.rank())
       continue;
     double radius = 0.1 * own.d[i];
-    for (bool is_near = false; !is_near; radius *= 2) {
-      const auto ranks = partition.owners_in_disc(own.x[i], own.y[i], radius);
-      is_near = std::binary_search(ranks.begin(), ranks.end(), comm.rank());
-    }
+    for (bool is_near = false; !is_near; radius *= 2)
+      is_near = is_among(partition.owners_in_disc(own.x[i], own.y[i], radius), comm.rank());
     farthest = (std::max)(farthest, radius); // twice that of the disc, beside which the part may be
   }
   return comm.largest(farthest);
@@ -51,17 +49,26 @@ Shared_lists share_around(Communicator& comm, double reach, std::vector<Record>&
 {
   const std::size_t own = records.size();
   Shared_lists lists;
-  Lists_of_few<int> told(own);
+  std::unordered_map<Index, Hilbert_partition_2::Ranks> told;
   Messages<Record> out;
   const auto tell = [&](Index k, int rank) {
-    if (rank != comm.rank() && told.add_once(k, rank))
-      lists.send(rank, records, static_cast<std::size_t>(k), out);
+    if (rank == comm.rank() || !add_once(told[k], rank))
+      return;
+    lists.sent[rank].push_back(k);
+    out[rank].push_back(records[k]);
+  };
+  const auto exchange = [&] {
+    for (const auto& message : deliver(comm, out))
+      for (const Record& record : message.second) {
+        lists.received[message.first].push_back(static_cast<Index>(records.size()));
+        records.push_back(record);
+      }
+    out.clear();
   };
   for (std::size_t k = 0; k < own; ++k)
     for (int rank : others(records[k], reach * records[k].d))
       tell(static_cast<Index>(k), rank);
-  lists.deliver_to(records, out, comm);
-  out.clear();
+  exchange();
   double largest = 0;
   for (std::size_t l = own; l < records.size(); ++l)
     largest = (std::max)(largest, records[l].d);
@@ -77,7 +84,7 @@ Shared_lists share_around(Communicator& comm, double reach, std::vector<Record>&
           return true;
         });
   }
-  lists.deliver_to(records, out, comm);
+  exchange();
   return lists;
 }
 
@@ -104,7 +111,7 @@ public:
   Share_of_disc share_of(const Point& p, double radius) const override
   {
     const Hilbert_partition_2::Ranks owners = m_partition->owners_in_disc(p.x(), p.y(), radius);
-    if (std::find(owners.begin(), owners.end(), m_comm.rank()) == owners.end())
+    if (!is_among(owners, m_comm.rank()))
       return Share_of_disc::NONE;
     return owners.size() == 1 ? Share_of_disc::ALL : Share_of_disc::SOME;
   }
@@ -117,7 +124,7 @@ public:
     return number_of_ours;
   }
 
-  void share_choice(std::vector<char>& states) override { m_candidates.share(m_comm, states); }
+  void share_choice(std::vector<char>& states) override { share_values(m_comm, m_candidates, states); }
 
 protected:
   const Hilbert_partition_2* m_partition = nullptr; ///< who owns what, when it is known

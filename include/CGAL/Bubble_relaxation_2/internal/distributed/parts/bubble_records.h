@@ -71,42 +71,17 @@ inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
   return result;
 }
 
-/// All that a simulation knows of a bubble, on its way from one rank to another or into a file: without gaps, which
-/// would hold any bytes.
+/// all that a simulation knows of a bubble, on its way from one rank to another
 struct Bubble_state_2
 {
-  double x, y, d, vx, vy, s;
-  double reference_x, reference_y, reference_d, asked_x, asked_y;
-  std::int64_t id;
-  std::int32_t host, pin, dimension;
-  std::int16_t is_active, is_touched;
-
-  Bubble_record_2 bubble() const { return Bubble_record_2{x, y, d, vx, vy, s, id, host, pin, dimension}; }
-
-  Bubble_memory_2 memory() const
-  {
-    return Bubble_memory_2{reference_x, reference_y, reference_d, asked_x, asked_y, static_cast<char>(is_active),
-                           static_cast<char>(is_touched)};
-  }
-
-  bool operator<(const Bubble_state_2& other) const { return id < other.id; }
+  Bubble_record_2 bubble;
+  Bubble_memory_2 memory;
 };
 
-static_assert(sizeof(Bubble_state_2) == 112, "a state must not have gaps");
+/// whether all ranks know a bubble: those on the edges of the domain and its corners, and those that are pinned
+inline bool is_on_outline(const Bubbles_2& b, std::size_t i) { return b.is_on_edge(i) || b.is_corner(i); }
 
-inline Bubble_state_2 bubble_state(const Bubbles_2& b, std::size_t i, const Bubble_memory_2& m)
-{
-  return Bubble_state_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i], m.reference_x, m.reference_y, m.reference_d,
-                        m.asked_x, m.asked_y, b.id[i], b.host[i], b.pin[i], b.dimension[i], m.is_active, m.is_touched};
-}
-
-/// whether all ranks know a bubble: those on the edges of the domain and its corners
-inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
-{
-  return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
-}
-
-/// Collective. The bubbles of all ranks on the outline, with their owners.
+/// Collective. Those of all ranks that all know, with their owners.
 inline std::vector<Bubble_record_2> gather_outline(const Communicator& comm, const Bubbles_2& bubbles)
 {
   std::vector<Bubble_record_2> own;

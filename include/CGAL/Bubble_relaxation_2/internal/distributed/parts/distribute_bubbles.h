@@ -70,49 +70,40 @@ inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partit
   return home;
 }
 
-/// a bubble on its way, and where it is on the curve
-struct Bubble_on_curve_2
+/// the keys and indices of bubbles along a curve
+inline std::vector<std::pair<Hilbert_curve_2::Key, Index>> places_on(const Hilbert_curve_2& curve,
+                                                                     const std::vector<Bubble_record_2>& bubbles)
 {
-  Hilbert_curve_2::Key key;
-  Bubble_record_2 bubble;
-
-  bool operator<(const Bubble_on_curve_2& other) const { return values() < other.values(); }
-
-private:
-  std::tuple<Hilbert_curve_2::Key, double, double, std::int32_t> values() const
-  {
-    return std::make_tuple(key, bubble.x, bubble.y, bubble.dimension);
-  }
-};
+  std::vector<std::pair<Hilbert_curve_2::Key, Index>> places;
+  places.reserve(bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    places.emplace_back(curve.key(bubbles[i].x, bubbles[i].y), static_cast<Index>(i));
+  std::sort(places.begin(), places.end(), [&bubbles](const auto& p, const auto& q) {
+    const Bubble_record_2 &b = bubbles[p.second], &c = bubbles[q.second];
+    return p.first != q.first ? p.first < q.first : std::tie(b.x, b.y, b.dimension) < std::tie(c.x, c.y, c.dimension);
+  });
+  return places;
+}
 
 /// Collective. Cuts the curve so that all ranks own equally many bubbles, which are on any ranks, and brings each to
 /// its owner, along the curve.
 inline Placed_part_2 send_home_evenly(Communicator& comm, const Hilbert_curve_2& curve,
                                       const std::vector<Bubble_record_2>& bubbles)
 {
-  const auto at = [&](Hilbert_curve_2::Key key, Index i) { return Bubble_on_curve_2{key, bubbles[i]}; };
-  std::vector<std::pair<Hilbert_curve_2::Key, Index>> places; // what is sorted are keys: bubbles are large
-  places.reserve(bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    places.emplace_back(curve.key(bubbles[i].x, bubbles[i].y), static_cast<Index>(i));
-  std::sort(places.begin(), places.end(), [&at](const auto& p, const auto& q) {
-    return p.first != q.first ? p.first < q.first : at(p.first, p.second) < at(q.first, q.second);
-  });
+  const auto places = places_on(curve, bubbles);
   Placed_part_2 result{{}, even_partition(comm, curve, places, [](const auto& p) { return p.first; })};
-  std::vector<Bubble_on_curve_2> home;
+  std::vector<Bubble_record_2> home;
   home.reserve(bubbles.size() + bubbles.size() / 8);
-  Messages<Bubble_on_curve_2> out;
+  Messages<Bubble_record_2> out;
   for (const auto& p : places) {
     const int owner = result.partition.owner(p.first);
-    (owner == comm.rank() ? home : out[owner]).push_back(at(p.first, p.second));
+    (owner == comm.rank() ? home : out[owner]).push_back(bubbles[p.second]);
   }
-  const std::size_t own = home.size();
   for (const auto& message : deliver(comm, out))
     home.insert(home.end(), message.second.begin(), message.second.end());
-  merge_tail(home, own);
   result.bubbles.make_room_for(home.size() + home.size() / 8); // with those of other ranks that will be added
-  for (const Bubble_on_curve_2& p : home)
-    add_own(result.bubbles, p.bubble);
+  for (const auto& p : places_on(curve, home))
+    add_own(result.bubbles, home[p.second]);
   return result;
 }
 
@@ -265,12 +256,8 @@ inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<st
 /// all.
 inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain, Bubbles_2& b)
 {
-  std::vector<Bubble_record_2> all;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_ours(i) && (b.is_on_edge(i) || b.is_corner(i)))
-      all.push_back(record(b, i));
   Bubbles_2 outline;
-  for (const Bubble_record_2& r : gather_records(comm, all))
+  for (const Bubble_record_2& r : gather_outline(comm, b))
     add_own(outline, r);
   outline.sort_by_id();
   remove_confusing_on_edges(domain, outline);

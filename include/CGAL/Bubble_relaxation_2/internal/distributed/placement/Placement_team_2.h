@@ -14,7 +14,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -27,6 +26,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -134,7 +134,7 @@ public:
   {
     const auto is_far = [this](const Growth_proposal_2& p) {
       const auto owners = owners_within(p.x, p.y, reach * p.d, p.from);
-      return !owners.empty() && std::find(owners.begin(), owners.end(), m_comm.rank()) == owners.end();
+      return !owners.empty() && !is_among(owners, m_comm.rank());
     };
     bubbles.erase(std::remove_if(bubbles.begin(), bubbles.end(), is_far), bubbles.end());
   }
@@ -150,7 +150,7 @@ public:
     list_new(crystal);
   }
 
-  void share_settled(std::vector<Point>& settled) override { m_new.share(m_comm, settled); }
+  void share_settled(std::vector<Point>& settled) override { share_values(m_comm, m_new, settled); }
 
   /// A bubble has its place and its size. Where d jumps, it may be larger than it was thought to be.
   void enter_front(const Crystal_2& crystal, Index i, double key) override
@@ -220,7 +220,6 @@ private:
     crystal.make_room_for_births(all);
     m_owner.reserve(all);
     m_places.reserve(all);
-    m_holders.make_room_for(all);
     m_key.reserve(all);
   }
 
@@ -260,7 +259,6 @@ private:
       clearance = find_clearance(birth.x, birth.y, reach * d);
     m_places.push_back(Place{birth.x, birth.y, clearance});
     m_owner.push_back(clearance > 0 ? m_comm.rank() : m_partition->owner(birth.x, birth.y));
-    m_holders.resize(m_owner.size());
     m_key.push_back(key);
     crystal.add_birth(birth);
     if (clearance == 0 && owns(i))
@@ -268,13 +266,14 @@ private:
         add_holder(i, rank);
   }
 
-  bool has(Index i, int rank) const { return rank == m_comm.rank() || m_holders.has(i, rank); }
-
-  void add_holder(Index i, int rank)
+  bool has(Index i, int rank) const
   {
-    if (rank != m_comm.rank())
-      m_holders.add_once(i, rank);
+    const auto holders = m_holders.find(i);
+    return rank == m_comm.rank() || (holders != m_holders.end() && is_among(holders->second, rank));
   }
+
+  /// returns whether it is a new one
+  bool add_holder(Index i, int rank) { return rank != m_comm.rank() && add_once(m_holders[i], rank); }
 
   /// Tells of a bubble of ours the owners of larger ones near it, and the owner of another's of those of ours
   /// that are smaller and near it.
@@ -297,11 +296,8 @@ private:
 
   void send_late(const Crystal_2& crystal, Index i, int rank)
   {
-    if (has(i, rank))
-      return;
-    add_holder(i, rank);
-    if (static_cast<std::size_t>(i) < m_number_of_common)
-      return; // all have it, but this one is now told of its proposals
+    if (!add_holder(i, rank) || static_cast<std::size_t>(i) < m_number_of_common)
+      return; // all have the common ones, but this one is now told of its proposals
     const Bubbles_2& b = crystal.bubbles();
     const bool is_new = crystal.birth(i).generation == m_generation;
     m_late[rank].push_back(Late{crystal.birth(i), Growth_proposal_2{0, m_key[i], b.x[i], b.y[i], b.d[i],
@@ -332,8 +328,8 @@ private:
         continue;
       if (!owns(index))
         m_new.received[m_owner[i]].push_back(index - m_first);
-      else
-        for (int rank : m_holders[index])
+      else if (const auto holders = m_holders.find(index); holders != m_holders.end())
+        for (int rank : holders->second)
           m_new.sent[rank].push_back(index - m_first);
     }
     for (auto* lists : {&m_new.sent, &m_new.received})
@@ -345,7 +341,7 @@ private:
   std::unique_ptr<Hilbert_partition_2> m_division;
   std::vector<int> m_owner;     // of each bubble: the rank in whose part it came in
   std::vector<Place> m_places;
-  Lists_of_few<int> m_holders;  // the other ranks that have a bubble of ours
+  std::unordered_map<Index, Hilbert_partition_2::Ranks> m_holders; // the other ranks that have a bubble of ours
   std::vector<double> m_key;    // in the front; negative if it has left it
   std::size_t m_number_of_common = 0;
   std::vector<std::int64_t> m_seeds; // numbers of those that this rank has, in the order of the crystal's bubbles

@@ -183,10 +183,11 @@ inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& d
   return result;
 }
 
-/// Collective. What a rank places, in `place(problem, team)`, of a problem with its share of what is given. `points`:
-/// of those to start from, if any rank has some; they take the place of the free vertices of the domain's triangulation.
-template <class Place>
-Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, const Bubbles_2& points, const Place& place)
+/// Collective. The bubbles of all ranks, each on the rank that owns its place: what `place`, which is `place_bubbles()`
+/// or `given_bubbles()`, makes of a problem with this rank's share of what is given. `points`: of those to start from,
+/// if any rank has some; they take the place of the free vertices of the domain's triangulation.
+inline Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, const Bubbles_2& points,
+                                  Bubbles_2 (*place)(const Problem_2&, Team&))
 {
   const Starting_points_2 given(comm, problem, points);
   const Problem_2 here{problem.domain, given.here(), problem.options, problem.wanted, problem.sizes};
@@ -194,20 +195,6 @@ Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, const B
   Bubbles_2 bubbles = place(here, team);
   comm.agree();
   return bring_home_and_number(comm, problem.domain, team, std::move(bubbles));
-}
-
-/// The initial bubbles, each on the rank that owns its place. All ranks put bubbles on the outline, which all of
-/// them have; the faces are filled by all together.
-inline Placed_part_2 place_distributed(Communicator& comm, const Problem_2& problem, const Bubbles_2& points = {})
-{
-  return place_by_all(comm, problem, points, [](const Problem_2& p, Team& team) { return place_bubbles(p, team); });
-}
-
-/// The bubbles that were given, all of them, whatever d asks for, as `given_bubbles()` has them.
-inline Placed_part_2 given_bubbles_distributed(Communicator& comm,
-                                               const Problem_2& problem, const Bubbles_2& points = {})
-{
-  return place_by_all(comm, problem, points, [](const Problem_2& p, Team& team) { return given_bubbles(p, team); });
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -12,12 +12,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -117,141 +115,17 @@ private:
   std::vector<Marked> m_marked;
 };
 
-/// Tells neighbouring ranks after each step where the bubbles at the border are that took part in it. What is sent is
-/// only what moved.
-class Move_messages_2
-{
-public:
-  Move_messages_2(const Communicator& comm, Traffic_2& traffic) : m_delivery(comm), m_traffic(traffic) {}
-
-  /// for the bubbles that the halo knows now
-  void connect(const Halo_2& halo, std::size_t number_of_bubbles)
-  {
-    const bool is_new = halo.number_of_changes() != m_number_of_changes;
-    if (is_new)
-      m_targets.clear();
-    m_targets.resize(number_of_bubbles);
-    if (!is_new)
-      return;
-    m_number_of_changes = halo.number_of_changes();
-    m_out.clear();
-    m_in.clear();
-    for (const auto& list : halo.sent()) {
-      m_out[list.first];
-      for (std::size_t position = 0; position < list.second.size(); ++position)
-        m_targets.add(list.second[position], {list.first, static_cast<std::int32_t>(position)});
-    }
-  }
-
-  /// begins; `is_moving[k]` goes with the `k`-th of `active`
-  void send(const Halo_2& halo, const Bubbles_2& b, const std::vector<Index>& active,
-            const std::vector<char>& is_moving)
-  {
-    for (auto& message : m_out)
-      message.second.clear();
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      const Index i = active[k];
-      for (const Target& t : m_targets[i])
-        m_out[t.rank].push_back(Move{b.x[i], b.y[i], b.d[i], t.position, is_moving[k]});
-    }
-    for (const auto& message : m_out)
-      m_traffic.add_message(message.second.size() * sizeof(Move));
-    for (const auto& list : halo.received())
-      m_in[list.first].resize(list.second.size()); // if all move
-    m_delivery.start(m_out, m_in);
-  }
-
-  /// ends: moves the bubbles of others, adds them to `moved`, and whether they move on to `is_moving`
-  void receive(const Halo_2& halo, Bubbles_2& b, std::vector<Index>& moved, std::vector<char>& is_moving)
-  {
-    m_delivery.finish();
-    for (const auto& list : halo.received())
-      for (const Move& m : m_in[list.first]) {
-        const Index i = list.second[static_cast<std::size_t>(m.position)];
-        b.x[i] = m.x;
-        b.y[i] = m.y;
-        b.d[i] = m.d;
-        moved.push_back(i);
-        is_moving.push_back(static_cast<char>(m.is_moving));
-      }
-  }
-
-private:
-  struct Move
-  {
-    double x, y, d;
-    std::int32_t position, is_moving;
-  };
-
-  /// a bubble's place in one of the messages
-  struct Target
-  {
-    std::int32_t rank, position;
-  };
-
-  Expected_delivery<Move> m_delivery;
-  Traffic_2& m_traffic;
-  std::size_t m_number_of_changes = 0; // of the halo, when it was connected
-  Lists_of_few<Target> m_targets;      // of each bubble
-  Messages<Move> m_out, m_in;
-};
-
-/// Tells neighbouring ranks where bubbles are at the stages of a step.
-class Stage_messages_2
-{
-public:
-  explicit Stage_messages_2(const Communicator& comm) : m_delivery(comm) {}
-
-  /// Collective. Begins to tell where our bubbles are. `receive()` has to follow.
-  void send(const Halo_2& halo, const std::vector<double>& x, const std::vector<double>& y)
-  {
-    m_out.clear();
-    m_in.clear();
-    for (const auto& list : halo.sent())
-      for (Index i : list.second)
-        m_out[list.first].push_back(Place{x[i], y[i]});
-    for (const auto& list : halo.received())
-      m_in[list.first].resize(list.second.size());
-    m_delivery.start(m_out, m_in);
-  }
-
-  /// Collective. Puts in where the bubbles of others are. \pre `send()` was called, and the halo has not changed
-  void receive(const Halo_2& halo, std::vector<double>& x, std::vector<double>& y)
-  {
-    m_delivery.finish();
-    for (const auto& list : halo.received())
-      for (std::size_t n = 0; n < list.second.size(); ++n) {
-        x[list.second[n]] = m_in[list.first][n].x;
-        y[list.second[n]] = m_in[list.first][n].y;
-      }
-  }
-
-private:
-  struct Place
-  {
-    double x, y;
-  };
-
-  Expected_delivery<Place> m_delivery;
-  Messages<Place> m_out, m_in;
-};
-
 /// Neighbour sets on their way from one rank to another, as numbers of bubbles.
 class Numbered_sets
 {
 public:
-  /// the set of a bubble is to go to a rank, which has those for which `may_know(j)` holds
-  template <class May_know>
-  void add(int rank, const Bubbles_2& b, const Neighbor_sets_2& sets, Index i, const May_know& may_know)
+  /// the set of a bubble is to go to a rank
+  void add(int rank, const Bubbles_2& b, const Neighbor_sets_2& sets, Index i)
   {
     std::vector<std::int64_t>& message = m_messages[rank];
-    message.push_back(b.id[i]);
-    const std::size_t place_of_size = message.size();
-    message.push_back(0);
+    message.insert(message.end(), {b.id[i], sets.end(i) - sets.begin(i)});
     for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j)
-      if (may_know(*j))
-        message.push_back(b.id[*j]);
-    message[place_of_size] = static_cast<std::int64_t>(message.size() - place_of_size - 1);
+      message.push_back(b.id[*j]);
   }
 
   /// Collective. Sends them, and gets those that are for this rank.
@@ -289,9 +163,9 @@ private:
 inline void share_sets(Communicator& comm, const Halo_2& halo, const Bubbles_2& bubbles, Neighbor_sets_2& sets)
 {
   Numbered_sets messages;
-  for (const auto& list : halo.sent())
+  for (const auto& list : halo.lists().sent)
     for (Index i : list.second)
-      messages.add(list.first, bubbles, sets, i, [&](Index j) { return halo.may_know(list.first, j); });
+      messages.add(list.first, bubbles, sets, i);
   messages.send(comm);
   messages.for_each(bubbles, halo.indices_at_border(bubbles),
                     [&sets](Index i, const std::vector<Index>& set) { sets.assign(i, set); });

@@ -13,7 +13,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Lists_of_few.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
 
@@ -37,19 +36,13 @@ struct Traffic_2
   std::int64_t messages = 0;  ///< that it has sent: moves, bubbles made known, and bubbles that go home
   std::int64_t bytes = 0;     ///< in these messages
 
-  void add_message(std::size_t size)
+  /// what it sends now
+  template <class T>
+  void add(const Messages<T>& out)
   {
-    ++messages;
-    bytes += static_cast<std::int64_t>(size);
-  }
-
-  /// `Messages`: see `deliver()`
-  template <class Messages>
-  void add_messages(const Messages& out)
-  {
+    messages += static_cast<std::int64_t>(out.size());
     for (const auto& message : out)
-      if (!message.second.empty())
-        add_message(message.second.size() * sizeof(message.second[0]));
+      bytes += static_cast<std::int64_t>(message.second.size() * sizeof(T));
   }
 };
 
@@ -81,8 +74,8 @@ public:
       m_reach(m_needed_reach + away_from_part + most_moved + Boundary_2::longest_step)
   {}
 
-  /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own; `expected`: about so
-  /// many bubbles will be added
+  /// Starts with bubbles of this rank only. `width`: that of the paper, or 0 for each bubble's own; `expected`: about
+  /// so many bubbles will be added
   void start(const Bubbles_2& bubbles, const Hilbert_partition_2& partition, double width = 0, std::size_t expected = 0)
   {
     m_bubbles = &bubbles;
@@ -91,14 +84,12 @@ public:
     m_width = width;
     m_places.clear();
     m_holders.clear();
-    m_holders.make_room_for(expected);
     m_near_border.clear();
     m_is_near_border.clear();
     m_has_gone_far = false;
     m_lists = {};
     m_places.reserve(expected);
     m_is_near_border.reserve(expected);
-    ++m_number_of_changes;
   }
 
   /// a bubble was added after the last
@@ -107,12 +98,10 @@ public:
     const int owner = this->owner(i);
     m_is_near_border.push_back(0);
     m_places.push_back(Place{b.x[i], b.y[i], b.x[i], b.y[i], 0, 0, 0});
-    m_holders.resize(m_places.size());
     if (owner == m_comm.rank())
       find_clearance(b, i);
     else {
       m_lists.received[owner].push_back(i);
-      ++m_number_of_changes;
       note_near_border(i);
     }
     set_limits(b, i);
@@ -120,7 +109,6 @@ public:
 
   /// for each neighbouring rank, the bubbles that it has of ours, and those that we have of it, in one order
   const Shared_lists& lists() const { return m_lists; }
-  const Messages<Index>& sent() const { return m_lists.sent; }
   const Messages<Index>& received() const { return m_lists.received; }
 
   /// of bubbles that we have of others, and others of ours, by their numbers
@@ -136,11 +124,8 @@ public:
 
   int owner(Index i) const { return m_bubbles->owner[i]; }
 
-  /// whether a rank has a bubble, for all we know
-  bool may_know(int rank, Index i) const { return !is_ours(i) || has(rank, i); }
-
-  /// whether another rank has a bubble of ours
-  bool is_at_border(Index i) const { return !m_holders.is_empty(i); }
+  /// whether another rank may have a bubble of ours
+  bool is_at_border(Index i) const { return m_is_near_border[i] != 0; }
 
   /// whether no other rank has to know of a bubble of ours
   bool is_far_from_others(Index i) const { return m_places[i].clearance > 0; }
@@ -183,9 +168,6 @@ public:
     return result;
   }
 
-  /// how often one of the lists has got longer
-  std::size_t number_of_changes() const { return m_number_of_changes; }
-
   /// whether a bubble that was looked after may have gone far from its owner's part; until all are distributed anew
   bool has_gone_far() const { return m_has_gone_far; }
 
@@ -213,7 +195,7 @@ public:
       for (Index i : those)
         if (!is_ours(i) && m_width == 0) // else it is the same from the other side
           tell_owner(b, i, finder, state, out);
-      m_traffic.add_messages(out);
+      m_traffic.add(out);
       those.clear();
       for (const auto& message : deliver(m_comm, out))
         for (const Bubble_state_2& s : message.second) {
@@ -230,21 +212,15 @@ public:
     return p.clearance > 0 && length_of(b.x[i] - p.x, b.y[i] - p.y) + radius < p.clearance;
   }
 
-  /// Gets bubbles that others own at places where this rank asks for them: `asked` are places by ranks, and
-  /// `find(place, visit)` calls `visit(j)` for all that are asked for there. Collective.
-  template <class Asked, class Find, class State, class Add>
-  void fetch(const Messages<Asked>& asked, const Find& find, const State& state, const Add& add)
+  /// gives a bubble of ours to a rank that has not got it
+  template <class State>
+  void give(Index i, int rank, const State& state, Messages<Bubble_state_2>& out)
   {
-    Messages<Bubble_state_2> out;
-    for (const auto& message : deliver(m_comm, asked))
-      for (const Asked& place : message.second)
-        find(place, [&](Index j) {
-          if (is_ours(j))
-            give(j, message.first, state, out);
-        });
-    for (const auto& message : deliver(m_comm, out))
-      for (const Bubble_state_2& s : message.second)
-        add(s, message.first);
+    if (rank == m_comm.rank() || !add_once(m_holders[i], rank))
+      return;
+    m_lists.sent[rank].push_back(i);
+    note_near_border(i);
+    out[rank].push_back(state(i));
   }
 
 private:
@@ -325,7 +301,11 @@ private:
   }
 
   /// whether another rank has a bubble of ours
-  bool has(int rank, Index i) const { return m_holders.has(i, rank); }
+  bool has(int rank, Index i) const
+  {
+    const auto holders = m_holders.find(i);
+    return holders != m_holders.end() && is_among(holders->second, rank);
+  }
 
   /// tells the owner of another's bubble of ours that this one reaches
   template <class Finder, class State>
@@ -344,17 +324,6 @@ private:
     return CGAL::squared_distance(b.point(i), b.point(j)) < far * far;
   }
 
-  /// gives a bubble of ours to a rank that has not got it
-  template <class State>
-  void give(Index i, int rank, const State& state, Messages<Bubble_state_2>& out)
-  {
-    if (rank == m_comm.rank() || !m_holders.add_once(i, rank))
-      return;
-    m_lists.sent[rank].push_back(i);
-    ++m_number_of_changes;
-    out[rank].push_back(state(i));
-  }
-
   Communicator& m_comm;
   Traffic_2& m_traffic;
   const Bubbles_2* m_bubbles = nullptr;
@@ -363,12 +332,11 @@ private:
   double m_needed_reach, m_reach; // in sizes
   double m_width = 0;             // of all, or 0
   std::vector<Place> m_places;
-  Lists_of_few<int> m_holders; // the other ranks that have a bubble of ours
-  std::vector<Index> m_near_border;      // others', and ours whose disc met another part once
-  std::vector<char> m_is_near_border;    // the same, of each bubble
+  std::unordered_map<Index, Hilbert_partition_2::Ranks> m_holders; // other ranks that have a bubble of ours
+  std::vector<Index> m_near_border;   // others', and ours that others have or whose disc met another part once
+  std::vector<char> m_is_near_border; // the same, of each bubble
   bool m_has_gone_far = false;
   Shared_lists m_lists;
-  std::size_t m_number_of_changes = 0;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -84,19 +84,20 @@ public:
         continue;
       const int owner = m_partition->owner(bubbles.x[i], bubbles.y[i]);
       (owner == m_comm.rank() ? ours : out[owner])
-        .push_back(bubble_state(bubbles, i, simulation.memory(static_cast<Index>(i))));
+        .push_back(Bubble_state_2{record(bubbles, i), simulation.memory(static_cast<Index>(i))});
     }
-    m_traffic.add_messages(out);
+    m_traffic.add(out);
     for (const auto& message : deliver(m_comm, out))
       ours.insert(ours.end(), message.second.begin(), message.second.end());
-    std::sort(ours.begin(), ours.end());
+    std::sort(ours.begin(), ours.end(),
+              [](const Bubble_state_2& s, const Bubble_state_2& t) { return s.bubble.id < t.bubble.id; });
     bubbles = Bubbles_2();
     bubbles.rank = m_comm.rank();
     bubbles.make_room_for(ours.size());
     std::vector<Bubble_memory_2> memories;
     for (const Bubble_state_2& s : ours) {
-      add(bubbles, s.bubble(), m_comm.rank());
-      memories.push_back(s.memory());
+      add(bubbles, s.bubble, m_comm.rank());
+      memories.push_back(s.memory);
     }
     simulation.restart(memories, simulation.is_roused());
   }
@@ -113,7 +114,7 @@ private:
 
   static bool is_here(const Bubbles_2& bubbles, std::size_t i) { return bubbles.is_ours(i) && !bubbles.is_gone(i); }
 
-  /// `work(i)`: of a bubble
+  /// if a rank has `most` times more work than the mean, so that others wait for it; `work(i)`: of a bubble
   template <class Work>
   void balance(const Bubbles_2& bubbles, double most, const Work& work) const
   {
@@ -125,17 +126,12 @@ private:
     std::vector<std::int64_t> before(1, 0); // the work of all before
     for (const auto& place : places)
       before.push_back(before.back() + place.second);
-    if (is_unbalanced(before.back(), most))
+    const double few = 160 * (most - 1); // more than that makes no difference
+    const double mean = double(m_comm.sum(before.back())) / m_comm.size();
+    if (double(m_comm.largest(before.back())) > most * mean + few)
       *m_partition = even_partition(
         m_comm, m_partition->curve(), places, [](const auto& place) { return place.first; },
         [&before](std::int64_t n) { return before[static_cast<std::size_t>(n)]; });
-  }
-
-  /// Collective. Whether a rank has so many times more work than the mean that others wait for it.
-  bool is_unbalanced(std::int64_t work, double most) const
-  {
-    const double few = 160 * (most - 1); // more than that makes no difference
-    return double(m_comm.largest(work)) > most * double(m_comm.sum(work)) / m_comm.size() + few;
   }
 
   Communicator& m_comm;

@@ -12,14 +12,16 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Piece_stitching_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -36,27 +38,80 @@ struct Ranked_operation_2
   Patch_outcome_2 outcome;
   bool is_chosen;
 
-  std::int64_t number_of_insertions() const
+  bool is_inserted(std::size_t k) const ///< of a bubble of the outcome
   {
-    return std::count_if(outcome.original.begin(), outcome.original.end(), [this](Index i) {
-      return static_cast<std::size_t>(i) >= patch.indices().size();
-    });
+    return static_cast<std::size_t>(outcome.original[k]) >= patch.indices().size();
   }
 };
 
 /// The operations of `Defect_surgery_2` by ranks: each operates on the triangles it owns that are among the worst of
 /// all. An operation looks at the mesh as it was before all of them, so its outcome does not depend on others; of
-/// patches that overlap the one with the worse triangle counts.
+/// patches that overlap the one with the worse triangle counts. What comes out is put in the place of the patches in
+/// the pieces of all ranks, as far as each piece reaches, and bubbles are numbered without gaps then, as on one rank.
 class Distributed_surgery_2
 {
 public:
-  Distributed_surgery_2(const Domain_2& domain, const Mesh_piece_2& piece, double smallest, Communicator& comm)
+  /// \param smallest the smallest q of the whole mesh, which does not get smaller
+  /// \param renew `renew(times)` makes the pieces of all ranks anew, so many times as wide as they usually are
+  Distributed_surgery_2(const Domain_2& domain, Mesh_piece_2& piece, double smallest, Communicator& comm,
+                        std::function<void(double)> renew)
     : m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
-      m_smallest(smallest), m_comm(comm)
+      m_smallest(smallest), m_comm(comm), m_renew(std::move(renew))
   {}
 
   /// what was done on all ranks
-  std::int64_t number_of_insertions = 0, number_of_deletions = 0;
+  std::size_t number_of_insertions = 0, number_of_deletions = 0;
+  bool has_changed_outline = false;
+
+  /// Collective. Operates on triangles with less than `bad_quality`; returns whether any of them got better. `end`: the
+  /// number of bubbles of all ranks
+  bool operator()(double bad_quality, std::int64_t end)
+  {
+    for (double times = 1; !find_patches(bad_quality); times *= 2) // they are cut off
+      m_renew(times);
+    const std::vector<Index> taken_away = choose();
+    std::vector<std::int64_t> first(m_number_of_places, 0); // numbers are as if all operations were made by one rank
+    for (const Ranked_operation_2& operation : m_operations)
+      for (std::size_t k = 0; operation.is_chosen && k < operation.outcome.original.size(); ++k)
+        first[operation.place] += operation.is_inserted(k);
+    m_comm.reduce_each(first, MPI_SUM);
+    const std::int64_t inserted = std::accumulate(first.begin(), first.end(), std::int64_t(0));
+    std::exclusive_scan(first.begin(), first.end(), first.begin(), end);
+    std::vector<Bubble_record_2> bubbles;
+    std::vector<Made_triangle> triangles;
+    for (const Ranked_operation_2& operation : m_operations)
+      if (operation.is_chosen)
+        describe(operation, first[operation.place], bubbles, triangles);
+    bubbles = gather_records(m_comm, bubbles); // all get all: operations are few
+    std::sort(bubbles.begin(), bubbles.end(),
+              [](const Bubble_record_2& a, const Bubble_record_2& b) { return a.id < b.id; });
+    const auto deleted = std::count_if(bubbles.begin(), bubbles.end(), is_gone);
+    if (inserted + deleted == 0)
+      return false;
+    number_of_insertions += static_cast<std::size_t>(inserted);
+    number_of_deletions += static_cast<std::size_t>(deleted);
+    stitch(taken_away, bubbles, gather_records(m_comm, triangles), end);
+    return true;
+  }
+
+private:
+  /// a triangle that an operation wants to change
+  struct Claim
+  {
+    Numbers_of_triangle triangle;
+    std::int64_t place;
+
+    bool operator<(const Claim& c) const { return std::tie(triangle, place) < std::tie(c.triangle, c.place); }
+  };
+
+  /// a triangle that an operation makes, by the numbers of its vertices
+  struct Made_triangle
+  {
+    std::array<std::int64_t, 3> vertices;
+    std::array<Index, 3> edges; ///< labels
+  };
+
+  static bool is_gone(const Bubble_record_2& r) { return r.dimension == Bubbles_2::GONE; }
 
   /// Collective. Finds the bad triangles of all and their patches; returns whether the piece is wide enough for that on
   /// all ranks.
@@ -70,6 +125,7 @@ public:
     std::vector<Bad_triangle_2> worst = gather_records(m_comm, own);
     std::sort(worst.begin(), worst.end());
     m_number_of_places = worst.size();
+    m_operations.clear();
     for (const Bad_triangle_2& bad : own) {
       const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
       Mesh_patch_2 patch(m_piece.mesh, triangles_around(m_triangles, bad.triangle));
@@ -79,41 +135,16 @@ public:
     return !m_comm.any(is_cut_off);
   }
 
-  /// Collective. Operates on patches that do not overlap: returns what became of those that are known here. What is
-  /// inserted gets numbers from `end` on.
-  Patch_changes_2 operate(std::int64_t end)
-  {
-    choose();
-    std::vector<std::int64_t> insertions(m_number_of_places, 0);
-    for (const Ranked_operation_2& operation : m_operations)
-      if (operation.is_chosen)
-        insertions[operation.place] = operation.number_of_insertions();
-    m_comm.reduce_each(insertions, MPI_SUM);
-    number_of_insertions = std::accumulate(insertions.begin(), insertions.end(), std::int64_t(0));
-    std::exclusive_scan(insertions.begin(), insertions.end(), insertions.begin(), end);
-    Patch_change_2 own;
-    for (const Ranked_operation_2& operation : m_operations)
-      if (operation.is_chosen) // numbers are as if all operations were made by one rank
-        describe(operation, insertions[operation.place], own);
-    number_of_deletions = m_comm.sum(number_of_deletions);
-    return changes_known_here(m_comm, m_known, own);
-  }
-
-private:
-  /// a triangle that an operation wants to change
-  struct Claim
-  {
-    std::array<std::int64_t, 3> triangle; // numbers of its vertices, in order
-    std::int64_t place;
-
-    bool operator<(const Claim& c) const { return std::tie(triangle, place) < std::tie(c.triangle, c.place); }
-  };
-
   /// Collective. Operates where that is worth it, the first ones first, and nowhere if a triangle is shared with one
-  /// before that was worth it.
-  void choose()
+  /// before that was worth it. Returns the triangles that are known here of the patches of all that did.
+  std::vector<Index> choose()
   {
-    const std::vector<Claim> claims = claims_of_all();
+    std::vector<Claim> claims;
+    for (const Ranked_operation_2& operation : m_operations)
+      for (Index t : operation.patch.triangles())
+        claims.push_back(Claim{sorted_numbers(m_known, m_triangles.vertices[t]), operation.place});
+    claims = gather_records(m_comm, claims);
+    std::sort(claims.begin(), claims.end());
     Greedy_choice choice;
     choice.start(m_number_of_places);
     std::vector<Ranked_operation_2*> at(m_number_of_places, nullptr);
@@ -130,20 +161,18 @@ private:
     }
     const auto decide = [&] { return choice.decide([&](Index place) { return operate_on(*at[place]); }); };
     decide_together(m_comm, decide, [&] { m_comm.reduce_each(choice.states(), MPI_MAX); });
-  }
 
-  std::vector<Claim> claims_of_all() const
-  {
-    std::vector<Claim> own;
-    for (const Ranked_operation_2& operation : m_operations)
-      for (Index triangle : operation.patch.triangles()) {
-        const std::array<Index, 3>& t = m_triangles.vertices[triangle];
-        own.push_back(Claim{{m_known.id[t[0]], m_known.id[t[1]], m_known.id[t[2]]}, operation.place});
-        std::sort(own.back().triangle.begin(), own.back().triangle.end());
+    const auto is_refused = [&](const Claim& c) { return !choice.is_chosen(static_cast<Index>(c.place)); };
+    claims.erase(std::remove_if(claims.begin(), claims.end(), is_refused), claims.end());
+    std::vector<Index> result;
+    for (std::size_t t = 0; t < m_triangles.inside.size() && !claims.empty(); ++t)
+      if (m_triangles.inside[t]) {
+        const Claim claim{sorted_numbers(m_known, m_triangles.vertices[t]), 0};
+        const auto found = std::lower_bound(claims.begin(), claims.end(), claim);
+        if (found != claims.end() && found->triangle == claim.triangle)
+          result.push_back(static_cast<Index>(t));
       }
-    std::vector<Claim> all = gather_records(m_comm, own);
-    std::sort(all.begin(), all.end());
-    return all;
+    return result;
   }
 
   /// returns whether it helped
@@ -155,58 +184,107 @@ private:
     return operation.is_chosen;
   }
 
-  /// adds what an operation does. `number`: that of the first bubble that it inserts
-  void describe(const Ranked_operation_2& operation, std::int64_t number, Patch_change_2& result)
+  /// adds what an operation moves, inserts and deletes, and its triangles. `number`: of the first that it inserts
+  void describe(const Ranked_operation_2& operation, std::int64_t number, std::vector<Bubble_record_2>& bubbles,
+                std::vector<Made_triangle>& triangles) const
   {
     const std::vector<Index>& indices = operation.patch.indices();
     const Bubbles_2& b = operation.outcome.mesh.bubbles;
     std::vector<char> is_left(indices.size(), 0);
     std::vector<std::int64_t> numbers; // of the bubbles of the outcome
     for (std::size_t k = 0; k < b.size(); ++k) {
-      const std::size_t original = static_cast<std::size_t>(operation.outcome.original[k]);
-      if (original >= indices.size()) {
-        result.bubbles.push_back({operation.place, m_comm.rank(), record(b, k, number)});
-        numbers.push_back(number++);
-        continue;
+      const bool is_inserted = operation.is_inserted(k);
+      const Index original = operation.outcome.original[k];
+      numbers.push_back(is_inserted ? number++ : m_known.id[indices[original]]);
+      if (!is_inserted)
+        is_left[original] = 1;
+      if (b.can_move(k)) { // those on the rim look like corners
+        bubbles.push_back(record(b, k, numbers.back()));
+        bubbles.back().owner = is_inserted ? m_comm.rank() : m_known.owner[indices[original]];
       }
-      is_left[original] = 1;
-      const std::size_t i = static_cast<std::size_t>(indices[original]);
-      numbers.push_back(m_known.id[i]);
-      result.bubbles.push_back({operation.place, m_known.owner[i], // those on the rim look like corners
-                                b.can_move(k) ? record(b, k, numbers.back()) : record(m_known, i)});
     }
     for (std::size_t l = 0; l < indices.size(); ++l)
       if (!is_left[l]) {
-        Bubble_record_2 gone = record(m_known, static_cast<std::size_t>(indices[l]));
-        gone.dimension = Bubbles_2::GONE;
-        result.bubbles.push_back({operation.place, m_known.owner[indices[l]], gone});
-        ++number_of_deletions;
+        bubbles.push_back(record(m_known, static_cast<std::size_t>(indices[l])));
+        bubbles.back().dimension = Bubbles_2::GONE;
       }
-    describe_triangles(operation, numbers, result);
-  }
-
-  void describe_triangles(const Ranked_operation_2& operation, const std::vector<std::int64_t>& numbers,
-                          Patch_change_2& change) const
-  {
-    for (Index t : operation.patch.triangles()) {
-      const std::array<Index, 3>& v = m_triangles.vertices[t];
-      change.triangles.push_back(
-        {operation.place, 0, {m_known.id[v[0]], m_known.id[v[1]], m_known.id[v[2]]}, {}});
-    }
     std::vector<Index> same(numbers.size());
     std::iota(same.begin(), same.end(), Index(0));
     for (const New_triangle_2& t : operation.outcome.triangles(operation.patch, same)) {
       const std::array<Index, 3>& v = t.vertices;
-      change.triangles.push_back({operation.place, 1, {numbers[v[0]], numbers[v[1]], numbers[v[2]]}, t.edges});
+      triangles.push_back(Made_triangle{{numbers[v[0]], numbers[v[1]], numbers[v[2]]}, t.edges});
+    }
+  }
+
+  /// Collective. Puts what was made in the place of what is taken away, as far as it is known here. `end`: the first
+  /// number of an inserted bubble
+  void stitch(const std::vector<Index>& taken_away, const std::vector<Bubble_record_2>& bubbles,
+              const std::vector<Made_triangle>& triangles, std::int64_t end)
+  {
+    Mesh_stitching_2 stitching(m_piece.mesh);
+    for (const Bubble_record_2& r : bubbles)
+      replace(r, end);
+    std::vector<New_triangle_2> made;
+    for (const Made_triangle& t : triangles) {
+      const auto index = [&](int i) { return m_known.index_of(t.vertices[i]); };
+      const New_triangle_2 triangle{{index(0), index(1), index(2)}, t.edges};
+      if (*std::min_element(triangle.vertices.begin(), triangle.vertices.end()) != no_index)
+        made.push_back(triangle);
+    }
+    stitching.replace(taken_away, made);
+    Editable_triangulation_2 mesh = stitching.finish();
+    Border_certificate_2 certificate(m_piece.mesh);
+    const bool is_wide_enough = forget_doubtful(triangles_beside_others(m_piece.mesh), certificate, mesh);
+    close_gaps(bubbles);
+    forget_lonely_ghosts(m_piece.mesh);
+    link_with_others(m_comm, m_piece);
+    m_piece.mesh.mark_triangles(m_comm.rank());
+    has_changed_outline = m_comm.any(has_changed_outline);
+    if (m_comm.any(!is_wide_enough))
+      m_renew(1);
+  }
+
+  void replace(const Bubble_record_2& r, std::int64_t end)
+  {
+    Bubbles_2& b = m_known;
+    const Index i = b.index_of(r.id);
+    if (i == no_index) {
+      if (r.id >= end) { // else it is not known here
+        add(b, r, r.owner);
+        has_changed_outline = has_changed_outline || r.dimension == Bubbles_2::EDGE;
+      }
+      return;
+    }
+    has_changed_outline = has_changed_outline || (b.is_on_edge(i) && (is_gone(r) || Point(r.x, r.y) != b.point(i)));
+    if (is_gone(r)) {
+      b.remove(i);
+      return;
+    }
+    b.x[i] = r.x;
+    b.y[i] = r.y;
+    b.s[i] = r.s;
+    b.host[i] = r.host;
+  }
+
+  /// `changed`: in the order of their numbers
+  void close_gaps(const std::vector<Bubble_record_2>& changed)
+  {
+    auto next = changed.begin();
+    std::int64_t gone = 0; // before
+    for (std::int64_t& number : m_known.id) {
+      for (; next != changed.end() && next->id < number; ++next)
+        gone += is_gone(*next);
+      number -= gone;
     }
   }
 
   const Domain_2& m_domain;
-  const Mesh_piece_2& m_piece;
-  const Bubbles_2& m_known;
+  Mesh_piece_2& m_piece;
+  Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;
   const double m_smallest;
   Communicator& m_comm;
+  const std::function<void(double)> m_renew;
   std::vector<Ranked_operation_2> m_operations;
   std::size_t m_number_of_places = 0; // of operations of all ranks
 };

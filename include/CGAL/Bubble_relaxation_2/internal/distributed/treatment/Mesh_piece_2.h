@@ -58,18 +58,12 @@ inline int number_of_ours(const Bubbles_2& bubbles, const std::array<Index, 3>& 
   return bubbles.is_ours(vertices[0]) + bubbles.is_ours(vertices[1]) + bubbles.is_ours(vertices[2]);
 }
 
-/// whether a triangle has a bubble of another rank
-inline bool is_beside_others(const Bubbles_2& bubbles, const std::array<Index, 3>& vertices)
-{
-  return number_of_ours(bubbles, vertices) < 3;
-}
-
 /// the triangles of a piece with a bubble of another rank: among them all at its border
 inline std::vector<Index> triangles_beside_others(const Bubble_mesh_2& piece)
 {
   std::vector<Index> result;
   for (std::size_t t = 0; t < piece.triangles.inside.size(); ++t)
-    if (piece.triangles.inside[t] && is_beside_others(piece.bubbles, piece.triangles.vertices[t]))
+    if (piece.triangles.inside[t] && number_of_ours(piece.bubbles, piece.triangles.vertices[t]) < 3)
       result.push_back(static_cast<Index>(t));
   return result;
 }
@@ -160,16 +154,6 @@ inline bool forget_doubtful(const std::vector<Index>& beside_others, Border_cert
     piece.cut_off(t);
   }
   return true;
-}
-
-/// the numbers of the vertices of a triangle, in order
-using Numbers_of_triangle = std::array<std::int64_t, 3>;
-
-inline Numbers_of_triangle sorted_numbers(const Bubbles_2& bubbles, const std::array<Index, 3>& vertices)
-{
-  Numbers_of_triangle result{bubbles.id[vertices[0]], bubbles.id[vertices[1]], bubbles.id[vertices[2]]};
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 /// Collective. The triangles that others own around this rank's part, sorted: each rank tells of its own ones.

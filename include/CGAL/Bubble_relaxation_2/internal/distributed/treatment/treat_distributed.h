@@ -10,21 +10,25 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_TREAT_DISTRIBUTED_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Piece_stitching_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Treatment_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -32,13 +36,144 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all have
-/// smaller ones
+/// The ranks that treat the defects of a mesh together, see `Team`. Each treats its own vertices, and
+/// moves those of others as it is told. Its piece of the mesh gets narrower with each sweep, by what bubbles that it
+/// does not know may have changed; when triangles around its own vertices are concerned, the pieces are made anew.
+class Treatment_team_2 : public Team_of_ranks
+{
+public:
+  /// `renew`: makes the pieces of all ranks anew from where their bubbles are
+  Treatment_team_2(Communicator& comm, Mesh_piece_2& piece, std::function<void()> renew)
+    : Team_of_ranks(comm), m_piece(piece), m_renew(std::move(renew))
+  {
+    start();
+  }
+
+  std::size_t largest_number(std::size_t here) const override
+  {
+    return static_cast<std::size_t>(m_comm.largest(static_cast<std::int64_t>(here)));
+  }
+
+  void share(std::vector<char>& values) override { share_values(m_comm, m_piece.shared, values); }
+
+  void share_moved(Bubble_mesh_2& mesh, const std::vector<Index>& moved) override
+  {
+    Bubbles_2& b = mesh.bubbles;
+    std::vector<char> is_told(b.size(), 0);
+    for (Index v : moved)
+      is_told[v] = 1;
+    Shared_delivery<Move> delivery(m_comm);
+    delivery.start(m_piece.shared, [&](Index v, std::size_t position, std::vector<Move>& message) {
+      if (is_told[v])
+        message.push_back(Move{static_cast<std::int32_t>(position), b.host[v], b.x[v], b.y[v], b.s[v]});
+    });
+    delivery.finish(m_piece.shared, [&](const std::vector<Index>& list, const std::vector<Move>& message) {
+      for (const Move& m : message) {
+        const Index v = list[m.position];
+        b.host[v] = m.host;
+        b.x[v] = m.x;
+        b.y[v] = m.y;
+        b.s[v] = m.s;
+        m_was_moved[v] = 1;
+        m_moved.push_back(v);
+      }
+    });
+  }
+
+  bool restore_border(Editable_triangulation_2& mesh, std::vector<Index>& moved, std::vector<char>& was_moved) override
+  {
+    follow_flips(mesh);
+    for (Index t : m_beside_others)
+      if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
+        mesh.restore_delaunay_around(t);
+    follow_flips(mesh);
+    if (!m_comm.any(!forget_doubtful(m_beside_others, *m_certificate, mesh)))
+      return false;
+    renew(moved, was_moved);
+    return true;
+  }
+
+  void add_neighbors_of_others(const Editable_triangulation_2& mesh, std::vector<Index>& result) override
+  {
+    const Bubbles_2& b = mesh.mesh().bubbles;
+    for (Index t : m_beside_others)
+      if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
+        for (Index v : mesh.vertices(t))
+          if (b.is_ours(v) && b.can_move(v))
+            result.push_back(v);
+    for (Index v : m_moved)
+      m_was_moved[v] = 0;
+    m_moved.clear();
+  }
+
+private:
+  void start()
+  {
+    const std::size_t n = m_piece.mesh.bubbles.size();
+    m_beside_others = triangles_beside_others(m_piece.mesh);
+    m_certificate.emplace(m_piece.mesh);
+    m_was_moved.assign(n, 0);
+    m_moved.clear();
+  }
+
+  void renew(std::vector<Index>& moved, std::vector<char>& was_moved)
+  {
+    const Bubbles_2& b = m_piece.mesh.bubbles;
+    std::vector<std::int64_t> moved_now, moved_ever;
+    for (Index v : moved)
+      moved_now.push_back(b.id[v]);
+    for (Index v : marked(was_moved))
+      moved_ever.push_back(b.id[v]);
+    m_renew();
+    start();
+    std::transform(moved_now.begin(), moved_now.end(), moved.begin(),
+                   [&b](std::int64_t number) { return b.index_of(number); });
+    was_moved.assign(b.size(), 0);
+    for (std::int64_t number : moved_ever)
+      was_moved[b.index_of(number)] = 1;
+    for (Index v : moved)
+      m_was_moved[v] = 1;
+    share(m_was_moved);
+    for (Index v : moved)
+      m_was_moved[v] = 0;
+    m_moved = marked(m_was_moved);
+  }
+
+  struct Move
+  {
+    std::int32_t position;
+    Index host;
+    double x, y, s;
+  };
+
+  /// flipped triangles may have a bubble of another rank now
+  void follow_flips(Editable_triangulation_2& mesh)
+  {
+    const std::vector<Index> flipped = mesh.take_flipped();
+    m_beside_others.insert(m_beside_others.end(), flipped.begin(), flipped.end());
+  }
+
+  bool has_moved_vertex(const std::array<Index, 3>& v) const
+  {
+    return m_was_moved[v[0]] || m_was_moved[v[1]] || m_was_moved[v[2]];
+  }
+
+  Mesh_piece_2& m_piece;
+  const std::function<void()> m_renew;
+  std::vector<Index> m_beside_others; // triangles, and all that were flipped, wherever they are
+  std::optional<Border_certificate_2> m_certificate;
+  std::vector<char> m_was_moved; // of others' bubbles, in this sweep
+  std::vector<Index> m_moved;    // those
+};
+
+/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all
+/// have smaller ones
 inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, const Hilbert_partition_2& partition,
                                                     Communicator& comm, std::int64_t end, Bubbles_2 bubbles)
 {
   remove_confusing_of_ours(comm, domain, bubbles);
-  return distributed_triangulate(domain, bring_home_and_number(comm, partition, end, std::move(bubbles)), partition, comm);
+  const Bubbles_2 own = bring_home_and_number(comm, partition, end, std::move(bubbles));
+  return distributed_triangulate(domain, own, partition, comm);
 }
 
 /// Collective. `Cut_domain_2::join()` by ranks.
@@ -52,8 +187,8 @@ inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distri
 }
 
 /// `Whole_treatment_2` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the
-/// mesh that is wider than its own triangles and gets narrower with what is done; when nothing wider is left, the pieces are
-/// made anew from where the bubbles are then. All members are collective.
+/// mesh that is wider than its own triangles and gets narrower with what is done; when nothing wider is left, the
+/// pieces are made anew from where the bubbles are then. All members are collective.
 class Distributed_treatment_2
 {
 public:
@@ -92,14 +227,15 @@ public:
   {
     if (smallest >= Smoothing_sweeps_2::treated_quality)
       return 0;
-    Mesh& mesh = piece.mesh;
+    const Piece before = piece;
+    const Mesh& mesh = piece.mesh;
     Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
-    Smoothing_sweeps_2 treat(m_domain, mesh, team);
+    Smoothing_sweeps_2 treat(m_domain, piece.mesh, team);
     std::vector<Index> moved;
     double smallest_now = -1;
     try {
       moved = treat(most_sweeps);
-      mesh.mark_triangles(team.changed_triangles(), m_comm.rank());
+      piece.mesh.mark_triangles(m_comm.rank());
       smallest_now = smallest_quality(mesh);
     } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
     }
@@ -107,9 +243,7 @@ public:
       std::any_of(moved.begin(), moved.end(), [&](Index v) { return mesh.bubbles.is_on_edge(v); });
     // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
     if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
-      if (!team.undo())
-        treat.undo();
-      mesh.mark_triangles(m_comm.rank());
+      piece = before;
       return 0;
     }
     smallest = smallest_now;
@@ -120,29 +254,29 @@ public:
   {
     if (smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
-    Treatment_counts changes;
     Piece last = piece;
-    bool has_changed_outline = false;
+    Distributed_surgery_2 surgery(m_domain, last, smallest, m_comm,
+                                  [&](double times) { renew(last, times * m_reach); });
     double smallest_now = -1;
     try {
       for (double bad_quality : bad_qualities)
-        if (!operate_once(last, bad_quality, smallest, changes, has_changed_outline))
+        if (!surgery(bad_quality, static_cast<std::int64_t>(number_of_bubbles(last.mesh))))
           break;
       smallest_now = smallest_quality(last.mesh);
     } catch (const std::runtime_error&) { // the same
     }
     // rounding can make a mess of a change; then what was there is good
-    if (changes.inserted + changes.deleted == 0 || smallest_now < smallest ||
-        (m_comm.any(has_changed_outline) && !has_valid_outline(last.mesh)))
+    if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < smallest ||
+        (surgery.has_changed_outline && !has_valid_outline(last.mesh)))
       return;
     smallest = smallest_now;
     piece = std::move(last);
-    counts += changes;
+    counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
   }
 
   Distributed_treatment_2 triangulate_given(Mesh& given) const
   {
-    const Placed_part_2 part = given_bubbles_distributed(m_comm, m_problem, m_points);
+    const Placed_part_2 part = place_by_all(m_comm, m_problem, m_points, given_bubbles);
     const Distributed_treatment_2 result(m_problem, m_points, part.partition, m_comm, m_reach);
     given = result.triangulate(part.bubbles);
     return result;
@@ -239,28 +373,6 @@ private:
     return triangulate_outline(m_domain, bubbles, outline);
   }
 
-  /// inserts and deletes bubbles around bad triangles; returns whether there was something to be done
-  bool operate_once(Mesh_piece_2& piece, double bad_quality, double smallest, Treatment_counts& counts,
-                    bool& has_changed_outline) const
-  {
-    std::optional<Distributed_surgery_2> surgery(std::in_place, m_domain, piece, smallest, m_comm);
-    for (double reach = m_reach; !surgery->find_patches(bad_quality); reach *= 2) { // they are cut off
-      renew(piece, reach);
-      surgery.emplace(m_domain, piece, smallest, m_comm);
-    }
-    const std::int64_t end = static_cast<std::int64_t>(number_of_bubbles(piece.mesh));
-    const Patch_changes_2 changes = surgery->operate(end);
-    if (surgery->number_of_insertions + surgery->number_of_deletions == 0)
-      return false;
-    counts.inserted += static_cast<std::size_t>(surgery->number_of_insertions);
-    counts.deleted += static_cast<std::size_t>(surgery->number_of_deletions);
-    Piece_stitching_2 stitch(piece, m_comm);
-    if (!stitch(changes, end))
-      renew(piece, m_reach);
-    has_changed_outline = has_changed_outline || stitch.has_changed_outline;
-    return true;
-  }
-
   /// inserts points that all ranks want, each on the rank that owns its place, and triangulates
   Mesh with_points(const std::vector<Steiner_point_2>& points, const Mesh& mesh) const
   {
@@ -291,8 +403,8 @@ private:
   const double m_reach;
 };
 
-/// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one. What it
-/// adds to the report are counts of all ranks. `points`: those that were given on this rank.
+/// Collective. The triangulation of the simulated bubbles of all ranks, as `triangulate_and_treat()` makes it on one.
+/// What it adds to the report are counts of all ranks. `points`: those that were given on this rank.
 inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubbles_2& points,
                                             const Placed_part_2& part, Communicator& comm, Report& report)
 {

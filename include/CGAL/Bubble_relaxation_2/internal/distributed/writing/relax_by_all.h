@@ -20,7 +20,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/Point_replacement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
@@ -30,43 +29,30 @@
 
 #include <mpi.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Collective. Puts in what the values of all ranks are together.
-template <class Sent, class T, std::size_t n>
-void reduce(const Communicator& comm, const std::array<T*, n>& values, MPI_Op operation)
-{
-  std::array<Sent, n> sent;
-  std::transform(values.begin(), values.end(), sent.begin(), [](const T* value) { return static_cast<Sent>(*value); });
-  comm.reduce_each(sent, operation);
-  for (std::size_t k = 0; k < n; ++k)
-    *values[k] = static_cast<T>(sent[k]);
-}
-
 /// Collective. Each phase takes as long as on the slowest rank.
 inline void find_slowest(const Communicator& comm, Bubble_relaxation_seconds& s)
 {
-  const std::array<double*, 8> phases{&s.reading,    &s.placement, &s.renewal, &s.motion,
-                                      &s.population, &s.treatment, &s.writing, &s.evaluation};
-  reduce<double>(comm, phases, MPI_MAX);
+  for (double* phase : {&s.reading, &s.placement, &s.renewal, &s.motion, &s.population, &s.treatment, &s.writing,
+                        &s.evaluation})
+    *phase = comm.largest(*phase);
 }
 
-/// what each rank counts for itself
-inline std::array<std::size_t*, 4> counts_of_rank(Report& report)
+/// Collective. Adds up what each rank counts for itself.
+inline void add_up_counts(const Communicator& comm, Report& r)
 {
-  return {{&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
-           &report.number_of_deletions}};
+  for (std::size_t* count : {&r.number_of_moves, &r.number_of_returns, &r.number_of_insertions, &r.number_of_deletions})
+    *count = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(*count)));
 }
 
 /// What a rank has when bubbles have been simulated and treated, before its points are changed.
 struct Relaxed_part_2
 {
-  Distributed_mesh_2& mesh;             ///< with the sizes of its own bubbles, and old ones of others
+  const Distributed_mesh_2& mesh;
   const Bubbles_2& bubbles;             ///< its own, in the order of their numbers
   const Hilbert_partition_2& partition; ///< that they need not be at home in any more
   const Relaxation_options& options;
@@ -74,7 +60,7 @@ struct Relaxed_part_2
 };
 
 /// Collective. What `Distributed::npbs_relax()` and `Distributed::npbs_mesh()` have in common: all but what they
-/// return, which `write(part, reading, sizes, report)` prepares by all ranks. If it throws, it throws on all.
+/// return, which `write(part, reading, report)` prepares by all ranks. If it throws, it throws on all.
 template <class PointSet, class CDT, class NamedParameters, class Write>
 auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const NamedParameters& np, const Write& write)
 {
@@ -94,7 +80,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   reading_time.stop();
   const Placed_part_2 part = simulate_distributed(ranks, problem, report, given);
   ranks.agree(); // the callback may have thrown, or d after the last step
-  reduce<std::int64_t>(ranks, counts_of_rank(report), MPI_SUM);
+  add_up_counts(ranks, report);
   Distributed_mesh_2 mesh;
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK)
     mesh = treat_distributed(problem, given, part, ranks, report);
@@ -106,19 +92,14 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     evaluate(mesh, problem, team, report);
     input->options.progress->start_phase(Bubble_phase::WRITING);
     const Phase_timer writing_time(report.seconds.writing);
-    Point_replacement_2<PointSet> replacement(points);
     Bubbles_2 bubbles;
     ranks.agree_after([&] {
-      ask_own_sizes(mesh, ranks.rank(), input->limits.sizes);
+      ask_sizes(mesh, input->limits.sizes);
       bubbles = own_bubbles(mesh, ranks.rank());
     });
-    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->reading, input->limits.sizes,
-          report);
-    ranks.agree_after([&] {
-      replacement.prepare(bubbles);
-      input->options.progress->report(1);
-    });
-    replacement.finish(); // nothing can fail on any rank from here on
+    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->reading, report);
+    ranks.agree_after([&] { input->options.progress->report(1); });
+    write_bubbles(bubbles, points); // nothing of the user's can fail on any rank from here on
   }
   find_slowest(ranks, report.seconds);
   return Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type>(report);

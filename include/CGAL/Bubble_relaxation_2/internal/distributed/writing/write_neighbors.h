@@ -15,8 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_search_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,52 +40,35 @@ inline Bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2&
   return known;
 }
 
-/// Writes what a rank has to know of the neighbours that others own, in the order of their numbers.
-template <class Relaxation>
-void write_ghosts(const Bubbles_2& b, const std::vector<char>& is_ghost, Relaxation& relaxation)
-{
-  std::vector<Index> ghosts = marked(is_ghost);
-  std::sort(ghosts.begin(), ghosts.end(), [&b](Index i, Index j) { return b.id[i] < b.id[j]; });
-  for (Index i : ghosts) {
-    relaxation.ghost_ids.push_back(b.id[i]);
-    relaxation.ghost_points.push_back(typename Relaxation::Point_2(b.x[i], b.y[i]));
-    relaxation.ghost_sizes.push_back(b.d[i]);
-    relaxation.ghost_owners.push_back(b.owner[i]);
-  }
-}
-
 /// Writes the neighbour sets of the bubbles of a rank into a `Relaxation_2`, and what it has to know of neighbours
-/// that others own. `known`: see `with_neighbors()`
+/// that others own, in the order of their numbers. `known`: see `with_neighbors()`
 template <class Relaxation>
 void write_neighbors(const Bubbles_2& known, double radius, Relaxation& relaxation)
 {
-  constexpr std::size_t block_size = Neighbor_search_2::block_size, usual_number = 7;
+  constexpr std::size_t usual_number = 7;
   const std::size_t n = static_cast<std::size_t>(std::count(known.owner.begin(), known.owner.end(), known.rank));
   relaxation.neighbor_radius = radius;
   relaxation.neighbors.reserve(usual_number * n);
   relaxation.neighbor_offsets.reserve(n + 1);
   relaxation.neighbor_offsets.push_back(0);
-  if (n == 0)
-    return;
-  Bubble_buckets_2 buckets(radius, known.d[0], known.x[0], known.y[0], known.size());
-  for (std::size_t i = 0; i < known.size(); ++i)
-    buckets.insert(static_cast<Index>(i), known.x[i], known.y[i], known.d[i]);
-  std::vector<char> is_neighbor(known.size(), 0);
-  const Neighbor_search_2 find(buckets, known.x, known.y, known.d, radius);
-  const auto is_gone = [](std::size_t) { return false; };
-  const auto is_before = [&known](Index i, Index j) { return known.id[i] < known.id[j]; };
-  Neighbor_block block;
-  for (std::size_t first = 0; first < n; first += block_size) {
-    find(first, (std::min)(first + block_size, n), is_gone, is_before, block);
-    for (Index j : block.found) {
-      relaxation.neighbors.push_back(known.id[j]);
-      is_neighbor[j] = 1;
+  Neighbor_sets_2 sets(radius);
+  sets.build(known);
+  std::vector<char> is_ghost(known.size(), 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j) {
+      relaxation.neighbors.push_back(known.id[*j]);
+      is_ghost[*j] = !known.is_ours(*j);
     }
-    for (std::size_t size : block.sizes)
-      relaxation.neighbor_offsets.push_back(relaxation.neighbor_offsets.back() + size);
+    relaxation.neighbor_offsets.push_back(relaxation.neighbors.size());
   }
-  std::fill_n(is_neighbor.begin(), n, char(0)); // of others only
-  write_ghosts(known, is_neighbor, relaxation);
+  std::vector<Index> ghosts = marked(is_ghost);
+  std::sort(ghosts.begin(), ghosts.end(), [&](Index i, Index j) { return known.id[i] < known.id[j]; });
+  for (Index i : ghosts) {
+    relaxation.ghost_ids.push_back(known.id[i]);
+    relaxation.ghost_points.push_back(typename Relaxation::Point_2(known.x[i], known.y[i]));
+    relaxation.ghost_sizes.push_back(known.d[i]);
+    relaxation.ghost_owners.push_back(known.owner[i]);
+  }
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

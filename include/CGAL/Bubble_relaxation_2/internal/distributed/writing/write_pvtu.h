@@ -9,16 +9,14 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_PVTU_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_WRITE_PVTU_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/IO/VTU.h>
 #include <CGAL/Bubble_relaxation_2/internal/files/in_xml.h>
-#include <CGAL/Bubble_relaxation_2/internal/files/write_file.h>
+#include <CGAL/Mesh_arrays_2.h>
 
-#include <CGAL/radius_ratio_2.h>
+#include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -43,213 +41,95 @@ inline std::string vtu_path(const std::string& stem, int rank)
   return stem + "_" + std::to_string(rank) + ".vtu";
 }
 
-/// Writes one rank's triangles for ParaView, with the points that they need, and the sides on constraints as lines.
+/// adds the sides of a rank's triangles on constraints, each on one rank: the one that owns its end with the smaller
+/// id, which knows both triangles
 template <class Mesh>
-class Vtu_piece_2
+void add_lines(const Mesh& mesh, Mesh_arrays_2& result)
 {
-public:
-  /// `of_points`, `of_triangles`: names and values of the user's
-  template <class Data>
-  Vtu_piece_2(const Mesh& mesh, const Data& of_points, const Data& of_triangles)
-    : m_mesh(mesh), m_number(mesh.number_of_points(), -1)
-  {
-    for (std::size_t i = 0; i < mesh.number_of_owned_points(); ++i)
-      take(i);
-    for (std::size_t t = 0; t < mesh.number_of_owned_triangles(); ++t)
-      for (auto v : mesh.vertices(t))
-        take(static_cast<std::size_t>(v));
-    find_lines();
-    for (std::size_t c = 0; c < mesh.number_of_owned_triangles() + m_lines.size(); ++c)
-      m_cells.push_back(c);
-    add_data_of_points();
-    add_data_of_cells();
-    for (const auto& data : of_points)
-      m_of_points.push_back({"Float64", data.name, [&data](std::size_t i) { return in_words(data.value(i)); }});
-    for (const auto& data : of_triangles)
-      add_of_triangles("Float64", data.name, [&data](std::size_t t) { return in_words(data.value(t)); });
-  }
+  using Marker = typename Mesh::Marker;
+  result.vertex_markers.assign(mesh.number_of_points(), 0);
+  std::set<Mesh_arrays_2::Edge> known;
+  for (std::size_t t = 0; t < mesh.number_of_triangles(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      if (!mesh.is_constrained(t, i))
+        continue;
+      int marker = 0;
+      if constexpr (std::is_arithmetic<Marker>::value || std::is_enum<Marker>::value)
+        marker = mesh.has_markers() ? static_cast<int>(mesh.marker(t, i)) : 0;
+      const auto end = [&](int k) { return static_cast<std::size_t>(mesh.vertices(t)[static_cast<std::size_t>(k)]); };
+      Mesh_arrays_2::Edge e{end(ccw(i)), end(cw(i))};
+      for (std::size_t v : e)
+        result.vertex_markers[v] = (std::max)(result.vertex_markers[v], marker);
+      if (mesh.global_id(e[1]) < mesh.global_id(e[0]))
+        std::swap(e[0], e[1]);
+      if (mesh.is_ghost(e[0]) || !known.insert(e).second)
+        continue;
+      result.edges.push_back(e);
+      result.edge_markers.push_back(marker);
+    }
+}
 
-  /// of what has to be the same on all ranks
-  std::uint64_t hash_of_names() const
-  {
-    std::uint64_t hash = 0;
-    for (const auto* arrays : {&m_of_points, &m_of_cells})
-      for (const Array& a : *arrays) {
-        for (char c : a.name)
-          hash = hash_of_two(hash, static_cast<unsigned char>(c));
-        hash = hash_of_two(hash, 256); // a name ends
-      }
-    return hash;
-  }
-
-  void write(std::ostream& out) const
-  {
-    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-        << "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-        << "<Piece NumberOfPoints=\"" << m_points.size() << "\" NumberOfCells=\"" << m_cells.size() << "\">\n"
-        << "<PointData>\n";
-    for (const Array& a : m_of_points)
-      array(out, a.type, a.name, m_points, a.text);
-    out << "</PointData>\n<CellData Scalars=\"q\">\n";
-    for (const Array& a : m_of_cells)
-      array(out, a.type, a.name, m_cells, a.text);
-    out << "</CellData>\n<Points>\n";
-    array(out, "Float64\" NumberOfComponents=\"3", "Points", m_points, [&](std::size_t i) {
-      const auto p = m_mesh.point(i);
-      return in_words(CGAL::to_double(p.x())) + " " + in_words(CGAL::to_double(p.y())) + " 0";
-    });
-    out << "</Points>\n<Cells>\n";
-    const std::size_t triangles = m_mesh.number_of_owned_triangles();
-    array(out, "Int64", "connectivity", m_cells, [&](std::size_t c) { return connectivity(c); });
-    array(out, "Int64", "offsets", m_cells, [&](std::size_t c) {
-      return in_text(c < triangles ? 3 * (c + 1) : 3 * triangles + 2 * (c + 1 - triangles));
-    });
-    array(out, "UInt8", "types", m_cells, // VTK_TRIANGLE, VTK_LINE
-          [&](std::size_t c) { return std::string(is_triangle(c) ? "5" : "3"); });
-    out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  }
-
-  /// the file that names those of all ranks
-  void write_header(std::ostream& out, const std::string& stem) const
-  {
-    const std::string name = stem.substr(stem.find_last_of('/') + 1); // beside this file
-    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
-        << "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPointData>\n";
-    for (const Array& a : m_of_points)
-      out << "<PDataArray type=\"" << a.type << "\" Name=\"" << in_xml(a.name) << "\"/>\n";
-    out << "</PPointData>\n<PCellData Scalars=\"q\">\n";
-    for (const Array& a : m_of_cells)
-      out << "<PDataArray type=\"" << a.type << "\" Name=\"" << in_xml(a.name) << "\"/>\n";
-    out << "</PCellData>\n<PPoints>\n"
-        << "<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
-    for (int rank = 0; rank < m_mesh.number_of_ranks(); ++rank)
-      out << "<Piece Source=\"" << in_xml(vtu_path(name, rank)) << "\"/>\n";
-    out << "</PUnstructuredGrid>\n</VTKFile>\n";
-  }
-
-private:
-  using Text = std::function<std::string(std::size_t)>;
-
-  /// what is told of each point, or each cell
-  struct Array
-  {
-    const char* type;
-    std::string name;
-    Text text;
+/// What a rank writes: its triangles, with all points that it knows. `of_points`, `of_triangles`: names and values of
+/// the user's
+template <class Mesh, class Data>
+Mesh_arrays_2 arrays_of_part(const Mesh& mesh, const Data& of_points, const Data& of_triangles)
+{
+  using Region = typename Mesh::Region;
+  Mesh_arrays_2 result;
+  const auto add_data = [](auto& arrays, const std::string& name, std::size_t n, const auto& value) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < n; ++i)
+      values.push_back(static_cast<double>(value(i)));
+    arrays[name] = std::move(values);
   };
+  const std::size_t points = mesh.number_of_points(), triangles = mesh.number_of_owned_triangles();
+  for (std::size_t i = 0; i < points; ++i)
+    result.points.emplace_back(CGAL::to_double(mesh.point(i).x()), CGAL::to_double(mesh.point(i).y()));
+  add_data(result.vertex_data, "global_id", points, [&](std::size_t i) { return mesh.global_id(i); });
+  add_data(result.vertex_data, "size", points, [&](std::size_t i) { return mesh.size(i); });
+  add_data(result.vertex_data, "rank", points, [&](std::size_t i) { return mesh.owner(i); });
+  for (const auto& data : of_points)
+    add_data(result.vertex_data, data.name, points, data.value);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    Mesh_arrays_2::Triangle triangle;
+    std::copy(mesh.vertices(t).begin(), mesh.vertices(t).end(), triangle.begin());
+    result.triangles.push_back(triangle);
+  }
+  if constexpr (std::is_arithmetic<Region>::value || std::is_enum<Region>::value)
+    if (mesh.has_regions())
+      add_data(result.triangle_data, "region", triangles, [&](std::size_t t) { return mesh.region(t); });
+  add_data(result.triangle_data, "rank", triangles, [&](std::size_t) { return mesh.rank(); });
+  for (const auto& data : of_triangles)
+    add_data(result.triangle_data, data.name, triangles, data.value);
+  add_lines(mesh, result);
+  return result;
+}
 
-  /// a side of a triangle, by the number of the vertex opposite to it
-  struct Line
-  {
-    std::size_t triangle;
-    int i;
+/// Writes the file that names those of all ranks: `part` is one of them, and all have the same arrays.
+inline void write_pvtu_header(std::ostream& out, const Mesh_arrays_2& part, const std::string& stem, int ranks)
+{
+  const auto array = [&out](const char* type, const std::string& name, const char* more = "") {
+    out << "<PDataArray type=\"" << type << "\" Name=\"" << in_xml(name) << "\"" << more << "/>\n";
   };
-
-  template <class Number>
-  static std::string in_text(Number n)
-  {
-    return std::to_string(n);
-  }
-
-  void take(std::size_t i)
-  {
-    if (m_number[i] != -1)
-      return;
-    m_number[i] = static_cast<std::int64_t>(m_points.size());
-    m_points.push_back(i);
-  }
-
-  std::size_t end(const Line& l, int turn) const
-  {
-    return static_cast<std::size_t>(m_mesh.vertices(l.triangle)[static_cast<std::size_t>((l.i + turn) % 3)]);
-  }
-
-  /// A line is of the rank that owns its end with the smaller id: that knows both triangles.
-  void find_lines()
-  {
-    std::set<std::pair<std::size_t, std::size_t>> known;
-    for (std::size_t t = 0; t < m_mesh.number_of_triangles(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        if (!m_mesh.is_constrained(t, i))
-          continue;
-        std::size_t a = end({t, i}, 1), b = end({t, i}, 2);
-        if (m_mesh.global_id(b) < m_mesh.global_id(a))
-          std::swap(a, b);
-        if (m_mesh.is_ghost(a) || !known.insert({a, b}).second)
-          continue;
-        m_lines.push_back({t, i});
-        take(a);
-        take(b);
-      }
-  }
-
-  bool is_triangle(std::size_t cell) const { return cell < m_mesh.number_of_owned_triangles(); }
-
-  const Line& line(std::size_t cell) const { return m_lines[cell - m_mesh.number_of_owned_triangles()]; }
-
-  void add_data_of_points()
-  {
-    m_of_points.push_back({"Int64", "global_id", [this](std::size_t i) { return in_text(m_mesh.global_id(i)); }});
-    m_of_points.push_back({"Float64", "size", [this](std::size_t i) { return in_words(m_mesh.size(i)); }});
-    m_of_points.push_back({"Int32", "rank", [this](std::size_t i) { return in_text(m_mesh.owner(i)); }});
-  }
-
-  void add_data_of_cells()
-  {
-    add_of_triangles("Float64", "q", [this](std::size_t t) { return in_words(quality(t)); });
-    m_of_cells.push_back({"Int32", "rank", [this](std::size_t) { return in_text(m_mesh.rank()); }});
-    m_of_cells.push_back({"Int32", "dimension", [this](std::size_t c) { return in_text(is_triangle(c) ? 2 : 1); }});
-    if constexpr (std::is_arithmetic<typename Mesh::Marker>::value || std::is_enum<typename Mesh::Marker>::value)
-      if (m_mesh.has_markers())
-        m_of_cells.push_back({"Float64", "marker", [this](std::size_t c) {
-          return is_triangle(c) ? "0" : in_words(static_cast<double>(m_mesh.marker(line(c).triangle, line(c).i)));
-        }});
-    if constexpr (std::is_arithmetic<typename Mesh::Region>::value || std::is_enum<typename Mesh::Region>::value)
-      if (m_mesh.has_regions())
-        add_of_triangles("Float64", "region",
-                         [this](std::size_t t) { return in_words(static_cast<double>(m_mesh.region(t))); });
-  }
-
-  /// lines have none
-  void add_of_triangles(const char* type, const std::string& name, const Text& text)
-  {
-    m_of_cells.push_back({type, name, [this, text](std::size_t c) { return is_triangle(c) ? text(c) : "nan"; }});
-  }
-
-  double quality(std::size_t t) const
-  {
-    const auto& v = m_mesh.vertices(t);
-    const auto point = [&](std::size_t k) { return m_mesh.point(static_cast<std::size_t>(v[k])); };
-    return CGAL::to_double(CGAL::radius_ratio_2(point(0), point(1), point(2)));
-  }
-
-  std::string connectivity(std::size_t c) const
-  {
-    if (!is_triangle(c))
-      return in_text(m_number[end(line(c), 1)]) + " " + in_text(m_number[end(line(c), 2)]);
-    std::string text;
-    for (auto v : m_mesh.vertices(c))
-      text += (text.empty() ? "" : " ") + std::to_string(m_number[static_cast<std::size_t>(v)]);
-    return text;
-  }
-
-  template <class Text_of>
-  static void array(std::ostream& out, const std::string& type, const std::string& name,
-                    const std::vector<std::size_t>& indices, const Text_of& text)
-  {
-    out << "<DataArray type=\"" << type << "\" Name=\"" << in_xml(name) << "\" format=\"ascii\">\n";
-    for (std::size_t i : indices)
-      out << text(i) << "\n";
-    out << "</DataArray>\n";
-  }
-
-  const Mesh& m_mesh;
-  std::vector<std::size_t> m_points;  // that are written
-  std::vector<std::int64_t> m_number; // of each point, in the file
-  std::vector<Line> m_lines;
-  std::vector<std::size_t> m_cells;   // triangles, then lines
-  std::vector<Array> m_of_points, m_of_cells;
-};
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"" << byte_order()
+      << "\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPointData>\n";
+  array("Int32", "marker");
+  for (const auto& data : part.vertex_data)
+    array("Float64", data.first);
+  out << "</PPointData>\n<PCellData Scalars=\"q\">\n";
+  array("Float64", "q");
+  array("Int32", "dimension");
+  array("Int32", "marker");
+  for (const auto& data : part.triangle_data)
+    array("Float64", data.first);
+  out << "</PCellData>\n<PPoints>\n";
+  array("Float64", "Points", " NumberOfComponents=\"3\"");
+  out << "</PPoints>\n";
+  const std::string name = stem.substr(stem.find_last_of('/') + 1); // beside this file
+  for (int rank = 0; rank < ranks; ++rank)
+    out << "<Piece Source=\"" << in_xml(vtu_path(name, rank)) << "\"/>\n";
+  out << "</PUnstructuredGrid>\n</VTKFile>\n";
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
