@@ -47,7 +47,8 @@ costs depends on the part alone, in time and in memory, however large the rest i
 - The <em>rim</em> of the part, the edges that have a face of the part on one side and another face of the domain on
 the other one, stays as it is: its vertices are not moved, its edges are not split, constrained ones included. Other
 constraints of the part, and those at the border of the domain, are treated as by `npbs_relax()`: vertices that only
-split them may go, and others may come.
+split them may go, and others may come. A constraint that the rim cuts has a vertex there, which stays: in the part it
+is a constraint that ends there, and beyond the rim nothing of it changes.
 - A vertex is never moved: it stays, or it is removed and others are new. One that comes out at its old coordinates
 stays, with its handle and what it carries.
 - Out of the domain, faces are replaced where vertices of a constraint beside them change; what their base carries may
@@ -69,8 +70,8 @@ between the part and others stay as they are
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param cdt the triangulation
-\param faces the part: faces of the domain. They need not hang together, and may surround others. One that comes twice
-counts once
+\param faces the part: faces of the domain. They need not hang together, and may surround others, and their rim may cut
+constraints. One that comes twice counts once
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all of `npbs_relax()` but `seeds` and
 `seeds_are_in_domain`, and
 
