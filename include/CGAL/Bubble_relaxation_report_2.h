@@ -56,6 +56,29 @@ struct Bubble_relaxation_report_2
 {
   using FT = FT_;
 
+  Bubble_relaxation_report_2() = default;
+
+  /// the same in another number type
+  template <class Other_FT>
+  explicit Bubble_relaxation_report_2(const Bubble_relaxation_report_2<Other_FT>& other)
+    : number_of_vertices(other.number_of_vertices), number_of_triangles(other.number_of_triangles),
+      number_of_wanted_vertices(other.number_of_wanted_vertices),
+      number_of_initial_bubbles(other.number_of_initial_bubbles), number_of_rounds(other.number_of_rounds),
+      number_of_steps(other.number_of_steps), number_of_force_evaluations(other.number_of_force_evaluations),
+      number_of_moves(other.number_of_moves), number_of_renewals(other.number_of_renewals),
+      number_of_insertions(other.number_of_insertions), number_of_deletions(other.number_of_deletions),
+      number_of_treated_vertices(other.number_of_treated_vertices), number_of_returns(other.number_of_returns),
+      converged(other.converged), stop_reason(other.stop_reason), seconds(other.seconds), quality(other.quality),
+      number_of_forced_triangles(other.number_of_forced_triangles), forced_x(FT(other.forced_x)),
+      forced_y(FT(other.forced_y)), number_of_small_angles(other.number_of_small_angles), small_x(FT(other.small_x)),
+      small_y(FT(other.small_y)), largest_size_gradient(FT(other.largest_size_gradient)),
+      steepest_x(FT(other.steepest_x)), steepest_y(FT(other.steepest_y)), steep_share(FT(other.steep_share))
+  {
+    for (std::size_t k = 0; k < forced_places.size(); ++k)
+      forced_places[k] = {other.forced_places[k].number_of_vertices, FT(other.forced_places[k].x),
+                          FT(other.forced_places[k].y)};
+  }
+
   std::size_t number_of_vertices = 0;          ///< vertices of the mesh of the domain
   std::size_t number_of_triangles = 0;         ///< triangles of the mesh of the domain
   /// About as many vertices as d alone asks for: the integral of 2 / (sqrt(3) d<sup>2</sup>) over the domain, half of
@@ -74,8 +97,8 @@ struct Bubble_relaxation_report_2
   /// with most of them first, and none beside another one.
   std::array<Forced_place, 5> forced_places{};
 
-  /// Whether there are more than twice as many vertices as d alone asks for, and a hundred more, so that most of them are
-  /// there for the outline. Then `operator<<` tells where, and what can be done.
+  /// Whether there are more than twice as many vertices as d alone asks for, and a hundred more, so that most of them
+  /// are there for the outline. Then `operator<<` tells where, and what can be done.
   bool is_forced_by_outline() const
   {
     constexpr std::size_t few = 100; // that corners take are not worth a word
