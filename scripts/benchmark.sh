@@ -3,7 +3,7 @@
 #   benchmark.sh [scaling] [1e7] [--threads 2]    cost, memory and threads over the number of vertices
 #   benchmark.sh compare [1000 ...]               this package, CGAL's 2D Meshes and Gmsh: table, JSON, SVG
 #   benchmark.sh influence [1e4 1e6]              nodes of influence domains: this package, a grid, CGAL's searches, nanoflann
-#   benchmark.sh transfer [1e4 1e6]               values carried over to another mesh: microseconds a pair of triangles
+#   benchmark.sh transfer [1e4 1e6]               values carried over to another mesh: CPU time a vertex and a pair
 #   benchmark.sh local [1e4 1e6]                  a part of a mesh meshed anew: time and memory over those of the part alone
 #   benchmark.sh local drift [1000]               a mesh after so many local changes, against one made at once
 #   benchmark.sh phases                           nanoseconds a node of each phase

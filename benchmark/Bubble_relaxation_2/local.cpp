@@ -364,7 +364,8 @@ private:
 void drift(int number_of_changes, unsigned seed)
 {
   Drift drift(seed);
-  std::cout << "mesh                   vertices    min q   mean q      L/d     dev.   irreg.\n";
+  std::cout << std::left << std::setw(22) << "mesh, seed " + std::to_string(seed) << std::right
+            << " vertices    min q   mean q      L/d     dev.   irreg.\n";
   print("before", drift.judge());
   const int interval = (std::max)(1, number_of_changes / 20);
   Judgement changed{}, at_once{}, means{}, means_at_once{};

@@ -6,9 +6,9 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// What it costs to carry values over from a mesh to another one that is a little finer: microseconds for a pair of
-// triangles that overlap, and by how much the integral changes; last for a part of both meshes, where the
-// integral is another since the rims are.
+// What it costs to carry values over from a mesh to another one that is a little finer: CPU time, microseconds for a
+// vertex of the source and for a pair of triangles that overlap, and by how much the integral changes; last for a part
+// of both meshes, where the integral is another since the rims are. Interpolation intersects no triangles.
 //
 //   transfer [number of vertices ...]
 
@@ -19,9 +19,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,13 +46,22 @@ CDT mesh(double number_of_vertices)
 
 double field(const Point& p) { return 1 + std::sin(9 * p.x()) * std::cos(7 * p.y()); }
 
-void print_row(const std::string& name, std::size_t vertices, const CGAL::Transfer_report_2& r)
+template <class Transfer>
+void print_row(const std::string& name, std::size_t vertices, const Transfer& transfer)
 {
-  const double pairs = static_cast<double>(r.number_of_pairs);
-  std::cout << std::left << std::setw(36) << name << std::right << std::setw(9) << vertices << std::setw(10)
-            << r.number_of_pairs << std::fixed << std::setprecision(3) << std::setw(9) << r.seconds
-            << std::setprecision(2) << std::setw(9) << 1e6 * r.seconds / pairs << std::scientific
-            << std::setprecision(1) << std::setw(10) << r.target_integral / r.overlap_integral - 1 << std::endl;
+  const std::clock_t start = std::clock();
+  const CGAL::Transfer_report_2 r = transfer();
+  const double microseconds = 1e6 * double(std::clock() - start) / CLOCKS_PER_SEC;
+  const bool has_pairs = r.number_of_pairs > 0;
+  const double before = has_pairs ? r.overlap_integral : r.source_integral;
+  std::cout << std::left << std::setw(32) << name << std::right << std::setw(9) << vertices << std::fixed
+            << std::setprecision(3) << std::setw(9) << 1e-6 * microseconds << std::setprecision(2) << std::setw(11)
+            << microseconds / double(vertices) << std::setw(9);
+  if (has_pairs)
+    std::cout << r.number_of_pairs << std::setw(9) << microseconds / double(r.number_of_pairs);
+  else
+    std::cout << '-' << std::setw(9) << '-';
+  std::cout << std::scientific << std::setprecision(1) << std::setw(10) << r.target_integral / before - 1 << std::endl;
 }
 
 /// the faces within a circle
@@ -72,27 +83,34 @@ void measure(double number_of_vertices)
     at_source[v] = field(v->point());
   for (CDT::Face_handle f : source.finite_face_handles())
     in_source[f] = field(CGAL::centroid(source.triangle(f)));
-  const auto vertices = [&](const std::string& name, const auto& np) {
-    print_row(name, source.number_of_vertices(),
-              CGAL::transfer_vertex_values_2(source, boost::make_assoc_property_map(at_source), target,
-                                             boost::make_assoc_property_map(at_target), np));
+  const auto vertices = [&](const std::string& name, std::size_t number, const auto& np) {
+    print_row(name, number, [&] {
+      return CGAL::transfer_vertex_values_2(source, boost::make_assoc_property_map(at_source), target,
+                                            boost::make_assoc_property_map(at_target), np);
+    });
   };
+  const std::size_t all = source.number_of_vertices();
   const auto faces = [&](const std::string& name, CGAL::Face_transfer method) {
-    print_row(name, source.number_of_vertices(),
-              CGAL::transfer_face_values_2(source, boost::make_assoc_property_map(in_source), target,
-                                           boost::make_assoc_property_map(in_target), P::transfer_method(method)));
+    print_row(name, all, [&] {
+      return CGAL::transfer_face_values_2(source, boost::make_assoc_property_map(in_source), target,
+                                          boost::make_assoc_property_map(in_target), P::transfer_method(method));
+    });
   };
-  vertices("vertices, interpolation", P::transfer_method(CGAL::Vertex_transfer::INTERPOLATION));
-  vertices("vertices, projection", P::transfer_method(CGAL::Vertex_transfer::PROJECTION));
-  vertices("vertices, monotone projection", P::transfer_method(CGAL::Vertex_transfer::MONOTONE_PROJECTION));
+  vertices("vertices, interpolation", all, P::transfer_method(CGAL::Vertex_transfer::INTERPOLATION));
+  vertices("vertices, projection", all, P::transfer_method(CGAL::Vertex_transfer::PROJECTION));
+  vertices("vertices, monotone projection", all, P::transfer_method(CGAL::Vertex_transfer::MONOTONE_PROJECTION));
   faces("faces, mean", CGAL::Face_transfer::MEAN);
   faces("faces, reconstruction", CGAL::Face_transfer::RECONSTRUCTION);
   faces("faces, monotone reconstruction", CGAL::Face_transfer::MONOTONE_RECONSTRUCTION);
   // about a thousand vertices, whatever the whole has
   const double radius = std::sqrt(1000 / (3.14 * number_of_vertices));
   const auto from = part(source, radius), to = part(target, radius);
+  std::set<CDT::Vertex_handle> those;
+  for (CDT::Face_handle f : from)
+    for (int i = 0; i < 3; ++i)
+      those.insert(f->vertex(i));
   if (radius < 0.5)
-    vertices("vertices of a part, projection", P::source_faces(from).target_faces(to));
+    vertices("vertices of a part, projection", those.size(), P::source_faces(from).target_faces(to));
 }
 
 } // namespace
@@ -104,7 +122,7 @@ int main(int argc, char** argv)
     numbers.clear();
   for (int k = 1; k < argc; ++k)
     numbers.push_back(std::atof(argv[k]));
-  std::cout << "values at or in                      vertices     pairs  seconds  us/pair    change\n";
+  std::cout << "values at or in                  vertices  seconds  us/vertex    pairs  us/pair    change\n";
   for (double n : numbers)
     measure(n);
 }

@@ -90,6 +90,8 @@ void mesh(const Mpi_session& session, const Domain& domain, const po::variables_
   const auto result = CGAL::Distributed::npbs_mesh(points, domain.cdt, MPI_COMM_WORLD, np);
   if (session.is_first() && arguments.count("quiet") == 0)
     print_statistics(result.report);
+  if (session.is_first())
+    hint_at_outline("distributed_mesh", arguments, result.report);
   if (session.is_first() && result.report.steep_share > 0)
     std::cerr << "distributed_mesh: warning: " << input_name(arguments) << ": " << steep_message(result.report) << '\n';
   if (arguments.count("output") == 0)

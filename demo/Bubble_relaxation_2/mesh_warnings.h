@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_DEMO_MESH_WARNINGS_H
 
 #include "files/domain.h"
+#include "mesh_options.h"
 
 #include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/radius_ratio_2.h>
@@ -23,7 +24,7 @@
 #include <string>
 #include <vector>
 
-// What npbs_mesh tells and warns of when it has made a mesh.
+// What npbs_mesh and distributed_mesh tell and warn of when they have made a mesh.
 
 using Report = CGAL::Bubble_relaxation_report_2<double>;
 
@@ -67,15 +68,7 @@ inline void print_statistics(const Report& report)
   row("seconds") << report.seconds.total() << '\n';
 }
 
-/// whether most of the vertices are there for the outline; a few that corners take are not worth a word
-inline bool is_forced_by_outline(const Report& report)
-{
-  constexpr std::size_t few = 100;
-  const std::size_t wanted = report.number_of_wanted_vertices;
-  return report.number_of_vertices > 2 * wanted && report.number_of_vertices > wanted + few;
-}
-
-/// what to say about it, and what can be done
+/// what to say if most of the vertices are there for the outline, and what can be done
 inline std::string forced_by_outline_message(const Report& report, bool is_simplified, bool may_grow_faster)
 {
   std::ostringstream text;
@@ -90,6 +83,16 @@ inline std::string forced_by_outline_message(const Report& report, bool is_simpl
                          : "--tolerance 0.1 replaces it by one with longer pieces")
        << (may_grow_faster ? ", a larger --size-growth makes fewer triangles, and worse ones" : "");
   return text.str();
+}
+
+/// says so, if the user has asked for a size and wants to hear of it
+inline void hint_at_outline(const std::string& program, const po::variables_map& arguments, const Report& report)
+{
+  if (arguments.count("quiet") == 0 && arguments.count("size") > 0 && report.is_forced_by_outline())
+    std::cerr << program << ": hint: " << input_name(arguments) << ": "
+              << forced_by_outline_message(report, arguments.count("tolerance") > 0,
+                                           arguments["size-growth"].as<double>() < 1)
+              << '\n';
 }
 
 /// what to say if --minimum-angle was not kept

@@ -266,10 +266,7 @@ try {
     print_statistics(report);
   if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
-  if (arguments.count("quiet") == 0 && arguments.count("size") > 0 && is_forced_by_outline(report))
-    std::cerr << "npbs_mesh: hint: " << input_name(arguments) << ": "
-              << forced_by_outline_message(report, arguments.count("tolerance") > 0,
-                                           arguments["size-growth"].as<double>() < 1) << '\n';
+  hint_at_outline("npbs_mesh", arguments, report);
   warn_of_mesh(domain, report, arguments, size, warn);
   write_files(domain, regions, report, arguments, size, tags);
 } catch (const std::exception& e) {

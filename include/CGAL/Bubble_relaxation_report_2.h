@@ -56,6 +56,29 @@ struct Bubble_relaxation_report_2
 {
   using FT = FT_;
 
+  Bubble_relaxation_report_2() = default;
+
+  /// the same in another number type
+  template <class Other_FT>
+  explicit Bubble_relaxation_report_2(const Bubble_relaxation_report_2<Other_FT>& other)
+    : number_of_vertices(other.number_of_vertices), number_of_triangles(other.number_of_triangles),
+      number_of_wanted_vertices(other.number_of_wanted_vertices),
+      number_of_initial_bubbles(other.number_of_initial_bubbles), number_of_rounds(other.number_of_rounds),
+      number_of_steps(other.number_of_steps), number_of_force_evaluations(other.number_of_force_evaluations),
+      number_of_moves(other.number_of_moves), number_of_renewals(other.number_of_renewals),
+      number_of_insertions(other.number_of_insertions), number_of_deletions(other.number_of_deletions),
+      number_of_treated_vertices(other.number_of_treated_vertices), number_of_returns(other.number_of_returns),
+      converged(other.converged), stop_reason(other.stop_reason), seconds(other.seconds), quality(other.quality),
+      number_of_forced_triangles(other.number_of_forced_triangles), forced_x(FT(other.forced_x)),
+      forced_y(FT(other.forced_y)), number_of_small_angles(other.number_of_small_angles), small_x(FT(other.small_x)),
+      small_y(FT(other.small_y)), largest_size_gradient(FT(other.largest_size_gradient)),
+      steepest_x(FT(other.steepest_x)), steepest_y(FT(other.steepest_y)), steep_share(FT(other.steep_share))
+  {
+    for (std::size_t k = 0; k < forced_places.size(); ++k)
+      forced_places[k] = {other.forced_places[k].number_of_vertices, FT(other.forced_places[k].x),
+                          FT(other.forced_places[k].y)};
+  }
+
   std::size_t number_of_vertices = 0;          ///< vertices of the mesh of the domain
   std::size_t number_of_triangles = 0;         ///< triangles of the mesh of the domain
   /// About as many vertices as d alone asks for: the integral of 2 / (sqrt(3) d<sup>2</sup>) over the domain, half of
@@ -73,6 +96,15 @@ struct Bubble_relaxation_report_2
   /// Where most of the vertices are that the outline forces: squares with a sixteenth of the extent of the domain, those
   /// with most of them first, and none beside another one.
   std::array<Forced_place, 5> forced_places{};
+
+  /// Whether there are more than twice as many vertices as d alone asks for, and a hundred more, so that most of them
+  /// are there for the outline. Then `operator<<` tells where, and what can be done.
+  bool is_forced_by_outline() const
+  {
+    constexpr std::size_t few = 100; // that corners take are not worth a word
+    return number_of_wanted_vertices > 0 && number_of_vertices > 2 * number_of_wanted_vertices &&
+           number_of_vertices > number_of_wanted_vertices + few;
+  }
 
   std::size_t number_of_initial_bubbles = 0;   ///< bubbles after the initial placement
   std::size_t number_of_rounds = 0;            ///< rounds of simulation, with one that was stopped
@@ -116,10 +148,28 @@ struct Bubble_relaxation_report_2
   /// @}
 };
 
+namespace Bubble_relaxation_2::internal {
+
+template <class FT>
+void print_what_is_forced(std::ostream& out, const Bubble_relaxation_report_2<FT>& report)
+{
+  out << "  d alone asks for about " << report.number_of_wanted_vertices << " of " << report.number_of_vertices
+      << " vertices, the outline forces " << report.number_of_vertices - report.number_of_wanted_vertices
+      << " more, where it is finer or narrower";
+  constexpr std::size_t most_places = 3;
+  for (std::size_t k = 0; k < most_places && report.forced_places[k].number_of_vertices > 0; ++k)
+    out << (k == 0 ? ", most near (" : ", (") << report.forced_places[k].x << ", " << report.forced_places[k].y << ')';
+  out << ":\n  simplify_outline_2() replaces it by one with longer pieces, a larger size_growth makes fewer triangles,"
+         " and worse ones\n";
+}
+
+} // namespace Bubble_relaxation_2::internal
+
 /*!
 \ingroup PkgBubbleRelaxation2Functions
 
-\brief prints what was done, where the time went, and the statistics of the mesh if there is one.
+\brief prints what was done, where the time went, and the statistics of the mesh if there is one; and if most vertices
+are there for the outline, how many, near which places, and what makes them fewer.
 */
 template <class FT>
 std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>& report)
@@ -140,6 +190,8 @@ std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>
       out << ", the smallest at (" << report.small_x << ", " << report.small_y << ')';
     out << '\n';
   }
+  if (report.is_forced_by_outline())
+    Bubble_relaxation_2::internal::print_what_is_forced(out, report);
   if (report.quality.number_of_triangles() > 0)
     out << report.quality;
   return out;

@@ -60,7 +60,8 @@ public:
 
   using Face_handle = typename Triangulation::Face_handle;
 
-  /// `near`: where the first call begins
+  /// `terrain` is referred to. `near` is a face of it where the first call begins; by default, an empty handle, that is
+  /// where `Triangulation::locate()` begins without a hint
   /// \throws std::invalid_argument if the triangulation has no face
   explicit Interpolated_elevation_2(const Triangulation& terrain, Face_handle near = Face_handle())
     : m_terrain(&terrain), m_near(near)

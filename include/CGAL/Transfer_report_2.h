@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -21,7 +22,8 @@ namespace CGAL {
 \ingroup PkgBubbleRelaxation2Ref
 
 What a call of `transfer_vertex_values_2()` or `transfer_face_values_2()` did. All areas and integrals are those of the
-faces that took part.
+faces that took part. `Vertex_transfer::INTERPOLATION` intersects no triangles: `overlap_area`, `uncovered_area` and
+`overlap_integral` are not a number then, and `number_of_pairs` is 0.
 */
 struct Transfer_report_2
 {
@@ -46,12 +48,15 @@ struct Transfer_report_2
 inline std::ostream& operator<<(std::ostream& out, const Transfer_report_2& report)
 {
   const auto row = [](const std::string& name) { return "  " + name + std::string(36 - name.size(), ' '); };
-  return out << row("area of source, of target") << report.source_area << ", " << report.target_area << '\n'
-             << row("overlap, uncovered") << report.overlap_area << ", " << report.uncovered_area << '\n'
-             << row("integral before, of overlap, after") << report.source_integral << ", "
-             << report.overlap_integral << ", " << report.target_integral << '\n'
-             << row("pairs of triangles") << report.number_of_pairs << '\n'
-             << row("seconds") << report.seconds << '\n';
+  out << row("area of source, of target") << report.source_area << ", " << report.target_area << '\n';
+  if (std::isnan(report.overlap_area))
+    out << row("integral before, after") << report.source_integral << ", " << report.target_integral << '\n';
+  else
+    out << row("overlap, uncovered") << report.overlap_area << ", " << report.uncovered_area << '\n'
+        << row("integral before, of overlap, after") << report.source_integral << ", " << report.overlap_integral
+        << ", " << report.target_integral << '\n'
+        << row("pairs of triangles") << report.number_of_pairs << '\n';
+  return out << row("seconds") << report.seconds << '\n';
 }
 
 } // namespace CGAL

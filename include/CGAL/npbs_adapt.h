@@ -47,7 +47,8 @@ costs depends on the part alone, in time and in memory, however large the rest i
 - The <em>rim</em> of the part, the edges that have a face of the part on one side and another face of the domain on
 the other one, stays as it is: its vertices are not moved, its edges are not split, constrained ones included. Other
 constraints of the part, and those at the border of the domain, are treated as by `npbs_relax()`: vertices that only
-split them may go, and others may come.
+split them may go, and others may come. A constraint that the rim cuts has a vertex there, which stays: in the part it
+is a constraint that ends there, and beyond the rim nothing of it changes.
 - A vertex is never moved: it stays, or it is removed and others are new. One that comes out at its old coordinates
 stays, with its handle and what it carries.
 - Out of the domain, faces are replaced where vertices of a constraint beside them change; what their base carries may
@@ -69,8 +70,8 @@ between the part and others stay as they are
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param cdt the triangulation
-\param faces the part: faces of the domain. They need not hang together, and may surround others. One that comes twice
-counts once
+\param faces the part: faces of the domain. They need not hang together, and may surround others, and their rim may cut
+constraints. One that comes twice counts once
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all of `npbs_relax()` but `seeds` and
 `seeds_are_in_domain`, and
 
@@ -158,7 +159,8 @@ as `npbs_relax()` does.
 \param cdt the triangulation
 \param np a sequence of \ref bgl_namedparameters "Named Parameters": `sizing_function`, which must be given;
 `vertex_is_constrained_map`, `limit_by_outline`, `size_growth` and `maximum_number_of_bubbles` of `npbs_relax()`;
-`seeds` and `seeds_are_in_domain` if faces have no marks; and
+`seeds` and `seeds_are_in_domain` if faces have no marks; `callback`, which is told the progress of `npbs_adapt()`, of
+which this is the first twentieth; and
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{longest_edge}
@@ -190,7 +192,7 @@ as `npbs_relax()` does.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns the faces, each once, in no particular order; none if all fit
+\returns the faces, each once, in no particular order; none if all fit, or if the callback has returned `false`
 
 \throws std::invalid_argument if a parameter is out of its range, if faces have marks and none is marked as one of the
 domain, or as `npbs_relax()` does for sizes and outlines
@@ -204,7 +206,13 @@ std::vector<typename CDT::Face_handle> npbs_misfit_faces(const CDT& cdt, const N
   return call_checked<CDT, std::vector<typename CDT::Face_handle>>(np, [&cdt](const auto& pack) {
     const Relaxation_options options = read_local_options(pack);
     const Progress_scope scope(*options.progress);
-    return find_misfits(cdt, domain_of(cdt, pack), options, pack).faces;
+    std::vector<typename CDT::Face_handle> result;
+    try {
+      options.progress->start_phase(Bubble_phase::READING);
+      result = find_misfits(cdt, domain_of(cdt, pack), options, pack).faces;
+    } catch (const Stopped_by_callback&) {
+    }
+    return result;
   });
 }
 
@@ -241,13 +249,13 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
 
     const Relaxation_options options = read_local_options(pack);
     const Progress_scope scope(*options.progress);
-    const auto is_in_domain = domain_of(cdt, pack);
     const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
     do_unless_stopped(report, [&] {
       options.progress->start_phase(Bubble_phase::READING);
       Phase_timer reading_time(report.seconds.reading);
+      const auto is_in_domain = domain_of(cdt, pack);
       Misfits_2<CDT> misfits = find_misfits(cdt, is_in_domain, options, pack);
       reading_time.stop();
       using Task = Part_task_2<CDT, std::decay_t<decltype(is_in_domain)>, std::decay_t<decltype(pack)>>;

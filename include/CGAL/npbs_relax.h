@@ -57,6 +57,11 @@ The result is the same to the last bit for the same domain: in every run, with a
 whatever order its vertices and constraints were inserted. Only the order of the vertices and faces in
 `cdt` may be another then.
 
+A call takes time about proportional to the number of vertices and to how often each bubble moves, and about 200 bytes
+of memory a vertex beyond `cdt`: see \ref BR2_cost. Calls for different triangulations may run in several threads at
+once, as long as nothing that one of them changes, or that can be used by one thread only, is in the parameters of
+another.
+
 \cgalHeading{Requirements on CDT}
 
 | | works | does not work, and what the compiler says in one sentence |
@@ -300,7 +305,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       const Elevations<CDT> elevations = find_elevations(cdt, input.reading, mesh.bubbles, input.elevation);
       progress->start_phase(Bubble_phase::WRITING);
       progress->report(1);
-      // nothing of the user's is called from here on: what throws now is CGAL, or the lack of memory
+      // nothing of the user's but put() is called from here on: what else throws now is CGAL, or the lack of memory
       Restore_on_throw<CDT> guard(cdt);
       write_mesh(cdt, input.reading, mesh, elevations, tags, report);
       guard.all_went_well();

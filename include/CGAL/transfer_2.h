@@ -34,12 +34,12 @@ namespace CGAL {
 \brief carries values at the vertices of a triangulation, linear in its triangles, over to the vertices of another
 triangulation of the same domain.
 
-Both triangulations are intersected, triangle by triangle, and integrals over the parts are computed with the values of
-both sides, as Farrell and Maddison do (<em>Conservative interpolation between volume meshes by local Galerkin
-projection</em>, Computer Methods in Applied Mechanics and Engineering 200 (2011)). The projection is the linear
-function on the target whose difference from the source's is the smallest in the mean square. Its integral is that of
-the source, to 13 digits, where both cover the same domain, be it up to roundings such as those of nodes on slanted
-edges. A function that is linear in the whole domain comes out as it was.
+For the projections both triangulations are intersected, triangle by triangle, and integrals over the parts are
+computed with the values of both sides, as Farrell and Maddison do (<em>Conservative interpolation between volume
+meshes by local Galerkin projection</em>, Computer Methods in Applied Mechanics and Engineering 200 (2011)). The
+projection is the linear function on the target whose difference from the source's is the smallest in the mean square.
+Its integral is that of the source, to 13 digits, where both cover the same domain, be it up to roundings such as
+those of nodes on slanted edges. A function that is linear in the whole domain comes out as it was.
 
 \cgalHeading{Domains That Differ}
 
@@ -124,7 +124,7 @@ been computed
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns areas and integrals
+\returns areas and integrals; with `INTERPOLATION`, which intersects no triangles, not those of what both have in common
 
 \throws std::invalid_argument if no face takes part, if one of the faces given is infinite, if a coordinate or value is
 not finite, or if a triangle is turned over when its corners are rounded to `double`. No value has been written then.

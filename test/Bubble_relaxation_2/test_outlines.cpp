@@ -24,6 +24,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -394,6 +395,45 @@ TEST_F(Outlines, where_most_vertices_are_forced_is_told)
   for (const auto& place : report.forced_places)
     is_second_hole_told |= place.number_of_vertices > 0 && std::hypot(place.x - 0.2, place.y - 0.7) < 0.02;
   EXPECT_TRUE(is_second_hole_told);
+}
+
+TEST_F(Outlines, the_report_says_why_there_are_many_more_than_wanted)
+{
+  const auto text_of = [](const auto& report) {
+    std::ostringstream text;
+    text << report;
+    return text.str();
+  };
+  CDT smooth = domains::make({domains::square(0, 0, 1)});
+  const auto as_wanted = CGAL::npbs_relax(smooth, 0.1);
+  EXPECT_FALSE(as_wanted.is_forced_by_outline());
+  EXPECT_EQ(text_of(as_wanted).find("forces"), std::string::npos);
+
+  CDT cdt = domains::make({domains::square(0, 0, 1), domains::polygon(0.71875, 0.21875, 0.02, 60)});
+  const auto report = CGAL::npbs_relax(cdt, 0.1);
+  EXPECT_TRUE(report.is_forced_by_outline());
+  const std::size_t wanted = report.number_of_wanted_vertices;
+  const std::string text = text_of(report);
+  std::ostringstream place;
+  place << "most near (" << report.forced_places[0].x << ", " << report.forced_places[0].y << ')';
+  for (const std::string& said :
+       {"asks for about " + std::to_string(wanted) + " of",
+        "forces " + std::to_string(report.number_of_vertices - wanted) + " more", place.str(),
+        std::string("simplify_outline_2()"), std::string("size_growth")})
+    EXPECT_NE(text.find(said), std::string::npos) << said << '\n' << text;
+
+  // one more than twice as many is enough, and so is one more than a hundred on top
+  CGAL::Bubble_relaxation_report_2<double> r;
+  r.number_of_wanted_vertices = 100;
+  for (std::size_t n : {200, 201}) {
+    r.number_of_vertices = n;
+    EXPECT_EQ(r.is_forced_by_outline(), n == 201);
+  }
+  r.number_of_wanted_vertices = 10;
+  for (std::size_t n : {110, 111}) {
+    r.number_of_vertices = n;
+    EXPECT_EQ(r.is_forced_by_outline(), n == 111);
+  }
 }
 
 TEST_F(Outlines, growth_trades_vertices_for_quality)

@@ -310,4 +310,47 @@ TEST(Progress_of_adaptation, may_be_stopped_without_a_trace)
   }
 }
 
+TEST(Progress_of_adaptation, a_search_for_misfits_may_be_stopped)
+{
+  const CDT cdt = start_from(Start::MESH);
+  const auto slow = [](const Point& p) {
+    std::this_thread::sleep_for(std::chrono::microseconds(150));
+    return p.x() > 0.5 ? 0.03 : 0.1;
+  };
+  int calls = 0;
+  const auto search = [&](int last) {
+    calls = 0;
+    return CGAL::npbs_misfit_faces(cdt, P::sizing_function(slow).callback([&calls, last](double progress) {
+      EXPECT_LE(progress, 0.05);
+      return ++calls != last;
+    }));
+  };
+  EXPECT_FALSE(search(0).empty());
+  EXPECT_GT(calls, 2); // also within the sweep over the faces
+  for (int last : {1, 2}) {
+    EXPECT_TRUE(search(last).empty());
+    EXPECT_EQ(calls, last);
+  }
+}
+
+TEST(Progress_of_adaptation, may_be_stopped_while_a_domain_without_marks_is_found)
+{
+  using Plain = CGAL::Constrained_Delaunay_triangulation_2<domains::K>;
+  Plain cdt = domains::make<Plain>({domains::square(0, 0, 1)});
+  std::vector<Point> points;
+  constexpr int side = 350; // so many that it takes more than a twenty-fifth of a second
+  for (int i = 1; i < side; ++i)
+    for (int j = 1; j < side; ++j)
+      points.push_back(Point((i + 0.3 * (j % 2)) / side, double(j) / side));
+  cdt.insert(points.begin(), points.end());
+  const std::size_t before = cdt.number_of_vertices();
+  int calls = 0;
+  const auto report =
+    CGAL::npbs_adapt(cdt, P::sizing_function(0.1).callback([&calls](double) { return ++calls < 2; }));
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
+  EXPECT_EQ(report.number_of_vertices, 0u);
+  EXPECT_EQ(cdt.number_of_vertices(), before);
+}
+
 } // namespace

@@ -108,7 +108,8 @@ Other properties have their default values.
 must be the same on all ranks, in any order. It is not changed.
 \param comm the communicator. A duplicate of it is used, so no message of others is in the way
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `CGAL::npbs_relax()`, with the
-same values on all ranks. Those listed below differ from there.
+same values on all ranks. `visitor`, `restore_when_stopped` and `elevation_function` are ignored. Those listed below
+differ from there.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
@@ -132,10 +133,11 @@ same values on all ranks. Those listed below differ from there.
     \cgalParamExtra{Ranks still add up after each step how many bubbles move, so that they stop together.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{is called with the progress, between 0 and 1, at every step. It may be another one on
-                          each rank, or none. When it returns `false` on one rank all stop together, and `points`
-                          stays as it is on all. The last call, with 1, comes just before `points` is changed,
-                          and what it returns does not matter}
+    \cgalParamDescription{is called with the progress, between 0 and 1, in all phases after the reading. It may be
+                          another one on each rank, or none. When it returns `false` on one rank it is not called there
+                          again, and all ranks stop together at the next step of the simulation or part of the
+                          treatment; `points` stays as it is on all. What it returns after the treatment does not
+                          matter. The last call, with 1, comes just before `points` is changed}
     \cgalParamType{an object that converts to `std::function<bool(double)>`}
     \cgalParamDefault{none}
   \cgalParamNEnd

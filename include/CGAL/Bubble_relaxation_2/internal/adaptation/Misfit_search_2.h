@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_MISFIT_SEARCH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -63,9 +64,11 @@ public:
 
   std::vector<Face_handle> operator()()
   {
-    for (auto f = m_cdt.finite_faces_begin(); f != m_cdt.finite_faces_end(); ++f)
+    for (auto f = m_cdt.finite_faces_begin(); f != m_cdt.finite_faces_end(); ++f) {
+      tick(); // asking for a size may take long
       if (m_is_in_domain(f) && is_misfit(f) && !is_forced(f))
         add(f);
+    }
     for (std::size_t k = 0; k < m_found.size(); ++k)
       for (int i = 0; i < 3; ++i) {
         const Face_handle n = m_found[k]->neighbor(i);

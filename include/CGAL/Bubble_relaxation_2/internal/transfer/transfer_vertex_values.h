@@ -15,9 +15,30 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
+
+inline double sum_of(const std::vector<double>& terms)
+{
+  Compensated_sum sum;
+  for (double t : terms)
+    sum += t;
+  return sum.value();
+}
+
+/// the values of the source at the points of the target, for which no triangles are intersected
+inline void report_interpolation(const Transfer_problem_2& problem, const std::vector<double>& values,
+                                 Transfer_report_2& report)
+{
+  const Mass_matrix_2 source(problem.source), target(problem.target);
+  report.source_area = sum_of(source.areas());
+  report.target_area = sum_of(target.areas());
+  report.overlap_area = report.uncovered_area = report.overlap_integral = std::numeric_limits<double>::quiet_NaN();
+  report.source_integral = source.integral(problem.values);
+  report.target_integral = target.integral(values);
+}
 
 inline void report_areas(const Face_set_2& source, const Face_set_2& target, const std::vector<Vertex_share_2>& shares,
                          Transfer_report_2& report)
@@ -49,15 +70,17 @@ inline Transferred_values_2 transfer_vertex_values(Transfer_problem_2 problem, V
   Transferred_values_2 result;
   Transfer_report_2& report = result.report;
   result.values = interpolate(search, problem.values, problem.target.points, threads);
+  if (method == Vertex_transfer::INTERPOLATION) {
+    report_interpolation(problem, result.values, report);
+    scale.undo(result);
+    return result;
+  }
   const std::vector<Vertex_share_2> shares =
     Vertex_shares_computation_2(search, problem, result.values)(threads);
   report_areas(problem.source, problem.target, shares, report);
   report.source_integral = Mass_matrix_2(problem.source).integral(problem.values);
   const Vertex_projection_2 projection(problem, result.values, shares, report.source_integral);
-  if (method == Vertex_transfer::PROJECTION)
-    result.values = projection.consistent();
-  else if (method == Vertex_transfer::MONOTONE_PROJECTION)
-    result.values = projection.monotone();
+  result.values = method == Vertex_transfer::PROJECTION ? projection.consistent() : projection.monotone();
   report.target_integral = projection.mass().integral(result.values);
   scale.undo(result);
   return result;
