@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/relax_by_all.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
@@ -22,6 +23,8 @@
 #include <CGAL/Distributed/Mesh_2.h>
 
 #include <mpi.h>
+
+#include <type_traits>
 
 namespace CGAL::Distributed {
 
@@ -82,17 +85,20 @@ auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
 {
   using namespace Bubble_relaxation_2::internal;
   using Kernel = typename CDT::Geom_traits;
-  using Tags = Tags_2<CDT, NamedParameters>;
-  using Mesh = Mesh_2<Kernel, typename Tags::Marker, typename Tags::Region>;
-  Relaxed_mesh_2<Kernel, typename Tags::Marker, typename Tags::Region> result{{}, Mesh(comm)};
-  const auto write = [&](const Relaxed_part_2& relaxed, const auto& reading, const auto& report) {
-    relaxed.comm.agree_after([&] {
-      result.mesh = Mesh(relaxed.mesh, reading.domain, Tags(np, domain, reading),
-                         Mesh_quality_2<double>(report.quality), comm);
-    });
-  };
-  result.report = relax_by_all(points, domain, comm, np, write);
-  return result;
+  return call_checked<CDT, Relaxed_mesh_2<Kernel>>(np, [&](const auto& pack) {
+    using Tags = Tags_2<CDT, std::decay_t<decltype(pack)>>;
+    using Mesh = Mesh_2<Kernel, typename Tags::Marker, typename Tags::Region>;
+    Relaxed_mesh_2<Kernel, typename Tags::Marker, typename Tags::Region> result{{}, Mesh(comm)};
+    const auto write = [&](const Relaxed_part_2& relaxed, const auto& reading, const auto& report) {
+      relaxed.comm.agree_after([&] {
+        result.mesh = Mesh(relaxed.mesh, reading.domain, Tags(pack, domain, reading),
+                           Mesh_quality_2<double>(report.quality), comm);
+      });
+    };
+    if constexpr (check_flat<CDT>())
+      result.report = relax_by_all(points, domain, comm, pack, write);
+    return result;
+  });
 }
 
 } // namespace CGAL::Distributed

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/relax_by_all.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_neighbors.h>
 #include <CGAL/Bubble_relaxation_enums.h>
@@ -171,13 +172,18 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  Relaxation_2<typename CDT::Geom_traits> result;
-  result.report = relax_by_all(points, domain, comm, np, [&](const Relaxed_part_2& relaxed, const auto&, const auto&) {
-    const double radius = relaxed.options.neighbor_radius;
-    const Bubbles_2 known = with_neighbors(relaxed.bubbles, relaxed.partition, radius, relaxed.comm);
-    relaxed.comm.agree_after([&] { write_neighbors(known, radius, result); });
+  using Result = Relaxation_2<typename CDT::Geom_traits>;
+  return call_checked<CDT, Result>(np, [&](const auto& pack) {
+    Result result;
+    const auto write = [&result](const Relaxed_part_2& relaxed, const auto&, const auto&) {
+      const double radius = relaxed.options.neighbor_radius;
+      const Bubbles_2 known = with_neighbors(relaxed.bubbles, relaxed.partition, radius, relaxed.comm);
+      relaxed.comm.agree_after([&] { write_neighbors(known, radius, result); });
+    };
+    if constexpr (check_flat<CDT>())
+      result.report = relax_by_all(points, domain, comm, pack, write);
+    return result;
   });
-  return result;
 }
 
 } // namespace CGAL::Distributed

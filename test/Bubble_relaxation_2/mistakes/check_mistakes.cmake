@@ -1,4 +1,4 @@
-# Compiles mistakes.cpp without its mistakes, and with those of each part: there must be one error for each, with the
+# Compiles a SOURCE without its mistakes, and with those of each part: there must be one error for each, with the
 # words above it. CXX: the compiler; FLAGS: with which headers are found
 function(count result pattern text)
   string(REGEX MATCHALL "${pattern}" all "${text}")
@@ -6,7 +6,7 @@ function(count result pattern text)
   set(${result} ${n} PARENT_SCOPE)
 endfunction()
 
-file(READ ${CMAKE_CURRENT_LIST_DIR}/mistakes.cpp source)
+file(READ ${SOURCE} source)
 string(REGEX REPLACE ";" "" source "${source}")
 string(REGEX REPLACE "#(el)?if MISTAKES == " ";" parts "${source}")
 foreach(part IN LISTS parts)
@@ -16,7 +16,7 @@ foreach(part IN LISTS parts)
   endif()
   string(REGEX MATCHALL "// wrong: [^\n]*" mistakes "${part}")
   execute_process(
-    COMMAND ${CXX} -std=c++17 -fsyntax-only -DMISTAKES=${number} ${FLAGS} ${CMAKE_CURRENT_LIST_DIR}/mistakes.cpp
+    COMMAND ${CXX} -std=c++17 -fsyntax-only -DMISTAKES=${number} ${FLAGS} ${SOURCE}
     ERROR_VARIABLE said)
   list(LENGTH mistakes wanted)
   count(errors "error:" "${said}")

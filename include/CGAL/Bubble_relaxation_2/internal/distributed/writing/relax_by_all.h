@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_RELAX_BY_ALL_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
@@ -64,7 +63,6 @@ struct Relaxed_part_2
 template <class PointSet, class CDT, class NamedParameters, class Write>
 auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const NamedParameters& np, const Write& write)
 {
-  check_flat<CDT>();
   Communicator ranks(comm);
 
   Report report;
