@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -68,7 +67,6 @@ private:
   static constexpr std::size_t group_size = 8;
   /// a group lies together if, in units of its smallest bubble, no bubble is larger, and it is no wider
   static constexpr double largest = 1.5, widest = 8;
-  static constexpr std::size_t many = 512; // candidates
 
   struct Candidates
   {
@@ -81,29 +79,6 @@ private:
         a->clear();
       index.clear();
     }
-
-    template <class Is_before>
-    void sort(const Is_before& is_before)
-    {
-      std::vector<std::size_t> order(index.size());
-      std::iota(order.begin(), order.end(), std::size_t(0));
-      std::sort(order.begin(), order.end(),
-                [&](std::size_t a, std::size_t b) { return is_before(index[a], index[b]); });
-      for (std::vector<double>* a : {&x, &y, &d})
-        permute(order, *a);
-      permute(order, index);
-    }
-
-  private:
-    template <class T>
-    static void permute(const std::vector<std::size_t>& order, std::vector<T>& values)
-    {
-      std::vector<T> result;
-      result.reserve(values.size());
-      for (std::size_t k : order)
-        result.push_back(values[k]);
-      values.swap(result);
-    }
   };
 
   template <class Is_gone, class Is_before>
@@ -111,9 +86,6 @@ private:
                      Candidates& candidates, Neighbor_block& block) const
   {
     const bool is_together = find_candidates(first, last, candidates);
-    const bool are_many = is_together && candidates.index.size() >= many;
-    if (are_many) // where d grows fast sets have thousands, which are sorted once for the group
-      candidates.sort(is_before);
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t before = block.found.size();
       if (is_gone(i)) {
@@ -124,8 +96,7 @@ private:
         choose_neighbors(i, candidates, block.found);
       else
         find_neighbors(i, block.found);
-      if (!are_many)
-        std::sort(block.found.begin() + static_cast<std::ptrdiff_t>(before), block.found.end(), is_before);
+      std::sort(block.found.begin() + static_cast<std::ptrdiff_t>(before), block.found.end(), is_before);
       block.sizes.push_back(block.found.size() - before);
     }
   }
