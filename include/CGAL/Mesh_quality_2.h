@@ -58,6 +58,8 @@ public:
   explicit Mesh_quality_2(Bubble_relaxation_2::internal::Mesh_statistics_2 statistics)
     : m(statistics)
   {}
+
+  const Bubble_relaxation_2::internal::Mesh_statistics_2& statistics() const { return m; }
 #endif
 
   /// \name Size

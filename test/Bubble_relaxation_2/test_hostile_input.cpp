@@ -303,6 +303,21 @@ TEST_P(Hostile_input, is_meshed_or_refused)
   }
 }
 
+// The bubbles on an edge put a vertex into the domain that was outside by a rounding.
+TEST(Hostile_numbers, statistics_have_a_vertex_that_was_outside_by_a_rounding)
+{
+  CDT cdt;
+  const std::vector<Point> outline{{608592.16051918664, 608592.16051918664},
+                                   {608591.40123183478, 608593.35361713602},
+                                   {608591.18432653591, 608592.37742448528},
+                                   {608591.18432653579, 608592.37742448528}};
+  cdt.insert_constraint(outline.begin(), outline.end(), true);
+  cdt.insert(Point(608591.28091707535, 608593.11318885023));
+  const auto report = CGAL::npbs_relax(cdt, P::sizing_function(1.).number_of_rounds(0));
+  validation::expect_report_adds_up(cdt, report);
+  EXPECT_TRUE(report.quality.has_length_ratios());
+}
+
 INSTANTIATE_TEST_SUITE_P(Data, Hostile_input, testing::ValuesIn(names()),
                          [](const auto& file) {
                            std::string name = file.param; // of which only letters, digits and _ may be in a test's

@@ -55,6 +55,15 @@ struct Mesh_statistics_2
   bool has_lengths = false;
   double mean_length = undefined, deviation = undefined;
   double length_percentile_1 = undefined, length_percentile_99 = undefined;
+
+  void take_lengths(const Mesh_statistics_2& from)
+  {
+    has_lengths = from.has_lengths;
+    mean_length = from.mean_length;
+    deviation = from.deviation;
+    length_percentile_1 = from.length_percentile_1;
+    length_percentile_99 = from.length_percentile_99;
+  }
 };
 
 /// Collects triangles, vertices and edges one by one. The statistics do not depend on their order, to the
