@@ -318,6 +318,23 @@ TEST(Hostile_numbers, statistics_have_a_vertex_that_was_outside_by_a_rounding)
   EXPECT_TRUE(report.quality.has_length_ratios());
 }
 
+// So far from the origin x has steps of 2e-6, and y none to speak of: where d is smaller than those, no bubble has room.
+TEST(Hostile_numbers, rhombic_placement_ends_where_d_is_less_than_the_rounding_of_x)
+{
+  const double far_away = 1e10, steps = 1.9073486328125e-6;
+  CDT cdt;
+  const std::vector<Point> outline{{far_away, 0}, {far_away + 1, 0}, {far_away + 1, 1}, {far_away, 1}};
+  cdt.insert_constraint(outline.begin(), outline.end(), true);
+  std::size_t calls = 0;
+  const auto d = [&](const Point& p) {
+    if (++calls > 1000000)
+      throw std::runtime_error("too many calls");
+    return 0.2 * std::hypot(p.x() - far_away - 262144 * steps, p.y() - 0.4) + 1e-11;
+  };
+  const auto np = P::sizing_function(d).initial_placement(CGAL::Bubble_placement::RHOMBIC).number_of_rounds(0);
+  EXPECT_NO_THROW(CGAL::npbs_relax(cdt, np.defect_treatment(false).maximum_number_of_bubbles(100000)));
+}
+
 INSTANTIATE_TEST_SUITE_P(Data, Hostile_input, testing::ValuesIn(names()),
                          [](const auto& file) {
                            std::string name = file.param; // of which only letters, digits and _ may be in a test's

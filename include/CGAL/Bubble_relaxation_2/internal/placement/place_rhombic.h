@@ -78,6 +78,14 @@ private:
     }
   };
 
+  /// Whether the centres of a cell's quarters differ from its own in both coordinates. Else they round to the same
+  /// places: where d is smaller than the rounding in x, but not in y, cells would be cut without end.
+  static bool has_quarters(const Point& center, double side)
+  {
+    const double step = 0.125 * side; // the least of what they differ by in x, the height of a quarter in y
+    return center.x() + step != center.x() && center.y() + step != center.y();
+  }
+
   /// `boundary`: the bubbles of vertices and edges in the cell
   void subdivide(Cell cell, const std::vector<Index>& boundary)
   {
@@ -98,7 +106,7 @@ private:
     if (side > 2 * smallest || !is_inside)
       for (Index i : boundary)
         smallest = (std::min)(smallest, m_bubbles.d[i]);
-    if (side > std::sqrt(2.) * smallest) {
+    if (side > std::sqrt(2.) * smallest && has_quarters(center, side)) {
       std::vector<Index> part[4];
       for (Index i : boundary) {
         const double bv = (m_bubbles.y[i] - m_y0) / (0.5 * std::sqrt(3.));
