@@ -17,7 +17,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/relax_by_all.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
-#include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/Distributed/Mesh_2.h>

@@ -16,10 +16,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/relax_by_all.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_neighbors.h>
-#include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
-#include <CGAL/Mesh_quality_2.h>
 
 #include <mpi.h>
 
