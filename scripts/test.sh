@@ -10,6 +10,7 @@ scripts/install_dependencies.sh
 scripts/install_dependencies.sh clang libgdal-dev gdal-bin gmsh python3-meshio
 export CTEST_PARALLEL_LEVEL=2
 export CCACHE_SLOPPINESS=pch_defines,time_macros # else it keeps nothing that uses precompiled headers
+export CCACHE_DEPEND=true # else it preprocesses all that is compiled once more
 
 build_and_test() { # NAME OPTION...
   local name=$1
