@@ -91,10 +91,10 @@ private:
     return false;
   }
 
-  /// q of a triangle, less a tenth if it is obtuse: a slimmer one that is acute is better
+  /// q of a triangle, less a twentieth if it is obtuse: a slimmer one that is acute is better
   static double worth(const Bubble_mesh_2& mesh, Index t)
   {
-    return quality(mesh, t) * (is_obtuse(mesh, t) ? 0.9 : 1.);
+    return quality(mesh, t) * (is_obtuse(mesh, t) ? 0.95 : 1.);
   }
 
   static Defects defects_among(const Bubble_mesh_2& mesh, const std::vector<Index>& triangles)
