@@ -89,9 +89,25 @@ private:
     m_mesh.bubbles.sort_by_id();
   }
 
-  /// along the curve, since CGAL searches each point from the last one, and numbers may be those of a user
+  /// whether bubbles that follow each other are near to each other, as they are unless users have numbered them
+  bool follow_space() const
+  {
+    constexpr double far = 30;
+    const Bubbles_2& b = m_mesh.bubbles;
+    double steps = 0, sizes = 0;
+    for (std::size_t i = 1; i < b.size(); ++i) {
+      steps += length_at_most(b.x[i] - b.x[i - 1], b.y[i] - b.y[i - 1]);
+      sizes += b.d[i];
+    }
+    return steps <= far * sizes;
+  }
+
+  /// along the curve, since CGAL searches each point from the last one
   void triangulate()
   {
+    m_is_new = false;
+    if (follow_space())
+      return internal::triangulate(m_domain, m_mesh);
     Bubble_mesh_2 sorted{m_mesh.bubbles, {}};
     std::vector<Point> points;
     for (std::size_t i = 0; i < sorted.bubbles.size(); ++i)
@@ -103,7 +119,6 @@ private:
     for (std::array<Index, 3>& vertices : m_mesh.triangles.vertices)
       for (Index& v : vertices)
         v = order[v];
-    m_is_new = false;
   }
 
   Messages<Triangle_question_2> questions_about_triangles()
@@ -147,11 +162,7 @@ private:
     for (const auto& message : deliver(m_comm, questions))
       for (const Triangle_question_2& question : message.second)
         m_answers(message.first, question, answers[message.first]);
-    learn(deliver(m_comm, answers));
-  }
-
-  void learn(const Messages<Bubble_answer_2>& answers)
-  {
+    answers = deliver(m_comm, answers);
     std::vector<char> is_open(m_asked.size(), 0);
     for (const auto& message : answers)
       for (const Bubble_answer_2& answer : message.second) {
