@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_COMPENSATED_SUM_H
 
 #include <cmath>
+#include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -31,6 +32,14 @@ public:
 private:
   double m_sum = 0, m_lost = 0;
 };
+
+inline double sum_of(const std::vector<double>& terms)
+{
+  Compensated_sum sum;
+  for (double term : terms)
+    sum += term;
+  return sum.value();
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

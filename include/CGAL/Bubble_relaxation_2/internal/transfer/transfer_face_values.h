@@ -24,12 +24,9 @@ namespace CGAL::Bubble_relaxation_2::internal {
 inline std::vector<double> face_areas(const Face_set_2& faces, double& sum)
 {
   std::vector<double> areas;
-  Compensated_sum total;
-  for (std::size_t t = 0; t < faces.number_of_triangles(); ++t) {
+  for (std::size_t t = 0; t < faces.number_of_triangles(); ++t)
     areas.push_back(faces.area(static_cast<Index>(t)));
-    total += areas[t];
-  }
-  sum = total.value();
+  sum = sum_of(areas);
   return areas;
 }
 

@@ -20,32 +20,19 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-inline double sum_of(const std::vector<double>& terms)
-{
-  Compensated_sum sum;
-  for (double t : terms)
-    sum += t;
-  return sum.value();
-}
-
 /// the values of the source at the points of the target, for which no triangles are intersected
-inline void report_interpolation(const Transfer_problem_2& problem, const std::vector<double>& values,
+inline void report_interpolation(const Mass_matrix_2& target, const std::vector<double>& values,
                                  Transfer_report_2& report)
 {
-  const Mass_matrix_2 source(problem.source), target(problem.target);
-  report.source_area = sum_of(source.areas());
   report.target_area = sum_of(target.areas());
   report.overlap_area = report.uncovered_area = report.overlap_integral = std::numeric_limits<double>::quiet_NaN();
-  report.source_integral = source.integral(problem.values);
   report.target_integral = target.integral(values);
 }
 
-inline void report_areas(const Face_set_2& source, const Face_set_2& target, const std::vector<Vertex_share_2>& shares,
-                         Transfer_report_2& report)
+inline void report_overlaps(const Face_set_2& target, const std::vector<Vertex_share_2>& shares,
+                            Transfer_report_2& report)
 {
-  Compensated_sum source_area, target_area, overlap_area, uncovered_area, overlap_integral;
-  for (std::size_t s = 0; s < source.number_of_triangles(); ++s)
-    source_area += source.area(static_cast<Index>(s));
+  Compensated_sum target_area, overlap_area, uncovered_area, overlap_integral;
   for (std::size_t t = 0; t < target.number_of_triangles(); ++t) {
     const double area = target.area(static_cast<Index>(t));
     target_area += area;
@@ -54,7 +41,6 @@ inline void report_areas(const Face_set_2& source, const Face_set_2& target, con
     overlap_integral += shares[t].overlap_integral;
     report.number_of_pairs += shares[t].pairs;
   }
-  report.source_area = source_area.value();
   report.target_area = target_area.value();
   report.overlap_area = overlap_area.value();
   report.uncovered_area = uncovered_area.value();
@@ -70,15 +56,17 @@ inline Transferred_values_2 transfer_vertex_values(Transfer_problem_2 problem, V
   Transferred_values_2 result;
   Transfer_report_2& report = result.report;
   result.values = interpolate(search, problem.values, problem.target.points, threads);
+  const Mass_matrix_2 source(problem.source);
+  report.source_area = sum_of(source.areas());
+  report.source_integral = source.integral(problem.values);
   if (method == Vertex_transfer::INTERPOLATION) {
-    report_interpolation(problem, result.values, report);
+    report_interpolation(Mass_matrix_2(problem.target), result.values, report);
     scale.undo(result);
     return result;
   }
   const std::vector<Vertex_share_2> shares =
     Vertex_shares_computation_2(search, problem, result.values)(threads);
-  report_areas(problem.source, problem.target, shares, report);
-  report.source_integral = Mass_matrix_2(problem.source).integral(problem.values);
+  report_overlaps(problem.target, shares, report);
   const Vertex_projection_2 projection(problem, result.values, shares, report.source_integral);
   result.values = method == Vertex_transfer::PROJECTION ? projection.consistent() : projection.monotone();
   report.target_integral = projection.mass().integral(result.values);

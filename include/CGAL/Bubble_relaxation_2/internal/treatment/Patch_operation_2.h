@@ -268,7 +268,7 @@ private:
       Team alone;
       Smoothing_sweeps_2(m_domain, mesh, alone)(is_hard ? Smoothing_sweeps_2::number_of_sweeps : easy_sweeps);
       Defects defects = defects_of(mesh);
-      if (smallest_quality(mesh) >= m_smallest && is_better(defects, m_defects, m_is_better ? 0. : least_gain)) {
+      if (is_better(defects, m_defects, m_is_better ? 0. : least_gain) && smallest_quality(mesh) >= m_smallest) {
         m_defects = std::move(defects);
         m_is_better = true;
         m_best = std::move(m_candidates[k].outcome);
