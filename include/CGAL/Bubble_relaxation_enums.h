@@ -61,7 +61,7 @@ enum class Bubble_stop_reason
 {
   CONVERGED,          ///< no bubble moved more than the tolerance and the population stayed as it was
   ITERATION_LIMIT,    ///< all rounds were done
-  STOPPED_BY_CALLBACK ///< the callback returned `false`
+  STOPPED_BY_CALLBACK ///< the callback returned `false` before the phase `WRITING`
 };
 
 /// How the nodes near a point are found. Both ways find the same nodes.
