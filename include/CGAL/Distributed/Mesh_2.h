@@ -85,9 +85,9 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   /// without points
-  explicit Mesh_2(MPI_Comm comm) : m_comm(comm)
+  explicit Mesh_2(MPI_Comm comm = MPI_COMM_NULL) : m_comm(comm)
   {
-    if (comm == MPI_COMM_NULL) // no user gets this mesh: making it throws
+    if (comm == MPI_COMM_NULL) // no user gets this mesh: making it throws, or does not compile
       return;
     MPI_Comm_rank(comm, &m_rank);
     MPI_Comm_size(comm, &m_number_of_ranks);

@@ -32,6 +32,46 @@
 #include <memory>
 #include <utility>
 
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Collective. What `Distributed::triangulate()` does with parameters that can be meant.
+template <class PointSet, class Cdt, class NamedParameters>
+auto triangulate_by_all(const PointSet& points, const Cdt& domain, MPI_Comm comm, const NamedParameters& np)
+{
+  Communicator ranks(comm);
+
+  std::unique_ptr<Domain_reading_2<Cdt>> reading;
+  ranks.agree_after([&] {
+    const Domain_marks_2<Cdt> is_inside(domain, np);
+    reading = std::make_unique<Domain_reading_2<Cdt>>(domain, is_inside, is_pinned<Cdt>(np),
+                                                      Marker_changes<NamedParameters>{np});
+    check_regions<Cdt>(np, is_inside);
+  });
+  check_same_domain(ranks, reading->domain);
+
+  constexpr bool has_sizes = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
+  Sizes_2 sizes([](double, double) { return std::numeric_limits<double>::quiet_NaN(); });
+  if constexpr (has_sizes)
+    sizes = Sizes_2(checked_sizing_field<typename Cdt::Geom_traits::Point_2>(
+      parameters::get_parameter_reference(np, internal_np::sizing_function)));
+  Bubbles_2 own;
+  ranks.agree_after([&] { own = read_bubbles(points, reading->domain, sizes); });
+  Point_distribution_2 distribute(reading->domain, ranks);
+  own = distribute(std::move(own), points.template has_property_map<std::int64_t>("global_id"));
+  const Distributed_mesh_2 mesh =
+    distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
+  Team_of_ranks team(ranks);
+  const auto quality = quality_of(mesh, has_sizes ? &sizes : nullptr, Threads(), team);
+  using Tags = Tags_2<Cdt, NamedParameters>;
+  Distributed::Mesh_2<typename Cdt::Geom_traits, typename Tags::Marker, typename Tags::Region> result(comm);
+  ranks.agree_after([&] {
+    result = decltype(result)(mesh, reading->domain, Tags(np, domain, *reading), quality, comm);
+  });
+  return result;
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
 namespace CGAL::Distributed {
 
 /*!
@@ -65,7 +105,8 @@ to the rounding of its coordinates. Properties of the points that are used if th
 of constraints belong to the mesh, whether they are among the points or not; those that are not get the ids after
 the largest, or are numbered with the others. Its other vertices do not matter.
 \param comm the communicator. A duplicate of it is used, so no message of others is in the way
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, or the
+`sizing_function` alone: a number or a function of points
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sizing_function}
@@ -124,37 +165,12 @@ auto triangulate(const PointSet& points, const CDT& domain, MPI_Comm comm,
                  const NamedParameters& np = parameters::default_values())
 {
   using namespace Bubble_relaxation_2::internal;
-  check_flat<CDT>();
-  Communicator ranks(comm);
-
-  std::unique_ptr<Domain_reading_2<CDT>> reading;
-  ranks.agree_after([&] {
-    const Domain_marks_2<CDT> is_inside(domain, np);
-    reading = std::make_unique<Domain_reading_2<CDT>>(domain, is_inside, is_pinned<CDT>(np),
-                                                      Marker_changes<NamedParameters>{np});
-    check_regions<CDT>(np, is_inside);
+  return call_checked<CDT, Mesh_2<typename CDT::Geom_traits>>(np, [&](const auto& pack) {
+    if constexpr (check_flat<CDT>())
+      return triangulate_by_all(points, domain, comm, pack);
+    else
+      return Mesh_2<typename CDT::Geom_traits>();
   });
-  check_same_domain(ranks, reading->domain);
-
-  constexpr bool has_sizes = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
-  Sizes_2 sizes([](double, double) { return std::numeric_limits<double>::quiet_NaN(); });
-  if constexpr (has_sizes)
-    sizes = Sizes_2(checked_sizing_field<typename CDT::Geom_traits::Point_2>(
-      parameters::get_parameter_reference(np, internal_np::sizing_function)));
-  Bubbles_2 own;
-  ranks.agree_after([&] { own = read_bubbles(points, reading->domain, sizes); });
-  Point_distribution_2 distribute(reading->domain, ranks);
-  own = distribute(std::move(own), points.template has_property_map<std::int64_t>("global_id"));
-  const Distributed_mesh_2 mesh =
-    distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
-  Team_of_ranks team(ranks);
-  const auto quality = quality_of(mesh, has_sizes ? &sizes : nullptr, Threads(), team);
-  using Tags = Tags_2<CDT, NamedParameters>;
-  Mesh_2<typename CDT::Geom_traits, typename Tags::Marker, typename Tags::Region> result(comm);
-  ranks.agree_after([&] {
-    result = decltype(result)(mesh, reading->domain, Tags(np, domain, *reading), quality, comm);
-  });
-  return result;
 }
 
 } // namespace CGAL::Distributed
