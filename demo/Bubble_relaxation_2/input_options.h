@@ -42,8 +42,11 @@ inline po::options_description input_options()
 /// \param format that is asked for, empty if the ending tells it
 inline Domain read_domain(const po::variables_map& arguments, const std::string& format)
 {
-  return read_domain_file(arguments["input"].as<std::string>(), format, arguments["field"].as<std::string>(),
-                          arguments["crs"].as<std::string>());
+  Domain domain = read_domain_file(arguments["input"].as<std::string>(), format, arguments["field"].as<std::string>(),
+                                   arguments["crs"].as<std::string>());
+  if (arguments.count("size") > 0 && has_areas(domain))
+    domain.warnings.push_back("areas of regions are not used, since --size tells the size");
+  return domain;
 }
 
 /// The values of `--raster`, nothing without it.

@@ -40,7 +40,8 @@ inline po::options_description mesh_options()
   po::options_description options;
   options.add_options()
     ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y, raster and region, the attribute "
-                                         "of a region of the domain; default: that of the domain's own edges")
+                                         "of a region of the domain; default: by the areas of regions in a .poly, else "
+                                         "that of the domain's own edges")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
     ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),
@@ -140,15 +141,16 @@ inline std::string input_name(const po::variables_map& arguments)
   return input == "-" ? "standard input" : input;
 }
 
-/// The size, limited as --gradation asks.
+/// The size, limited as --gradation asks, and one by areas as --size-growth does at least: it jumps between regions.
 /// \throws std::runtime_error with the name of the input
 inline Size limited_size(Domain& domain, const po::variables_map& arguments, const Size& size)
 try {
   using Limited = CGAL::Gradation_limited_sizing_field_2<CDT>;
   using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
-  if (arguments.count("gradation") == 0)
+  const bool is_by_areas = size && arguments.count("size") == 0;
+  if (arguments.count("gradation") == 0 && !is_by_areas)
     return size;
-  const double g = arguments["gradation"].as<double>();
+  const double g = arguments[arguments.count("gradation") > 0 ? "gradation" : "size-growth"].as<double>();
   if (!size)
     return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::vertex_is_constrained_map(Pinned(domain.pinned))
                                     .edge_marker_map(Segment_marker_map{&domain}));
@@ -157,12 +159,12 @@ try {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
-/// The sizes that --size asks for, nothing without it.
+/// The sizes that --size asks for, or else areas of regions; nothing without both.
 /// \throws std::runtime_error with the name of the input
 inline Size wanted_size(const Domain& domain, const po::variables_map& arguments,
                         const std::optional<Size_formula>& formula)
 try {
-  return formula ? size_in_domain(*formula, domain) : Size();
+  return formula ? size_in_domain(*formula, domain) : size_by_areas(domain);
 } catch (const std::exception& e) {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }

@@ -61,4 +61,19 @@ inline std::function<double(const Point&)> size_in_domain(const Size_formula& fo
                                           [formula](double region, const Point& p) { return formula(p, region); });
 }
 
+/// The sizes that maximal areas of regions ask for: sides of equilateral triangles with these areas, and elsewhere what
+/// the outline and its neighbours allow. Nothing if there are no areas.
+inline std::function<double(const Point&)> size_by_areas(const Domain& domain)
+{
+  if (!has_areas(domain))
+    return nullptr;
+  CGAL::Bbox_2 box;
+  for (CDT::Vertex_handle v : domain.cdt.finite_vertex_handles())
+    box += v->point().bbox();
+  const double longest = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  return CGAL::Region_sizing_field_2<CDT>(domain.cdt, region_values(domain, &Region::area), [longest](double area) {
+    return area > 0 ? std::sqrt(4 * area / std::sqrt(3.)) : longest;
+  });
+}
+
 #endif // BUBBLE_RELAXATION_2_DEMO_SIZE_FORMULA_H

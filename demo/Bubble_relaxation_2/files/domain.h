@@ -16,6 +16,7 @@
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -32,11 +33,12 @@ using CDT = CGAL::Constrained_Delaunay_triangulation_2<
                                        CGAL::Delaunay_mesh_face_base_2<Kernel>>,
   CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/// A point in a region that segments bound, and the number that its triangles get.
+/// A point in a region that segments bound, the number that its triangles get, and the area that they may have.
 struct Region
 {
   Point point;
   double attribute;
+  double area = 0; ///< positive if there is one
 };
 
 /// A domain as files give it.
@@ -221,15 +223,22 @@ struct Segment_marker_map
 
 using Region_map = CGAL::Face_region_map_2<CDT, double>;
 
-/// the attributes of the regions' faces, in the domain or not; 0 where none is given
-inline Region_map region_attributes(const Domain& domain)
+/// what is given for regions, of their faces, in the domain or not; 0 where nothing is given
+inline Region_map region_values(const Domain& domain, double Region::*value)
 {
-  Region_map attributes;
+  Region_map values;
   if (domain.cdt.dimension() < 2)
-    return attributes;
+    return values;
   for (const Region& region : domain.regions)
-    attributes.set_all_around(domain.cdt.locate(region.point), region.attribute);
-  return attributes;
+    values.set_all_around(domain.cdt.locate(region.point), region.*value);
+  return values;
+}
+
+inline Region_map region_attributes(const Domain& domain) { return region_values(domain, &Region::attribute); }
+
+inline bool has_areas(const Domain& domain)
+{
+  return std::any_of(domain.regions.begin(), domain.regions.end(), [](const Region& r) { return r.area > 0; });
 }
 
 /// whether a vertex that only splits a straight line means something: it has a marker that neither its segments nor

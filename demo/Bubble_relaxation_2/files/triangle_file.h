@@ -236,14 +236,10 @@ inline void read_regions(Triangle_reader& reader, Domain& domain)
   if (header.empty())
     return;
   const std::size_t regions = reader.count(header[0], "number of regions");
-  bool has_area = false;
   for (std::size_t k = 0; k < regions; ++k) {
     const std::vector<double> r = reader.line(4, "a region");
-    domain.regions.push_back({Point(r[1], r[2]), r[3]});
-    has_area = has_area || r.size() > 4;
+    domain.regions.push_back({Point(r[1], r[2]), r[3], r.size() > 4 ? r[4] : 0});
   }
-  if (has_area)
-    domain.warnings.push_back("areas of regions are not used; --size tells the size");
 }
 
 /// Inserts all points, and tells of those that are where others are.
