@@ -53,7 +53,8 @@ enum class Bubble_phase
   SIMULATION, ///< rounds of steps, with changes of the population between them
   TREATMENT,  ///< triangulation, treatment of the last defects, refinement of small angles
   EVALUATION, ///< statistics; a callback that stops them now has a complete mesh, unless it is to be restored
-  WRITING     ///< of the triangulation. From here on nothing of the user's is called but `put()` of maps of tags
+  WRITING     ///< of the triangulation. Of the user's only the callback and `put()` of maps of tags are called; a stop is
+              ///< obeyed only if the triangulation is to be restored, and then handles become invalid
 };
 
 /// Why a relaxation ended.
@@ -61,7 +62,7 @@ enum class Bubble_stop_reason
 {
   CONVERGED,          ///< no bubble moved more than the tolerance and the population stayed as it was
   ITERATION_LIMIT,    ///< all rounds were done
-  STOPPED_BY_CALLBACK ///< the callback returned `false` before the phase `WRITING`
+  STOPPED_BY_CALLBACK ///< the callback returned `false` before the phase `WRITING`, or in it with `restore_when_stopped`
 };
 
 /// How the nodes near a point are found. Both ways find the same nodes.

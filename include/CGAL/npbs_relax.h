@@ -240,14 +240,16 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDescription{is called by this thread with the progress, between 0 and 1 and about proportional to time,
                           ten times a second or more often, and at each step. When it returns `false` all stops:
                           before there are bubbles `cdt` stays as it is, later it becomes the mesh of the bubbles as
-                          they are, without what is left of simulation and treatment. The last call, with 1, comes
-                          just before `cdt` is changed}
+                          they are, without what is left of simulation and treatment; while `cdt` is written it is not
+                          called again, and the writing goes on. The last call, with 1, comes when all is done}
     \cgalParamType{an object that converts to `std::function<bool(double)>`}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{restore_when_stopped}
     \cgalParamDescription{whether `cdt` stays as it is whenever the callback returns `false`. Then that takes effect at
-                          once, else the bubbles are still triangulated and the mesh is written}
+                          once, else the bubbles are still triangulated and the mesh is written. In the phase `WRITING`,
+                          of which a `visitor` is told, `cdt` gets the content back that it had, as after an exception
+                          of `put()`: handles and identifiers of constraints are invalid}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -277,11 +279,11 @@ on them, or if a constraint cannot be split while the mesh is written, because t
 too flat for the numbers of the kernel
 
 Exceptions of the sizing function, of the elevation function, of the callback and of property maps pass through. All
-calls of them and of the ranges, but for `put()`, come before the first change of `cdt`: after their exceptions, and
-after those listed above but for errors while the mesh is written, `cdt` is untouched, with all its handles and the
-identifiers of its constraints. After `std::bad_alloc`, an exception of CGAL or of `put()`, or a `std::runtime_error`
-while the mesh is written, `cdt` has the content that it had, but all handles and identifiers of constraints are
-invalid.
+calls of them and of the ranges, but for `put()` and the callback in the phase `WRITING`, come before the first change of
+`cdt`: after their exceptions, and after those listed above but for errors while the mesh is written, `cdt` is untouched,
+with all its handles and the identifiers of its constraints. After `std::bad_alloc`, an exception of CGAL, of `put()` or
+of the callback, or a `std::runtime_error`, while the mesh is written, `cdt` has the content that it had, but all handles
+and identifiers of constraints are invalid.
 
 \sa `npbs_place_nodes()`
 \sa `refine_Delaunay_mesh_2()`
@@ -304,10 +306,11 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       const Bubble_mesh_2 mesh = make_mesh(problem, report);
       const Elevations<CDT> elevations = find_elevations(cdt, input.reading, mesh.bubbles, input.elevation);
       progress->start_phase(Bubble_phase::WRITING);
-      progress->report(1);
-      // nothing of the user's but put() is called from here on: what else throws now is CGAL, or the lack of memory
+      // of the user's only put() and the callback are called from here on; what they and CGAL throw, and a stop, if `cdt`
+      // is to stay as it is, goes through the guard
       Restore_on_throw<CDT> guard(cdt);
       write_mesh(cdt, input.reading, mesh, elevations, tags, report);
+      progress->report(1);
       guard.all_went_well();
     });
     return Bubble_relaxation_report_2<FT>(report);

@@ -11,6 +11,7 @@
 #include "domains.h"
 #include "validation.h"
 
+#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Default_relaxation_visitor_2.h>
 #include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_place_nodes.h>
@@ -219,6 +220,83 @@ TEST_P(Progress, time_goes_by_in_loops_too)
     EXPECT_GT(seconds, 0.1);
     EXPECT_GE(calls[static_cast<int>(phase)], static_cast<int>(seconds / 0.25)); // ten times a second, on a machine that does other things too
   }
+}
+
+/// in triangulations that get triangles, and those that get vertices
+template <class Cdt>
+struct Progress_of_writing : testing::Test
+{
+  using Calls = std::vector<double>;
+
+  Cdt cdt = domain();
+  Calls calls; // while it is written
+
+  static Cdt domain() { return domains::make<Cdt>({domains::polygon(0, 0, 1, 40), domains::polygon(0, 0, 0.4, 20)}); }
+
+  /// `obey(calls)`: what the callback returns while it is written. It is slow there, so that each turn of a loop calls it.
+  template <class Obey>
+  auto relax(const Obey& obey, bool restores)
+  {
+    calls.clear();
+    Log log;
+    const auto callback = [&](double progress) {
+      if (log.phases.back() != Bubble_phase::WRITING)
+        return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(45));
+      calls.push_back(progress);
+      return obey(calls);
+    };
+    return CGAL::npbs_relax(
+      cdt, P::sizing_function(0.05).callback(callback).visitor(std::ref(log)).restore_when_stopped(restores));
+  }
+};
+
+using Plus = CGAL::Constrained_triangulation_plus_2<CDT>;
+using Written = testing::Types<CDT, Plus>;
+TYPED_TEST_SUITE(Progress_of_writing, Written, );
+
+TYPED_TEST(Progress_of_writing, rises_to_1)
+{
+  const auto report = this->relax([](const auto&) { return true; }, true);
+  EXPECT_TRUE(report.converged);
+  EXPECT_GE(this->calls.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(this->calls.begin(), this->calls.end()));
+  EXPECT_GT(std::set<double>(this->calls.begin(), this->calls.end()).size(), 4u);
+  EXPECT_EQ(this->calls.back(), 1);
+  EXPECT_EQ(std::count(this->calls.begin(), this->calls.end(), 1.), 1);
+}
+
+TYPED_TEST(Progress_of_writing, a_stop_or_an_exception_gives_the_content_back)
+{
+  struct Thrown {};
+  TypeParam other = this->domain();
+  const validation::Snapshot before = validation::snapshot(this->cdt);
+  for (std::size_t last : {1u, 2u, 4u, 5u}) {
+    SCOPED_TRACE(last);
+    const auto report = this->relax([last](const auto& calls) { return calls.size() < last; }, true);
+    EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
+    EXPECT_EQ(report.number_of_vertices, 0u);
+    EXPECT_EQ(this->calls.size(), last);
+    EXPECT_TRUE(validation::snapshot(this->cdt) == before);
+    const auto throwing = [last](const auto& calls) { return calls.size() < last ? true : throw Thrown(); };
+    EXPECT_THROW(this->relax(throwing, false), Thrown);
+    EXPECT_EQ(this->calls.size(), last);
+    EXPECT_TRUE(validation::snapshot(this->cdt) == before);
+  }
+  CGAL::npbs_relax(this->cdt, 0.05);
+  CGAL::npbs_relax(other, 0.05);
+  EXPECT_EQ(validation::triangles(this->cdt), validation::triangles(other));
+}
+
+TYPED_TEST(Progress_of_writing, a_stop_without_restoring_leaves_the_whole_mesh)
+{
+  TypeParam other = this->domain();
+  const auto report = this->relax([](const auto& calls) { return calls.size() < 3; }, false);
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::CONVERGED);
+  EXPECT_EQ(this->calls.size(), 3u); // it is not called again
+  CGAL::npbs_relax(other, 0.05);
+  EXPECT_EQ(validation::triangles(this->cdt), validation::triangles(other));
 }
 
 TEST(Progress_visitor, sees_all_bubbles_move)

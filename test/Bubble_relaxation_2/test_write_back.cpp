@@ -496,14 +496,27 @@ TEST(Write_back_plus, exceptions_of_the_size_leave_everything_as_it_was)
   expect_same_later(cdt);
 }
 
-TEST(Write_back_plus, an_exception_of_the_last_callback_leaves_everything_as_it_was)
+TEST(Write_back_plus, an_exception_of_the_callback_before_the_writing_leaves_everything_as_it_was)
 {
   Plus cdt;
   make_polylines(cdt);
   const auto before = everything(cdt);
-  const auto throwing = [](double fraction) { return fraction < 1 ? true : throw Enough(); };
+  const auto throwing = [](double fraction) { return fraction < 0.95 ? true : throw Enough(); }; // where writing begins
   EXPECT_THROW(CGAL::npbs_relax(cdt, size(0.1).callback(throwing)), Enough);
   EXPECT_TRUE(everything(cdt) == before);
+  expect_same_later(cdt);
+}
+
+TEST(Write_back_plus, an_exception_of_the_last_callback_gives_the_content_back)
+{
+  Plus cdt;
+  make_polylines(cdt);
+  const validation::Snapshot before = validation::snapshot(cdt);
+  const auto lines = polylines(cdt);
+  const auto throwing = [](double fraction) { return fraction < 1 ? true : throw Enough(); };
+  EXPECT_THROW(CGAL::npbs_relax(cdt, size(0.1).callback(throwing)), Enough);
+  EXPECT_TRUE(validation::snapshot(cdt) == before);
+  EXPECT_EQ(polylines(cdt), lines);
   expect_same_later(cdt);
 }
 

@@ -225,7 +225,7 @@ TEST(Distributed_faults, one_rank_stops_all_in_the_treatment)
   const Case c;
   Points points = users_points();
   const std::set<std::string> before = properties(points);
-  const auto callback = [](double progress) { return !is_last() || progress < 0.75; }; // where the treatment begins
+  const auto callback = [](double progress) { return !is_last() || progress < 0.58; }; // where the treatment begins
   const auto relaxation = CGAL::Distributed::npbs_relax(
     points, c.cdt, MPI_COMM_WORLD, few_steps().sizing_function(c.domain.d).callback(callback));
   EXPECT_EQ(relaxation.report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);

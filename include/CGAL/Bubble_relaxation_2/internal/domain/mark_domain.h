@@ -9,9 +9,11 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_MARK_DOMAIN_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_MARK_DOMAIN_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -25,8 +27,11 @@ void mark_domain(Cdt& cdt, const For_each_side& for_each_side)
 {
   if constexpr (Domain_marks_2<Cdt>::has_marks) {
     using Face_handle = typename Cdt::Face_handle;
-    for (Face_handle f : cdt.all_face_handles())
+    std::size_t number = 0;
+    for (Face_handle f : cdt.all_face_handles()) {
+      tick(number++);
       f->set_in_domain(false);
+    }
     std::vector<void*> stack; // faces
     const auto mark = [&stack](Face_handle f, bool inside) {
       if (!inside || f->is_in_domain())
@@ -43,6 +48,7 @@ void mark_domain(Cdt& cdt, const For_each_side& for_each_side)
     while (!stack.empty()) {
       const Face_handle f = Handles<Cdt>::face(stack.back());
       stack.pop_back();
+      tick(number++);
       for (int i = 0; i < 3; ++i)
         if (!f->is_constrained(i))
           mark(f->neighbor(i), true);

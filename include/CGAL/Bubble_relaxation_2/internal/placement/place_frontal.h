@@ -53,6 +53,7 @@ public:
       m_speakers(crowded, bubbles.size() == 0 ? 1. : bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 0)
   {
     const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
+    m_expected = bubbles.size() + expected;
     m_crystal.make_room_for(expected);
     for (std::size_t i = 0; i < directions.size(); ++i)
       m_crystal.direction(i) = Direction{cosine_of(directions[i]), sine_of(directions[i])};
@@ -77,7 +78,7 @@ public:
   void operator()()
   {
     for (;;) {
-      tick();
+      tell_progress();
       add_late();
       const double smallest = m_team.start_generation(m_front.smallest_key());
       if (smallest == std::numeric_limits<double>::infinity())
@@ -100,6 +101,16 @@ public:
 private:
   static constexpr int settling_rounds = 3;
   static constexpr double crowded = 0.3; ///< distance, in units of d
+
+  /// Which share is there is told of the growth that fills the domain, not of those of a few large bubbles before it.
+  void tell_progress() const
+  {
+    constexpr std::size_t few = 2000;
+    if (m_expected > few && progress_of_thread != nullptr)
+      progress_of_thread->tick_share((std::min)(1., double(m_crystal.size()) / double(m_expected)));
+    else
+      tick();
+  }
 
   void add_to_front(std::size_t i, double key)
   {
@@ -173,6 +184,7 @@ private:
   const Sizes_2& m_sizing;
   Team& m_team;
   const Threads m_threads;
+  std::size_t m_expected = 0; // number of bubbles when all are there
   Crystal_2 m_crystal;
   Growth_front_2 m_front;
   Growth_proposals_2 m_propose;

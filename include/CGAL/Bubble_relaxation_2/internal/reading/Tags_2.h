@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_TAGS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_TAGS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/flood_faces.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
@@ -325,8 +326,12 @@ private:
   template <class Value>
   void spread(Face_handle f, const Value& region, std::unordered_set<const void*>& reached) const
   {
+    std::size_t number = 0;
     if (region)
-      flood_faces(f, reached, [&](Face_handle g) { put(m_maps.regions(), g, *region); });
+      flood_faces(f, reached, [&](Face_handle g) {
+        put(m_maps.regions(), g, *region);
+        tick(number++);
+      });
   }
 
   Maps m_maps;

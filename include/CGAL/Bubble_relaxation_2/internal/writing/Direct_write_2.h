@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_DIRECT_WRITE_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
@@ -73,6 +74,9 @@ public:
   }
 
 private:
+  /// a vertex or a triangle has come
+  void tell_progress() { tick(m_done++, m_bubbles.size() + m_mesh.number_of_triangles()); }
+
   void make_vertices()
   {
     for (Index v : m_reading.free)
@@ -82,6 +86,7 @@ private:
         m_cdt.tds().delete_vertex(m_reading.vertex(v));
     m_vertices.reserve(m_bubbles.size());
     for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
+      tell_progress();
       Vertex_handle v;
       if (m_bubbles.is_corner(i)) {
         v = vertex_of_corner(m_reading, m_bubbles, i);
@@ -98,6 +103,7 @@ private:
     const Marked_triangles_2& tr = m_mesh;
     m_faces.reserve(tr.number_of_triangles());
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      tell_progress();
       const auto& v = tr.vertices[t];
       const Face_handle f = m_cdt.tds().create_face(vertex(v[0]), vertex(v[1]), vertex(v[2]));
       m_faces.push_back(&*f);
@@ -119,7 +125,8 @@ private:
     const Vertex_handle infinite = m_cdt.infinite_vertex();
     std::vector<void*> hull, ending_at(m_bubbles.size()); // hull sides run clockwise, seen from outside
     std::vector<Index> sources;
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      tick(t);
       for (int i = 0; i < 3; ++i) {
         if (tr.neighbors[t][i] != no_index)
           continue;
@@ -132,6 +139,7 @@ private:
         sources.push_back(a);
         ending_at[b] = &*f;
       }
+    }
     for (std::size_t k = 0; k < hull.size(); ++k)
       m_cdt.tds().set_adjacency(face(hull[k]), 0, face(ending_at[sources[k]]), 1);
     infinite->set_face(face(hull.front()));
@@ -165,6 +173,7 @@ private:
   const Bubbles_2& m_bubbles;
   const Marked_triangles_2& m_mesh;
   const Elevations<Cdt>& m_elevations;
+  std::size_t m_done = 0;        // vertices and triangles that have come
   std::vector<void*> m_vertices; // of the bubbles
   std::vector<void*> m_faces;    // of the triangles
 };

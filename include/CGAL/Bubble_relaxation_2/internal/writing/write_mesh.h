@@ -14,11 +14,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/mark_domain.h>
-#include <CGAL/Bubble_relaxation_2/internal/quality/Mesh_quality_accumulator_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/count_in_domain.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
-#include <CGAL/Mesh_quality_2.h>
 
 #include <cmath>
 #include <cstddef>
@@ -52,8 +51,10 @@ public:
   template <class Tags>
   void operator()(const Tags& tags)
   {
-    for (Index v : m_reading.free)
+    for (Index v : m_reading.free) {
       m_cdt.remove(m_reading.vertex(v));
+      tell_progress();
+    }
     for (const Chain& c : m_reading.graph->chains())
       straighten(c);
     split_constraints();
@@ -69,6 +70,9 @@ public:
   }
 
 private:
+  /// a vertex has gone, or come
+  void tell_progress() { tick(m_done++, m_reading.free.size() + m_bubbles.size()); }
+
   Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
   Cdt_point point_of(std::size_t i) const { return point_of_vertex<Cdt>(m_reading, m_bubbles, m_elevations, i); }
 
@@ -114,8 +118,10 @@ private:
       const Chain& chain = m_reading.graph->chains()[e];
       m_path = &m_paths[e];
       add_to_path(corner(chain.source));
-      for (Index i : on_edge[e])
+      for (Index i : on_edge[e]) {
         split(corner(chain.target), point_of(static_cast<std::size_t>(i)));
+        tell_progress();
+      }
       while (end_of_path() != corner(chain.target))
         add_to_path(next_towards(end_of_path(), corner(chain.target)).second);
     }
@@ -310,8 +316,10 @@ private:
   {
     Face_handle near; // bubbles are numbered along a curve: the next one is found from the last
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
-      if (m_bubbles.is_in_face(i))
+      if (m_bubbles.is_in_face(i)) {
         near = m_cdt.insert(point_of(i), near)->face();
+        tell_progress();
+      }
   }
 
   template <class Visit>
@@ -330,58 +338,9 @@ private:
   const Elevations<Cdt>& m_elevations;
   std::vector<std::vector<void*>> m_paths; // the vertices of each chain in order
   std::vector<void*>* m_path = nullptr;    // that of the chain that is split
+  std::size_t m_done = 0;                  // vertices that have gone or come
   std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
 };
-
-/// The statistics of the domain as it is marked, but for lengths over d: the user's d must not be called any more.
-template <class Cdt>
-Mesh_statistics_2 statistics_of_domain(const Cdt& cdt)
-{
-  const auto point = [](const auto v) {
-    return Point(CGAL::to_double(Plane_2<Cdt>::x(v->point())), CGAL::to_double(Plane_2<Cdt>::y(v->point())));
-  };
-  Mesh_quality_accumulator_2 accumulator;
-  for (const auto f : cdt.finite_face_handles())
-    if (f->is_in_domain())
-      accumulator.add_triangle(point(f->vertex(0)), point(f->vertex(1)), point(f->vertex(2)));
-  for (const auto v : cdt.finite_vertex_handles()) {
-    auto f = cdt.incident_faces(v), first = f;
-    bool is_in_domain = false, is_interior = true;
-    std::size_t degree = 0;
-    do {
-      is_in_domain = is_in_domain || f->is_in_domain();
-      is_interior = is_interior && !f->is_constrained(cdt.cw(f->index(v)));
-      ++degree;
-    } while (++f != first);
-    if (is_in_domain)
-      accumulator.add_vertex(is_interior, degree);
-  }
-  return accumulator.statistics();
-}
-
-/// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the
-/// other side, that were outside of the domain by a rounding: then the statistics are those of the mesh with them.
-template <class Cdt>
-void count_in_domain(const Cdt& cdt, Report& report)
-{
-  report.number_of_vertices = report.number_of_triangles = 0;
-  for (const auto f : cdt.finite_face_handles())
-    report.number_of_triangles += f->is_in_domain();
-  for (const auto v : cdt.finite_vertex_handles()) {
-    auto f = cdt.incident_faces(v), first = f;
-    bool is_in_domain = false;
-    do
-      is_in_domain = is_in_domain || f->is_in_domain();
-    while (++f != first);
-    report.number_of_vertices += is_in_domain;
-  }
-  if (report.number_of_vertices == report.quality.number_of_vertices() &&
-      report.number_of_triangles == report.quality.number_of_triangles())
-    return;
-  Mesh_statistics_2 now = statistics_of_domain(cdt);
-  now.take_lengths(report.quality.statistics());
-  report.quality = Mesh_quality_2<double>(now);
-}
 
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
 /// nothing else in it, else by insertion.
