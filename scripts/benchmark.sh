@@ -7,6 +7,8 @@
 #   benchmark.sh local [1e4 1e6]                  a part of a mesh meshed anew: time and memory over those of the part alone
 #   benchmark.sh local drift [1000]               a mesh after so many local changes, against one made at once
 #   benchmark.sh phases                           nanoseconds a node of each phase
+#   benchmark.sh progress [1e6 ...]               what a callback is told: the longest time without a call, told progress over
+#                                                 the share of time, and the time from a stop to the return, in each phase
 #   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, as they are and simplified: this package, CGAL's
 #                                                 2D Meshes and Gmsh: table, SVG
 #   benchmark.sh dual [1000 10000] [aegean ...]   Voronoi cells for finite volumes, of domains and simplified shores: obtuse
@@ -20,7 +22,7 @@ cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | coasts | influence | transfer | local | phases | dual | compile | distributed) benchmark=$1; shift ;;
+  scaling | compare | coasts | influence | transfer | local | phases | progress | dual | compile | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then
@@ -47,6 +49,9 @@ if [ "$benchmark" = coasts ]; then
 fi
 if [ "$benchmark" = dual ]; then
   set -- --coasts coasts "$@"
+fi
+if [ "$benchmark" = progress ]; then
+  set -- "$here/demo/Bubble_relaxation_2/data/lake.poly" "$@"
 fi
 if [ "$benchmark" = influence ]; then
   scripts/install_dependencies.sh libnanoflann-dev

@@ -30,6 +30,8 @@ cp bubbles.svg "$figures"
 for seed in 1 2 3; do
   ../release/benchmark/Bubble_relaxation_2/local drift 1000 $seed
 done | tee "$figures/local_drift.txt"
+../release/benchmark/Bubble_relaxation_2/progress "$here/demo/Bubble_relaxation_2/data/lake.poly" 2e6 |
+  tee "$figures/progress.txt"
 ../release/benchmark/Bubble_relaxation_2/transfer | tee "$figures/transfer.txt"
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .
