@@ -49,8 +49,9 @@ public:
     : m_cdt(cdt), m_reading(reading), m_bubbles(bubbles), m_elevations(elevations)
   {}
 
+  /// returns the faces of the domain
   template <class Tags>
-  void operator()(const Tags& tags)
+  Domain_faces_2<Cdt> operator()(const Tags& tags)
   {
     for (Index v : m_reading.free)
       m_cdt.remove(m_reading.vertex(v));
@@ -59,13 +60,14 @@ public:
     split_constraints();
     make_hull_convex();
     insert_in_faces();
-    mark_domain(m_cdt, [this](const auto& visit) {
+    Domain_faces_2<Cdt> faces = mark_domain(m_cdt, [this](const auto& visit) {
       this->for_each_piece([&](const Edge& edge, Vertex_handle source, std::size_t chain) {
         const Chain& c = m_reading.graph->chains()[chain];
         visit(edge, source, c.inside_left, c.inside_right);
       });
     });
     tags.write([this](const auto& visit) { this->for_each_piece(visit); });
+    return faces;
   }
 
 private:
@@ -333,23 +335,23 @@ private:
   std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
 };
 
-/// The statistics of the domain as it is marked, but for lengths over d: the user's d must not be called any more.
+/// The statistics of the domain as it was written, but for lengths over d: the user's d must not be called any more.
 template <class Cdt>
-Mesh_statistics_2 statistics_of_domain(const Cdt& cdt)
+Mesh_statistics_2 statistics_of_domain(const Cdt& cdt, const Domain_faces_2<Cdt>& faces)
 {
   const auto point = [](const auto v) {
     return Point(CGAL::to_double(Plane_2<Cdt>::x(v->point())), CGAL::to_double(Plane_2<Cdt>::y(v->point())));
   };
   Mesh_quality_accumulator_2 accumulator;
   for (const auto f : cdt.finite_face_handles())
-    if (f->is_in_domain())
+    if (faces.contains(f))
       accumulator.add_triangle(point(f->vertex(0)), point(f->vertex(1)), point(f->vertex(2)));
   for (const auto v : cdt.finite_vertex_handles()) {
     auto f = cdt.incident_faces(v), first = f;
     bool is_in_domain = false, is_interior = true;
     std::size_t degree = 0;
     do {
-      is_in_domain = is_in_domain || f->is_in_domain();
+      is_in_domain = is_in_domain || faces.contains(f);
       is_interior = is_interior && !f->is_constrained(cdt.cw(f->index(v)));
       ++degree;
     } while (++f != first);
@@ -362,23 +364,23 @@ Mesh_statistics_2 statistics_of_domain(const Cdt& cdt)
 /// Counts what is in the domain. Constraints that go through rounded points may meet vertices, or pass them on the
 /// other side, that were outside of the domain by a rounding: then the statistics are those of the mesh with them.
 template <class Cdt>
-void count_in_domain(const Cdt& cdt, Report& report)
+void count_in_domain(const Cdt& cdt, const Domain_faces_2<Cdt>& faces, Report& report)
 {
   report.number_of_vertices = report.number_of_triangles = 0;
   for (const auto f : cdt.finite_face_handles())
-    report.number_of_triangles += f->is_in_domain();
+    report.number_of_triangles += faces.contains(f);
   for (const auto v : cdt.finite_vertex_handles()) {
     auto f = cdt.incident_faces(v), first = f;
     bool is_in_domain = false;
     do
-      is_in_domain = is_in_domain || f->is_in_domain();
+      is_in_domain = is_in_domain || faces.contains(f);
     while (++f != first);
     report.number_of_vertices += is_in_domain;
   }
   if (report.number_of_vertices == report.quality.number_of_vertices() &&
       report.number_of_triangles == report.quality.number_of_triangles())
     return;
-  Mesh_statistics_2 now = statistics_of_domain(cdt);
+  Mesh_statistics_2 now = statistics_of_domain(cdt, faces);
   now.take_lengths(report.quality.statistics());
   report.quality = Mesh_quality_2<double>(now);
 }
@@ -396,9 +398,7 @@ void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mes
       Direct_write_2<Cdt>(cdt, reading, mesh, elevations)(tags);
       return;
     }
-  Write_back_2<Cdt>(cdt, reading, mesh.bubbles, elevations)(tags);
-  if constexpr (Domain_marks_2<Cdt>::has_marks)
-    count_in_domain(cdt, report);
+  count_in_domain(cdt, Write_back_2<Cdt>(cdt, reading, mesh.bubbles, elevations)(tags), report);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal
