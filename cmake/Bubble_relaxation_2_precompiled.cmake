@@ -1,11 +1,16 @@
 # Half of the time that a program here takes to compile goes into the headers of CGAL and of the relaxation, which
 # nearly all include: these are compiled once, with the given libraries and the options of this folder, for its
-# programs. (That examples include what they use is seen where they are compiled for their warnings.)
+# programs. (That examples include what they use is seen where they are compiled for their warnings.) For a few programs
+# that would take longer than it saves.
 #   reuse_precompiled_headers(NAME LIBRARIES... HEADERS...)
 function(reuse_precompiled_headers name)
   cmake_parse_arguments(argument "" "" "LIBRARIES;HEADERS" ${ARGN})
-  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
   get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+  list(LENGTH targets number)
+  if(number LESS 6)
+    return()
+  endif()
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
   add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   target_link_libraries(${name} PRIVATE ${argument_LIBRARIES})
   target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # for ccache

@@ -74,6 +74,8 @@ public:
     for (const auto& s : domain.segment_markers)
       markers.insert(s.second);
     std::set<double> regions;
+    if (domain.regions.empty())
+      regions.insert(1); // the group of all triangles, if the format has groups
     for (const Region& region : domain.regions)
       regions.insert(region.attribute);
     for (const int marker : m_open)

@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <utility>
 #include <map>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -36,16 +37,10 @@ int main()
   CGAL::Constraint_marker_map_2<CDT, Boundary> markers;
   const Vertex_handle a = cdt.insert(Point(0, 0)), b = cdt.insert(Point(0.3, 0)), c = cdt.insert(Point(1, 0)),
                       d = cdt.insert(Point(1, 1)), e = cdt.insert(Point(0, 1));
-  const auto add = [&](Vertex_handle u, Vertex_handle v, Boundary marker) {
+  for (const auto& [u, v] : {std::pair(a, c), {c, d}, {d, e}, {e, a}, {b, d}}) // the last one parts the materials
     cdt.insert_constraint(u, v);
-    markers.set(u, v, marker);
-  };
-  add(a, b, FIXED);
-  add(b, c, NONE);
-  add(c, d, NONE);
-  add(d, e, LOADED);
-  add(e, a, NONE);
-  add(b, d, NONE); // between the materials
+  markers.set(cdt, a, b, FIXED); // when all constraints are in: b cuts the one from a to c
+  markers.set(cdt, d, e, LOADED);
 
   CGAL::Face_region_map_2<CDT, Material> materials;
   materials.set_all_around(cdt.locate(Point(0.1, 0.5)), STEEL);

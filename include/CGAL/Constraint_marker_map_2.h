@@ -30,7 +30,8 @@ Markers of the constraints of a triangulation, such as numbers of boundary condi
 
 It holds a marker for each pair of vertices that it is told, whichever is named first. Copies share what they hold. When
 a triangulation is meshed, the markers of edges that go are forgotten; any other change of the triangulation leaves
-the map as it is.
+the map as it is: an edge that a later insertion cuts has no marker any more. So markers are set when all constraints are in,
+best by the `set()` that follows a line.
 
 \cgalModels{ReadWritePropertyMap}
 

@@ -158,7 +158,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           as much is rest enough while bubbles are still inserted, and a bubble sleeps while it
                           and its neighbours move no more}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{0.0085; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
+    \cgalParamDefault{0.007; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
   \cgalParamNBegin{integrator}
     \cgalParamDescription{how the equation of motion (eq. 3 of the paper) is integrated}

@@ -9,15 +9,18 @@
 // Constraints that cross: what each of CGAL's intersection tags makes of them, and of that npbs_relax.
 
 #include "domains.h"
+#include "expect_throw.h"
 #include "validation.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/npbs_relax.h>
+#include <CGAL/simplify_outline_2.h>
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <vector>
 
 namespace {
 
@@ -113,4 +116,23 @@ TEST(Crossing_of_none, constraints_are_split_by_bubbles)
   EXPECT_TRUE(report.converged);
   validation::expect_constraints_kept(before, validation::snapshot(cdt));
   EXPECT_TRUE(cdt.is_valid());
+}
+
+TEST(Crossing_that_is_rounded, may_leave_edges_of_no_constraint)
+{
+  using Plus = CGAL::Constrained_triangulation_plus_2<Cdt<Inexact, CGAL::Exact_predicates_tag>>;
+  // the place where the last side crosses the top of the square is rounded onto it
+  const domains::Outline outline{{0, 0}, {1.7e-16, 7.6e-14}, {1, 0}, {1, 1}, {0, 1},
+                                 {4.9691305262083531e-16, 0.99999999999999589},
+                                 {1.4821969375237396e-323, 0.99999999999999978},
+                                 {4.0666390579824734e-12, 1.0000000003243423}};
+  Plus cdt = domains::make<Plus>({outline});
+  ASSERT_TRUE(cdt.is_valid());
+  const validation::Snapshot before = validation::snapshot(cdt);
+  const auto expect_refusal = [&](const auto& call) {
+    expect_invalid(call, {"the edge from", ", 1) is constrained", "belongs to no constraint"});
+  };
+  expect_refusal([&] { CGAL::npbs_relax(cdt, 0.1); });
+  expect_refusal([&] { CGAL::simplify_outline_2(cdt, 0.1); });
+  EXPECT_TRUE(validation::snapshot(cdt) == before);
 }

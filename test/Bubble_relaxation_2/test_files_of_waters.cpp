@@ -10,6 +10,7 @@
 // them, in the right order.
 
 #include "domains.h"
+#include "expect_throw.h"
 #include "file_readers.h"
 
 #include <CGAL/Bubble_relaxation_2/IO/2DM.h>
@@ -178,6 +179,11 @@ TEST(Files_of_waters, adcirc_with_several_open_boundaries)
   for (const Boundary& b : ocean.land)
     flags.push_back(b.flags);
   EXPECT_EQ(flags, (std::vector<std::string>{"20", "20", "20", "21"}));
+}
+
+TEST(Files_of_waters, adcirc_knows_all_open_markers)
+{
+  expect_invalid([] { ocean_of(sea(), {5, 42}); }, {"open_markers", "no edge of the boundary has the marker 42"});
 }
 
 TEST(Files_of_waters, adcirc_of_a_lake)

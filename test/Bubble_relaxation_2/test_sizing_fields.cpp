@@ -181,14 +181,16 @@ TEST(Gradation_limited_sizing_field, has_the_same_bits_in_any_order_and_thread)
 
 TEST(Gradation_limited_sizing_field, scales)
 {
-  const double scale = std::ldexp(1., -40);
   const auto d = [](const Point& p) { return p.x() > 0.3 ? 0.5 : 0.02; };
   const CGAL::Gradation_limited_sizing_field_2 h(square(), 0.2, P::sizing_function(d));
-  const CGAL::Gradation_limited_sizing_field_2 small(
-    domains::make({domains::square(0, 0, scale)}), 0.2,
-    P::sizing_function([&](const Point& p) { return scale * d(Point(p.x() / scale, p.y() / scale)); }));
-  for (const Point& p : probes(500))
-    EXPECT_EQ(small(Point(scale * p.x(), scale * p.y())), scale * h(p));
+  for (int exponent : {-40, -280, 280}) { // fourth powers of the last two are none
+    const double scale = std::ldexp(1., exponent);
+    const CGAL::Gradation_limited_sizing_field_2 scaled(
+      domains::make({domains::square(0, 0, scale)}), 0.2,
+      P::sizing_function([&](const Point& p) { return scale * d(Point(p.x() / scale, p.y() / scale)); }));
+    for (const Point& p : probes(500))
+      EXPECT_EQ(scaled(Point(scale * p.x(), scale * p.y())), scale * h(p)) << exponent;
+  }
 }
 
 TEST(Gradation_limited_sizing_field, limits_the_default_sizes_too)

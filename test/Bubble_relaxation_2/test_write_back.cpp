@@ -637,6 +637,38 @@ TEST(Write_back_plain, faces_need_no_mark)
   EXPECT_GE(report.quality.mean_quality(), 0.988);
 }
 
+namespace {
+
+template <class Face_base>
+CGAL::Bubble_relaxation_report_2<double> relax_beside_a_crossing_that_is_rounded()
+{
+  using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
+    K, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<K>, Face_base>, CGAL::Exact_predicates_tag>;
+  Cdt cdt = domains::make<Cdt>({{{0, 0},
+                                 {1, 0},
+                                 {0.99999999999999978, 5.5924611234959882e-10},
+                                 {1.0000000000000007, 9.8813129168249309e-324},
+                                 {0.99999999999999989, -4.9406564584124654e-324},
+                                 {1, 1},
+                                 {0.99999999999925171, 0.99999999999996236},
+                                 {0, 1},
+                                 {9.8813129168249309e-324, 0.99999999999999989}}});
+  for (const K::Point_2& p : {K::Point_2(0.02, 0.17), K::Point_2(0, 0.1)})
+    cdt.insert(p);
+  return CGAL::npbs_relax(cdt);
+}
+
+} // namespace
+
+TEST(Write_back_plain, the_report_counts_what_is_written_without_marks_too)
+{
+  const auto marked = relax_beside_a_crossing_that_is_rounded<CGAL::Delaunay_mesh_face_base_2<K>>();
+  const auto plain = relax_beside_a_crossing_that_is_rounded<CGAL::Constrained_triangulation_face_base_2<K>>();
+  EXPECT_EQ(plain.number_of_vertices, marked.number_of_vertices);
+  EXPECT_EQ(plain.number_of_triangles, marked.number_of_triangles);
+  EXPECT_EQ(plain.quality.number_of_triangles(), plain.number_of_triangles);
+}
+
 TEST(Write_back_default_size, an_existing_mesh_keeps_its_size)
 {
   domains::CDT cdt = domains::make({domains::square(0, 0, 1)});

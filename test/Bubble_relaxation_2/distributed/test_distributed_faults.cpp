@@ -87,7 +87,7 @@ TEST(Distributed_faults, parameters_that_are_not_the_same)
   expect("mass = 1 on rank 0, but 2", np.mass(l ? 2. : 1.));
   expect("force_coefficient = 1 on rank 0, but 1.25", np.force_coefficient(l ? 1.25 : 1.));
   expect("time_step = 0.6 on rank 0, but 0.5", np.time_step(l ? 0.5 : 0.6));
-  expect("displacement_tolerance = 0.0085 on rank 0, but 0.008", np.displacement_tolerance(l ? 0.008 : 0.0085));
+  expect("displacement_tolerance = 0.007 on rank 0, but 0.008", np.displacement_tolerance(l ? 0.008 : 0.007));
   expect("neighbor_radius = 1.7 on rank 0, but 1.7000000000000002",
          np.neighbor_radius(l ? 1.7000000000000002 : 1.7));
   expect("number_of_rounds = 2 on rank 0, but 3", np.number_of_rounds(l ? 3 : 2));

@@ -1,5 +1,5 @@
-# Compiles a SOURCE without its mistakes, and with those of each part: there must be one error for each, with the
-# words above it. CXX: the compiler; FLAGS: with which headers are found
+# Compiles a SOURCE with the mistakes of each part: there must be one error for each, with the words above it, and none
+# for what is right. CXX: the compiler; FLAGS: with which headers are found
 function(count result pattern text)
   string(REGEX MATCHALL "${pattern}" all "${text}")
   list(LENGTH all n)
@@ -9,11 +9,9 @@ endfunction()
 file(READ ${SOURCE} source)
 string(REGEX REPLACE ";" "" source "${source}")
 string(REGEX REPLACE "#(el)?if MISTAKES == " ";" parts "${source}")
+list(REMOVE_AT parts 0) # what is right, which is compiled with each part
 foreach(part IN LISTS parts)
-  set(number 0) # before the first part
-  if(part MATCHES "^([0-9]+)\n")
-    set(number ${CMAKE_MATCH_1})
-  endif()
+  string(REGEX MATCH "^[0-9]+" number "${part}")
   string(REGEX MATCHALL "// wrong: [^\n]*" mistakes "${part}")
   execute_process(
     COMMAND ${CXX} -std=c++17 -fsyntax-only -DMISTAKES=${number} ${FLAGS} ${SOURCE}

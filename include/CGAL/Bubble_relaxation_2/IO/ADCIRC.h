@@ -42,17 +42,23 @@ struct Coastal_boundary_2
   std::vector<std::vector<std::size_t>> open;
   std::vector<Land> land; ///< islands last
 
+  /// \throws std::invalid_argument if no edge of the boundary has one of the markers
   Coastal_boundary_2(const Mesh_arrays_2& mesh, const std::set<int>& open_markers)
   {
     std::map<Mesh_arrays_2::Edge, int> markers;
     for (std::size_t k = 0; k < mesh.edges.size(); ++k)
       markers[mesh.edges[k]] = mesh.edge_markers[k];
+    std::set<int> missing = open_markers;
     std::vector<Mesh_arrays_2::Edge> open_edges, land_edges;
     for (const auto& e : mesh.boundary_edges()) {
       const auto found = markers.find(e);
       const int marker = found != markers.end() ? found->second : markers.at({e[1], e[0]});
       (open_markers.count(marker) > 0 ? open_edges : land_edges).push_back(e);
+      missing.erase(marker);
     }
+    if (!missing.empty())
+      throw std::invalid_argument("Bubble_relaxation_2: open_markers: no edge of the boundary has the marker " +
+                                  std::to_string(*missing.begin()));
     for (auto chain : edge_chains(open_edges)) {
       if (chain.front() == chain.back())
         chain.pop_back();
@@ -109,7 +115,8 @@ wants 0
 
 \returns whether it was written
 
-\throws std::invalid_argument if `land_type` is none of these, or as `Mesh_arrays_2::check()` does
+\throws std::invalid_argument if `land_type` is none of these, if no edge of the boundary has one of `open_markers`, or as
+`Mesh_arrays_2::check()` does
 */
 inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std::set<int>& open_markers = {},
                          int land_type = 0)
@@ -117,6 +124,7 @@ inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std
   using namespace Bubble_relaxation_2::internal;
   mesh.check();
   check_land_type(land_type);
+  const Coastal_boundary_2 boundary(mesh, open_markers);
   const Plain_numbers plain(out);
   const std::vector<double> depth = depths(mesh);
   out << "mesh\n" << mesh.triangles.size() << ' ' << mesh.points.size() << '\n';
@@ -130,7 +138,6 @@ inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std
     for (const std::size_t v : nodes)
       out << v + 1 << '\n';
   };
-  const Coastal_boundary_2 boundary(mesh, open_markers);
   std::size_t open_nodes = 0, land_nodes = 0, number = 0;
   for (const auto& nodes : boundary.open)
     open_nodes += nodes.size();

@@ -115,8 +115,13 @@ private:
 
   static double gradient(const Shape& s, double a, double b)
   {
+    const double unit = (std::max)(std::abs(a), std::abs(b)); // else fourth powers of lengths might be none
+    if (unit == 0)
+      return 0;
+    a /= unit;
+    b /= unit;
     const double squared = a * a * s.bb - 2 * a * b * s.ab + b * b * s.aa;
-    return squared > 0 ? std::sqrt(squared) / s.area : 0;
+    return squared > 0 ? std::sqrt(squared) * unit / s.area : 0;
   }
 
   /// The values of a triangle, lowered so that its gradient is no more than g. The smallest one stays.

@@ -181,6 +181,7 @@ private:
     for (const Outline_segment_2& s : problem.outline.segments) {
       std::vector<const void*> constraints;
       const Vertex_handle a = vertex(s.source), b = vertex(s.target);
+      check_is_of_constraint(cdt, a, b);
       for (auto c = cdt.contexts_begin(a, b); c != cdt.contexts_end(a, b); ++c)
         constraints.push_back((*c).id().vl_ptr());
       std::sort(constraints.begin(), constraints.end());

@@ -71,7 +71,8 @@ public:
     else
       insert_segments();
     check();
-    mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
+    if constexpr (Domain_marks_2<Cdt>::has_marks)
+      mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
   }
 
   /// a vertex of the new outline, once it is written

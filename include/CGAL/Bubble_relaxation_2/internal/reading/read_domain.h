@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
@@ -18,11 +19,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/reading/Constraint_graph_2.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +38,19 @@ struct Has_constraint_hierarchy : std::false_type {};
 template <class Cdt>
 struct Has_constraint_hierarchy<Cdt, std::void_t<typename Cdt::Constraint_hierarchy_tag>>
   : std::is_same<typename Cdt::Constraint_hierarchy_tag, Tag_true> {};
+
+/// An insertion that rounds the crossing of two constraints may leave edges of which the hierarchy knows nothing.
+template <class Cdt, class Vertex_handle>
+void check_is_of_constraint(const Cdt& cdt, Vertex_handle u, Vertex_handle v)
+{
+  if (const_cast<Cdt&>(cdt).is_subconstraint(u, v)) // changes nothing, though CGAL does not say so
+    return;
+  const auto place = [](Vertex_handle w) {
+    return in_words(CGAL::to_double(Plane_2<Cdt>::x(w->point())), CGAL::to_double(Plane_2<Cdt>::y(w->point())));
+  };
+  throw std::invalid_argument("Bubble_relaxation_2: the edge from " + place(u) + " to " + place(v) +
+                              " is constrained, but belongs to no constraint of the triangulation");
+}
 
 /// The vertices of a user's triangulation in the lexicographic order of their points. In what is read they have the
 /// numbers of this order, since the order in which they were inserted must not matter.
@@ -156,8 +172,11 @@ private:
       m_is_given[last] = 1;
     }
     for (Constrained_edge_2& e : m_edges)
-      if (e.is_in_domain())
-        e.is_of_one_constraint = cdt.number_of_enclosing_constraints(vertex(e.source), vertex(e.target)) == 1;
+      if (e.is_in_domain()) {
+        const Vertex_handle u = vertex(e.source), v = vertex(e.target);
+        check_is_of_constraint(cdt, u, v);
+        e.is_of_one_constraint = cdt.number_of_enclosing_constraints(u, v) == 1;
+      }
   }
 };
 

@@ -48,8 +48,9 @@ public:
     : m_cdt(cdt), m_reading(reading), m_bubbles(bubbles), m_elevations(elevations)
   {}
 
+  /// returns the faces of the domain
   template <class Tags>
-  void operator()(const Tags& tags)
+  Domain_faces_2<Cdt> operator()(const Tags& tags)
   {
     for (Index v : m_reading.free) {
       m_cdt.remove(m_reading.vertex(v));
@@ -60,13 +61,14 @@ public:
     split_constraints();
     make_hull_convex();
     insert_in_faces();
-    mark_domain(m_cdt, [this](const auto& visit) {
+    Domain_faces_2<Cdt> faces = mark_domain(m_cdt, [this](const auto& visit) {
       this->for_each_piece([&](const Edge& edge, Vertex_handle source, std::size_t chain) {
         const Chain& c = m_reading.graph->chains()[chain];
         visit(edge, source, c.inside_left, c.inside_right);
       });
     });
     tags.write([this](const auto& visit) { this->for_each_piece(visit); });
+    return faces;
   }
 
 private:
@@ -355,9 +357,7 @@ void write_mesh(Cdt& cdt, const Domain_reading_2<Cdt>& reading, const Bubble_mes
       Direct_write_2<Cdt>(cdt, reading, mesh, elevations)(tags);
       return;
     }
-  Write_back_2<Cdt>(cdt, reading, mesh.bubbles, elevations)(tags);
-  if constexpr (Domain_marks_2<Cdt>::has_marks)
-    count_in_domain(cdt, report);
+  count_in_domain(cdt, Write_back_2<Cdt>(cdt, reading, mesh.bubbles, elevations)(tags), report);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal
