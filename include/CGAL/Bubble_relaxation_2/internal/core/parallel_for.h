@@ -43,10 +43,9 @@ public:
   /// calls `part(first, last)` for parts of [0, n), of about `grain` each
   using Run = void (*)(std::size_t n, std::size_t grain, const Part& part);
 
-  Threads() : m_run(&run_in_turn), m_are_several(false) {}
-  explicit Threads(Run runs) : m_run(runs), m_are_several(true) {}
+  Threads() : m_run(&run_in_turn) {}
+  explicit Threads(Run runs) : m_run(runs) {}
 
-  bool are_several() const { return m_are_several; }
   void run(std::size_t n, std::size_t grain, const Part& part) const { m_run(n, grain, part); }
 
 private:
@@ -57,7 +56,6 @@ private:
   }
 
   Run m_run;
-  bool m_are_several;
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -107,9 +105,7 @@ void parallel_for(const Threads& threads, std::size_t n, const Function& f, std:
 template <class T, class Less>
 void parallel_sort(const Threads& threads, std::vector<T>& values, const Less& less)
 {
-  std::size_t block = values.size();
-  if (threads.are_several())
-    block = (std::max)(values.size() / 16, std::size_t(4096));
+  std::size_t block = (std::max)(values.size() / 16, std::size_t(4096)); // in one thread, too, which ticks between them
   const auto at = [&values](std::size_t i) {
     return values.begin() + static_cast<std::ptrdiff_t>((std::min)(i, values.size()));
   };
