@@ -25,8 +25,8 @@ box=22.5/28.5/34.8/41.1
 gmt coast "-R$box" -Dl -A0/0/1 -M -W --FORMAT_FLOAT_OUT=%.9g --GMT_HISTORY=false > coast.txt
 # metres, of kilometres to the coast; beyond the box too, since outlines within a tolerance are there as well
 gmt grdmath -R22/29/34.3/41.6 -I3m -Dl -A0/0/1 LDISTG 12 MUL 20 ADD = depth.nc --GMT_HISTORY=false
-# Debian's own python, which has Debian's modules
 rm -f gmt.history # which gmt leaves all the same
+# Debian's own python, which has Debian's modules
 /usr/bin/python3 ../demo/Bubble_relaxation_2/data/make_sea.py "$box" 25 38.5 < coast.txt > sea.geojson
 echo "the mesh"
 size="44714*sqrt(9.81*max(raster, 1))/$n" # of the tide M2
