@@ -73,8 +73,8 @@ private:
       if (!e.takes_bubbles)
         continue;
       const Vertex_handle u = vertex(e.source), v = vertex(e.target);
-      if (!const_cast<Cdt&>(cdt).is_subconstraint(u, v)) { // changes nothing, though CGAL does not say so
-        e.is_of_one_constraint = false;                     // left over by an insertion that threw
+      if (!is_of_constraint(cdt, u, v)) {
+        e.is_of_one_constraint = false;
         continue;
       }
       e.is_of_one_constraint = cdt.number_of_enclosing_constraints(u, v) == 1;

@@ -39,11 +39,19 @@ template <class Cdt>
 struct Has_constraint_hierarchy<Cdt, std::void_t<typename Cdt::Constraint_hierarchy_tag>>
   : std::is_same<typename Cdt::Constraint_hierarchy_tag, Tag_true> {};
 
-/// An insertion that rounds the crossing of two constraints may leave edges of which the hierarchy knows nothing.
+/// Whether the hierarchy knows of a constrained edge. An insertion that throws may leave others, and so may one that
+/// rounds the crossing of two constraints.
+template <class Cdt, class Vertex_handle>
+bool is_of_constraint(const Cdt& cdt, Vertex_handle u, Vertex_handle v)
+{
+  return const_cast<Cdt&>(cdt).is_subconstraint(u, v); // changes nothing, though CGAL does not say so
+}
+
+/// \throws std::invalid_argument if it does not
 template <class Cdt, class Vertex_handle>
 void check_is_of_constraint(const Cdt& cdt, Vertex_handle u, Vertex_handle v)
 {
-  if (const_cast<Cdt&>(cdt).is_subconstraint(u, v)) // changes nothing, though CGAL does not say so
+  if (is_of_constraint(cdt, u, v))
     return;
   const auto place = [](Vertex_handle w) {
     return in_words(CGAL::to_double(Plane_2<Cdt>::x(w->point())), CGAL::to_double(Plane_2<Cdt>::y(w->point())));
