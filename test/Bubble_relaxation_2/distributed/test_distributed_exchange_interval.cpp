@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace {
+namespace test_distributed_exchange_interval {
 
 using relaxed_points::All_parts;
 using relaxed_points::Part;
@@ -167,4 +167,4 @@ TEST(Exchange_interval, says_less_the_longer_it_is)
   EXPECT_GT(all(rarely.ghosts), 0);
 }
 
-} // namespace
+} // namespace test_distributed_exchange_interval

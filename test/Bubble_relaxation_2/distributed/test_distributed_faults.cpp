@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_distributed_faults {
 
 using namespace relaxed_points;
 using distributed::expect_same_exception;
@@ -278,4 +278,4 @@ TEST(Distributed_faults, communicators)
   EXPECT_THROW(CGAL::Distributed::npbs_relax(points, c.cdt, MPI_COMM_NULL), std::invalid_argument);
 }
 
-} // namespace
+} // namespace test_distributed_faults

@@ -25,7 +25,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_distributed_halo {
 
 using namespace CGAL::Bubble_relaxation_2::internal;
 
@@ -103,8 +103,6 @@ protected:
   Bubbles_2 m_all, m_here; // of these the first ones are own
   std::size_t m_number_of_own = 0;
 };
-
-} // namespace
 
 TEST_F(Halo, is_good_however_bubbles_wander)
 {
@@ -206,3 +204,5 @@ TEST_F(Halo, neighbors_tell_where_they_are_at_a_stage)
       d *= 1.5;
   }
 }
+
+} // namespace test_distributed_halo

@@ -32,7 +32,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_distributed_mesh {
 
 using namespace bubbles;
 using distributed::expect_same_exception;
@@ -144,8 +144,6 @@ void expect_whole(const Mesh& mesh, const Case& c, const std::vector<std::int64_
     EXPECT_EQ(mesh.is_owned_triangle(t), !mesh.is_ghost(static_cast<std::size_t>(mesh.vertices(t)[first])));
   }
 }
-
-} // namespace
 
 TEST(Distributed_mesh, of_bare_points)
 {
@@ -403,3 +401,5 @@ TEST(Distributed_mesh_bad_input, communicators)
   const Case c = random(paper::square_with_hole(1), 10, 1);
   EXPECT_THROW(CGAL::Distributed::triangulate(Points(), c.cdt, MPI_COMM_NULL), std::invalid_argument);
 }
+
+} // namespace test_distributed_mesh

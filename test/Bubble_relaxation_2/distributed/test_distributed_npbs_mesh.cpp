@@ -30,7 +30,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace {
+namespace test_distributed_npbs_mesh {
 
 using CGAL::Bubble_relaxation_2::internal::Communicator;
 using CGAL::Bubble_relaxation_2::internal::Point_property;
@@ -304,4 +304,4 @@ TEST(Npbs_mesh, all_throw_what_d_throws_on_one_rank)
   EXPECT_FALSE(points.has_property_map<std::int64_t>("global_id"));
 }
 
-} // namespace
+} // namespace test_distributed_npbs_mesh

@@ -21,7 +21,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace test_distributed_numbers {
 
 using namespace CGAL::Bubble_relaxation_2::internal;
 using distributed::rank;
@@ -48,8 +48,6 @@ void expect_compact(std::int64_t end, const Owner& owner)
   EXPECT_EQ(numbers, expected);
 }
 
-} // namespace
-
 TEST(Compact_numbers, numbers_of_whatever_ranks)
 {
   for (const std::int64_t end : {0, 1, 2, 7, 1000}) {
@@ -66,3 +64,5 @@ TEST(Compact_numbers, numbers_of_whatever_ranks)
     expect_compact(end, [end](std::int64_t n) { return n % 7 == 3 ? -1 : static_cast<int>(n * size() / end); });
   }
 }
+
+} // namespace test_distributed_numbers

@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_distributed_placement {
 
 using namespace bubbles;
 using CGAL::Bubble_placement;
@@ -305,4 +305,4 @@ TEST(Wide_holes, are_filled_as_by_one_rank)
   }
 }
 
-} // namespace
+} // namespace test_distributed_placement

@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_distributed_quality {
 
 using namespace bubbles;
 using Quality = CGAL::Mesh_quality_2<double>;
@@ -81,8 +81,6 @@ void expect_quality_of_one_rank(const Case& c, const paper::Sizing& d)
   expect_equal(ranks.quality(c, &field, false), report.quality);
   expect_equal(ranks.quality(c, &field, true), report.quality);
 }
-
-} // namespace
 
 TEST(Distributed_quality, of_relaxed_bubbles)
 {
@@ -161,3 +159,5 @@ TEST(Team_of_ranks, sorted_positions_are_those_of_all_values)
   for (std::size_t k = 0; k < positions.size(); ++k)
     EXPECT_EQ(found[k], values[positions[k]]) << positions[k];
 }
+
+} // namespace test_distributed_quality

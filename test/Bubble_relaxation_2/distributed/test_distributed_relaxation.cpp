@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_distributed_relaxation {
 
 using namespace relaxed_points;
 namespace parameters = CGAL::Bubble_relaxation_parameters;
@@ -366,4 +366,4 @@ TEST(Distributed_relaxation, properties_of_users_stay)
   }
 }
 
-} // namespace
+} // namespace test_distributed_relaxation

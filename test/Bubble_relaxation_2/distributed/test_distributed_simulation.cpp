@@ -21,7 +21,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace {
+namespace test_distributed_simulation {
 
 using namespace relaxed_points;
 using distributed::last_rank;
@@ -125,4 +125,4 @@ TEST(Distributed_simulation, what_d_throws_on_one_rank_is_thrown_on_all)
   }
 }
 
-} // namespace
+} // namespace test_distributed_simulation

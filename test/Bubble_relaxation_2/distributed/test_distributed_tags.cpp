@@ -34,7 +34,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_distributed_tags {
 
 using CGAL::Bubble_relaxation_2::internal::Communicator;
 using CGAL::Bubble_relaxation_2::internal::gather_records;
@@ -144,8 +144,6 @@ std::vector<Triangle> triangles_of_all(const Mesh& mesh)
   std::sort(all.begin(), all.end());
   return all;
 }
-
-} // namespace
 
 TEST(Distributed_tags, are_those_of_one_rank)
 {
@@ -268,3 +266,5 @@ TEST(Distributed_tags, a_map_that_throws_on_one_rank)
   });
   EXPECT_EQ(points.size(), 0u);
 }
+
+} // namespace test_distributed_tags

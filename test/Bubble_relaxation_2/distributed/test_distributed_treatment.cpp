@@ -23,7 +23,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace test_distributed_treatment {
 
 using namespace bubbles;
 
@@ -228,4 +228,4 @@ TEST(Distributed_treatment, ranks_without_bubbles)
   expect_same_treatment(relaxed(paper::all_domains(2)[1]), Options{8, true});
 }
 
-} // namespace
+} // namespace test_distributed_treatment

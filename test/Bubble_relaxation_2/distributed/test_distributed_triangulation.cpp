@@ -19,7 +19,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace {
+namespace test_distributed_triangulation {
 
 using namespace bubbles;
 
@@ -108,8 +108,6 @@ Options shuffled()
   options.shuffle_numbers = true;
   return options;
 }
-
-} // namespace
 
 TEST(Distributed_triangulation, relaxed_bubbles)
 {
@@ -261,3 +259,5 @@ TEST(Distributed_triangulation, a_bubble_of_a_face_on_an_edge_is_found_on_all_ra
   Ranks ranks;
   EXPECT_THROW(ranks.triangulate(c, numbers_of(c, Options()), Options()), std::runtime_error);
 }
+
+} // namespace test_distributed_triangulation

@@ -1,0 +1,634 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// What is promised of parts that are meshed anew: the same bits whatever the order and the threads, nothing left
+// behind by errors, visitors that are told all, the part that sizes ask for, and quality that does not drift.
+
+#include "adaptation_checks.h"
+#include "counted_memory.h"
+#include "domains.h"
+#include "expect_throw.h"
+#include "validation.h"
+
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/npbs_adapt.h>
+#include <CGAL/npbs_relax.h>
+#include <CGAL/transfer_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace test_adapt_promises {
+
+using adaptation::faces_near;
+using counted_memory::allocations_left;
+using domains::CDT;
+using domains::Outline;
+using domains::Point;
+using Faces = std::vector<CDT::Face_handle>;
+using Plus = CGAL::Constrained_triangulation_plus_2<CDT>;
+
+const Outline slanted{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}};
+const Outline hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
+
+template <class D>
+auto size(const D& d)
+{
+  return CGAL::parameters::sizing_function(d);
+}
+
+template <class Cdt = CDT>
+Cdt mesh(double d = 0.05)
+{
+  Cdt cdt = domains::make<Cdt>({slanted, hole});
+  CGAL::npbs_relax(cdt, size(d));
+  return cdt;
+}
+
+/// every face and vertex of a triangulation with all that it knows, by handles
+template <class Cdt>
+struct Content
+{
+  struct Face
+  {
+    std::vector<typename Cdt::Vertex_handle> vertices;
+    std::vector<typename Cdt::Face_handle> neighbors;
+    std::vector<bool> flags;
+
+    bool operator==(const Face& f) const
+    {
+      return vertices == f.vertices && neighbors == f.neighbors && flags == f.flags;
+    }
+  };
+
+  std::map<typename Cdt::Face_handle, Face> faces;
+  std::map<typename Cdt::Vertex_handle, Point> vertices;
+  std::size_t number_of_vertices, number_of_faces;
+
+  explicit Content(const Cdt& cdt)
+    : number_of_vertices(cdt.number_of_vertices()), number_of_faces(cdt.number_of_faces())
+  {
+    for (auto f : cdt.all_face_handles()) {
+      Face& c = faces[f];
+      for (int i = 0; i < 3; ++i) {
+        c.vertices.push_back(f->vertex(i));
+        c.neighbors.push_back(f->neighbor(i));
+        c.flags.push_back(f->is_constrained(i));
+      }
+      c.flags.push_back(f->is_in_domain());
+    }
+    for (auto v : cdt.finite_vertex_handles())
+      vertices[v] = v->point();
+  }
+
+  bool operator==(const Content& c) const
+  {
+    return faces == c.faces && vertices == c.vertices && number_of_vertices == c.number_of_vertices &&
+           number_of_faces == c.number_of_faces;
+  }
+};
+
+struct Stop : std::exception {};
+
+/// throws in one of its functions, and remembers that it came so far
+struct Throwing_visitor : CGAL::Default_adaptation_visitor_2<CDT>
+{
+  int where = 0;
+
+  void before_change(const Faces&, const Vertices&) { stop_at(1); }
+  void while_both_exist(const Faces&, const Vertices&, const Faces&, const Vertices&) { stop_at(2); }
+  void after_change(const Faces&, const Vertices&) { stop_at(3); }
+
+private:
+  void stop_at(int place) const
+  {
+    if (where == place)
+      throw Stop();
+  }
+};
+
+TEST(Adapt_determinism, bits_do_not_depend_on_the_order_of_faces)
+{
+  std::vector<std::vector<validation::Triangle>> results;
+  std::mt19937 random(5);
+  for (int turn = 0; turn < 4; ++turn) {
+    CDT cdt = mesh();
+    Faces part = faces_near(cdt, 0.5, 0.2, 0.3);
+    std::shuffle(part.begin(), part.end(), random);
+    if (turn == 3)
+      part.insert(part.end(), part.begin(), part.begin() + 7); // twice
+    CGAL::npbs_remesh_faces(cdt, part, size(0.03));
+    results.push_back(validation::triangles(cdt));
+  }
+  EXPECT_TRUE(results[0] == results[1]);
+  EXPECT_TRUE(results[0] == results[2]);
+  EXPECT_TRUE(results[0] == results[3]);
+  EXPECT_FALSE(results[0] == validation::triangles(mesh()));
+}
+
+TEST(Adapt_determinism, hierarchies_do_not_change_the_mesh)
+{
+  CDT plain = mesh();
+  Plus plus = mesh<Plus>();
+  for (double d : {0.03, 0.08}) {
+    CGAL::npbs_remesh_faces(plain, faces_near(plain, 1, 0.1, 0.4), size(d));
+    CGAL::npbs_remesh_faces(plus, faces_near(plus, 1, 0.1, 0.4), size(d));
+    EXPECT_TRUE(validation::triangles(plain) == validation::triangles(plus));
+  }
+}
+
+/// constraints keep their identifiers and consist of edges of the triangulation
+TEST(Adapt_hierarchy, constraints_keep_their_identifiers)
+{
+  Plus cdt;
+  std::vector<Plus::Constraint_id> ids;
+  for (const Outline& outline : {slanted, hole})
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const auto &p = outline[k], &q = outline[(k + 1) % outline.size()];
+      ids.push_back(cdt.insert_constraint(Point(p.first, p.second), Point(q.first, q.second)));
+    }
+  CGAL::npbs_relax(cdt, size(0.05));
+  std::size_t last = 0;
+  for (double d : {0.02, 0.1, 0.04}) {
+    CGAL::npbs_remesh_faces(cdt, faces_near(cdt, 1.1, 0.9, 0.4), size(d));
+    CGAL::npbs_remesh_faces(cdt, faces_near(cdt, 0.5, 0.4, 0.25), size(d));
+    ASSERT_EQ(cdt.number_of_constraints(), ids.size());
+    std::size_t vertices = 0, edges = 0;
+    for (const Plus::Constraint_id& id : ids) {
+      auto before = cdt.vertices_in_constraint_begin(id), v = before;
+      for (++v; v != cdt.vertices_in_constraint_end(id); ++v, ++before) {
+        Plus::Face_handle f;
+        int i = 0;
+        ASSERT_TRUE(cdt.is_edge(*before, *v, f, i));
+        EXPECT_TRUE(f->is_constrained(i));
+        ++edges;
+      }
+      vertices += static_cast<std::size_t>(
+        std::distance(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id)));
+    }
+    EXPECT_EQ(edges, validation::snapshot(cdt).constraints.size());
+    EXPECT_EQ(vertices, edges + ids.size()); // no points of vertices that are gone
+    EXPECT_NE(edges, last);
+    last = edges;
+  }
+}
+
+TEST(Adapt_errors, nothing_is_left_behind_by_what_users_throw)
+{
+  CDT cdt = mesh();
+  const Faces part = faces_near(cdt, 0.5, 0.1, 0.3);
+  const Content<CDT> before(cdt);
+  std::size_t calls = 0;
+  const auto throwing_d = [&calls](const Point&) {
+    if (++calls == 2000)
+      throw Stop();
+    return 0.03;
+  };
+  EXPECT_THROW(CGAL::npbs_remesh_faces(cdt, part, size(std::cref(throwing_d))), Stop);
+  EXPECT_TRUE(Content<CDT>(cdt) == before);
+  const std::function<bool(double)> callback = [](double progress) { return progress == 1 ? throw Stop() : true; };
+  EXPECT_THROW(CGAL::npbs_remesh_faces(cdt, part, size(0.03).callback(callback)), Stop);
+  EXPECT_TRUE(Content<CDT>(cdt) == before);
+  Throwing_visitor visitor;
+  for (visitor.where = 1; visitor.where <= 2; ++visitor.where) {
+    EXPECT_THROW(CGAL::npbs_remesh_faces(cdt, part, size(0.03).visitor(visitor)), Stop);
+    EXPECT_TRUE(Content<CDT>(cdt) == before);
+  }
+  EXPECT_TRUE(cdt.is_valid());
+  // the last one comes when all is done
+  EXPECT_THROW(CGAL::npbs_remesh_faces(cdt, part, size(0.03).visitor(visitor)), Stop);
+  EXPECT_FALSE(Content<CDT>(cdt) == before);
+  validation::expect_valid_mesh(cdt);
+}
+
+TEST(Adapt_errors, nothing_is_left_behind_where_memory_ends)
+{
+  CDT cdt = mesh(0.1);
+  const Faces part = faces_near(cdt, 0.4, 0.1, 0.25);
+  const Content<CDT> before(cdt);
+  std::size_t failures = 0;
+  for (long n = 0;; n += 1 + n / 60) {
+    bool has_failed = false;
+    allocations_left = n;
+    try {
+      CGAL::npbs_remesh_faces(cdt, part, size(0.07));
+    } catch (const std::bad_alloc&) {
+      has_failed = true;
+    }
+    allocations_left = -1;
+    if (!has_failed)
+      break;
+    ++failures;
+    ASSERT_TRUE(Content<CDT>(cdt) == before) << n;
+  }
+  EXPECT_GT(failures, 100u);
+  EXPECT_FALSE(Content<CDT>(cdt) == before);
+  validation::expect_valid_mesh(cdt);
+}
+
+TEST(Adapt_errors, bad_input_is_told_before_any_change)
+{
+  CDT cdt = mesh();
+  const CDT other = mesh();
+  const Content<CDT> before(cdt);
+  const Faces part = faces_near(cdt, 0.5, 0.2, 0.2);
+  const auto remesh = [&](const Faces& faces) {
+    return [&cdt, faces] { CGAL::npbs_remesh_faces(cdt, faces, size(0.03)); };
+  };
+  expect_invalid(remesh({}), {"faces", "empty"});
+  expect_invalid(remesh({part[0], CDT::Face_handle()}), {"faces", "empty handle"});
+  expect_invalid(remesh({part[0], cdt.infinite_face()}), {"faces", "infinite"});
+  expect_invalid(remesh(faces_near(other, 0.5, 0.2, 0.2)), {"faces", "none of this triangulation"});
+  expect_invalid(remesh({part[0], faces_near(other, 0.5, 0.2, 0.2)[0]}), {"faces", "none of this triangulation"});
+  expect_invalid(remesh({part[0], cdt.locate(Point(0.52, 0.5))}), {"faces", "not marked", "(0."});
+  expect_invalid([&] { CGAL::npbs_remesh_faces(cdt, part, size(-1.)); }, {"sizing_function", "-1"});
+  expect_invalid([&] { CGAL::npbs_remesh_faces(cdt, part, size(0.1).time_step(-2.)); }, {"time_step", "-2"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).longest_edge(0.5)); }, {"longest_edge", "0.5", "greater"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).shortest_edge(1.5)); }, {"shortest_edge", "1.5", "less than 1"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).misfit_angle(60.)); }, {"misfit_angle", "60", "33"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).misfit_quality(1.)); }, {"misfit_quality", "1", "0.9"});
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1).number_of_rings(-1)); }, {"number_of_rings", "-1"});
+  expect_throw<std::length_error>(
+    [&] { CGAL::npbs_remesh_faces(cdt, faces_near(cdt, 0, 0, 9), size(1e-6).maximum_number_of_bubbles(1000)); },
+    {"maximum_number_of_bubbles", "1000"});
+  CDT line;
+  line.insert(Point(0, 0));
+  line.insert(Point(1, 0));
+  expect_invalid([&] { CGAL::npbs_remesh_faces(line, part, size(0.1)); }, {"faces", "dimension is 1"});
+  EXPECT_TRUE(Content<CDT>(cdt) == before);
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    f->set_in_domain(false);
+  expect_invalid([&] { CGAL::npbs_adapt(cdt, size(0.1)); }, {"no face", "marked", "npbs_relax"});
+}
+
+/// counts what it is told, and checks what exists when
+struct Accountant : CGAL::Default_adaptation_visitor_2<CDT>
+{
+  const CDT& cdt;
+  int calls = 0;
+  Faces old_faces, new_faces;
+  Vertices removed, added;
+
+  explicit Accountant(const CDT& t) : cdt(t) {}
+
+  void before_change(const Faces& faces, const Vertices& vertices)
+  {
+    EXPECT_EQ(calls++, 0);
+    old_faces = faces;
+    removed = vertices;
+    EXPECT_TRUE(cdt.is_valid());
+  }
+
+  void while_both_exist(const Faces& faces, const Vertices& vertices, const Faces& now, const Vertices& created)
+  {
+    EXPECT_EQ(calls++, 1);
+    EXPECT_TRUE(faces == old_faces && vertices == removed);
+    new_faces = now;
+    added = created;
+    EXPECT_NEAR(area(old_faces), area(new_faces), 1e-13);
+  }
+
+  void after_change(const Faces& now, const Vertices& created)
+  {
+    EXPECT_EQ(calls++, 2);
+    EXPECT_TRUE(now == new_faces && created == added);
+    EXPECT_TRUE(cdt.is_valid());
+  }
+
+  static double area(const Faces& faces)
+  {
+    double sum = 0;
+    for (CDT::Face_handle f : faces)
+      sum += CGAL::area(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    return sum;
+  }
+};
+
+TEST(Adapt_visitor, is_told_all)
+{
+  for (double radius : {0.2, 9.}) {
+    CDT cdt = mesh();
+    const Content<CDT> before(cdt);
+    const Faces part = faces_near(cdt, 0.5, 0.1, radius);
+    Accountant account(cdt);
+    CGAL::npbs_remesh_faces(cdt, part, size(0.03).visitor(std::ref(account)));
+    EXPECT_EQ(account.calls, 3);
+    EXPECT_TRUE(account.old_faces == part);
+    const Content<CDT> after(cdt);
+    std::size_t in_domain_before = 0, in_domain_after = 0;
+    for (const auto& [f, c] : before.faces)
+      in_domain_before += c.flags.back();
+    for (const auto& [f, c] : after.faces)
+      in_domain_after += c.flags.back();
+    EXPECT_EQ(in_domain_after + part.size(), in_domain_before + account.new_faces.size());
+    EXPECT_EQ(after.vertices.size() + account.removed.size(), before.vertices.size() + account.added.size());
+    EXPECT_GT(account.removed.size(), 0u);
+    for (CDT::Vertex_handle v : account.added)
+      EXPECT_EQ(after.vertices.count(v), 1u);
+    for (CDT::Face_handle f : account.new_faces) {
+      ASSERT_EQ(after.faces.count(f), 1u);
+      EXPECT_TRUE(after.faces.at(f).flags.back());
+    }
+    // what is neither removed nor new has kept its place
+    const std::set<CDT::Vertex_handle> removed(account.removed.begin(), account.removed.end());
+    for (const auto& [v, p] : before.vertices)
+      if (removed.count(v) == 0) {
+        ASSERT_EQ(after.vertices.count(v), 1u);
+        EXPECT_EQ(after.vertices.at(v), p);
+      }
+  }
+}
+
+/// a vertex that comes out where it was is the same one
+TEST(Adapt_visitor, vertices_at_their_old_places_keep_their_handles)
+{
+  CDT cdt = mesh();
+  const Faces part = faces_near(cdt, 0.25, 0.3, 0.15);
+  const Content<CDT> before(cdt);
+  Accountant account(cdt);
+  const auto np = size(0.05).initial_placement(CGAL::Bubble_placement::KEEP).number_of_rounds(0);
+  CGAL::npbs_remesh_faces(cdt, part, np.visitor(std::ref(account)));
+  EXPECT_EQ(account.calls, 3);
+  EXPECT_TRUE(account.removed.empty());
+  EXPECT_TRUE(account.added.empty());
+  EXPECT_TRUE(Content<CDT>(cdt).vertices == before.vertices);
+}
+
+/// values in faces go from the old ones to the new ones while both exist
+TEST(Adapt_visitor, can_transfer_values)
+{
+  struct Transfer : CGAL::Default_adaptation_visitor_2<CDT>
+  {
+    const CDT* cdt = nullptr;
+    std::map<CDT::Face_handle, double>* values = nullptr;
+
+    void while_both_exist(const Faces& old_faces, const Vertices&, const Faces& new_faces, const Vertices&) const
+    {
+      std::map<CDT::Face_handle, double> result;
+      CGAL::transfer_face_values_2(*cdt, boost::make_assoc_property_map(*values), *cdt,
+                                   boost::make_assoc_property_map(result),
+                                   CGAL::parameters::source_faces(old_faces).target_faces(new_faces));
+      for (CDT::Face_handle f : old_faces)
+        values->erase(f);
+      values->insert(result.begin(), result.end());
+    }
+  };
+  CDT cdt = mesh();
+  std::map<CDT::Face_handle, double> values;
+  const auto integral = [&] {
+    double sum = 0;
+    for (const auto& [f, value] : values)
+      sum += value * CGAL::to_double(cdt.triangle(f).area());
+    return sum;
+  };
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    if (f->is_in_domain())
+      values[f] = 1 + f->vertex(0)->point().x();
+  const double before = integral();
+  Transfer transfer;
+  transfer.cdt = &cdt;
+  transfer.values = &values;
+  for (double d : {0.02, 0.06})
+    CGAL::npbs_remesh_faces(cdt, faces_near(cdt, 0.5, 0.2, 0.2), size(d).visitor(transfer));
+  EXPECT_NEAR(integral(), before, 1e-12);
+  std::size_t faces = 0;
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    faces += f->is_in_domain() && values.count(f) == 1;
+  EXPECT_EQ(faces, values.size());
+}
+
+/// a size that is small in some places
+struct Places
+{
+  double d = 0.02;
+  std::vector<std::array<double, 3>> smaller; // x, y, factor
+
+  double operator()(const Point& p) const
+  {
+    double result = d;
+    for (const auto& [x, y, factor] : smaller)
+      result = (std::min)(result, factor * d + 0.2 * std::hypot(p.x() - x, p.y() - y));
+    return result;
+  }
+};
+
+template <class D>
+CGAL::Mesh_quality_2<double> quality(const CDT& cdt, const D& d)
+{
+  return CGAL::mesh_quality_2(cdt, size(d));
+}
+
+template <class D>
+CDT at_once(const D& d)
+{
+  CDT cdt = domains::make({slanted, hole});
+  CGAL::npbs_relax(cdt, size(d));
+  return cdt;
+}
+
+TEST(Misfits, are_none_where_sizes_did_not_change)
+{
+  const auto wave = [](const Point& p) { return 0.03 * (1 + 0.5 * std::sin(9 * p.x()) * std::sin(7 * p.y())); };
+  const auto ramp = [](const Point& p) { return 0.01 + 0.1 * p.x(); };
+  const auto expect_none = [](const auto& d) {
+    CDT cdt = at_once(d);
+    const Content<CDT> before(cdt);
+    EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(d)).empty());
+    const auto report = CGAL::npbs_adapt(cdt, size(d));
+    EXPECT_EQ(report.number_of_triangles, 0u);
+    EXPECT_TRUE(report.converged);
+    EXPECT_TRUE(Content<CDT>(cdt) == before);
+  };
+  expect_none(wave);
+  expect_none(ramp);
+  expect_none(0.02);
+  expect_none(0.11); // more than the hole's edges allow
+}
+
+/// fine outlines and sharp corners ask for small triangles, which are no misfits
+TEST(Misfits, outlines_are_known)
+{
+  const Outline fine = domains::polygon(0, 0, 1, 150), sharp{{0, 0}, {1, 0}, {1, 0.1}}, far{{3, 0}, {4, 0}, {4, 0.2}};
+  for (const std::vector<Outline>& outlines : {std::vector<Outline>{fine}, {sharp}, {sharp, far}}) {
+    CDT cdt = domains::make(outlines);
+    CGAL::npbs_relax(cdt, size(0.1));
+    EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(0.1)).empty());
+    EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, size(0.1).limit_by_outline(false)).empty());
+    EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, size(0.02)).empty());
+  }
+}
+
+/// No mesh follows a jump, so what a relaxation makes of it fits: it is not meshed again and again, but when it moves.
+TEST(Misfits, are_none_where_sizes_jump)
+{
+  for (double factor : {1.5, 2., 3.})
+    for (bool is_disc : {true, false}) {
+      SCOPED_TRACE(testing::Message() << "a jump by " << factor << (is_disc ? " around a disc" : " across a line"));
+      double reach = 0.25;
+      const auto d = [&](const Point& p) {
+        const double x = p.x() - 0.45, y = p.y() - 0.5;
+        return (is_disc ? std::hypot(x, y) : x + 0.3 * y + 0.2) < reach ? 0.06 / factor : 0.06;
+      };
+      CDT cdt = domains::make({domains::square(0, 0, 1)});
+      CGAL::npbs_relax(cdt, size(std::cref(d)));
+      EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(std::cref(d))).empty());
+      std::size_t changed = 0, again = 0;
+      for (int move = 0; move < 4; ++move) {
+        reach += 0.04;
+        changed += CGAL::npbs_adapt(cdt, size(std::cref(d))).number_of_triangles > 0;
+        const Content<CDT> before(cdt);
+        again += CGAL::npbs_adapt(cdt, size(std::cref(d))).number_of_triangles > 0;
+        EXPECT_EQ(Content<CDT>(cdt) == before, again == 0);
+      }
+      EXPECT_GE(changed, factor < 2 ? 1u : 2u);
+      EXPECT_EQ(again, 0u);
+      const auto now = quality(cdt, std::cref(d)), once = [&] {
+        CDT other = domains::make({domains::square(0, 0, 1)});
+        return CGAL::npbs_relax(other, size(std::cref(d))).quality;
+      }();
+      EXPECT_NEAR(double(now.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.06);
+      EXPECT_GE(now.minimum_quality(), 0.8);
+    }
+}
+
+TEST(Misfits, are_where_sizes_changed)
+{
+  const CDT cdt = mesh(0.02);
+  Places d;
+  d.smaller.push_back({0.2, 0.3, 0.3});
+  std::size_t last = 0;
+  for (int rings : {0, 1, 4}) {
+    const auto found = CGAL::npbs_misfit_faces(cdt, size(d).number_of_rings(rings));
+    EXPECT_GT(found.size(), last);
+    last = found.size();
+    for (CDT::Face_handle f : found) {
+      const Point& p = f->vertex(0)->point();
+      EXPECT_LT(std::hypot(p.x() - 0.2, p.y() - 0.3), 0.07 + 0.03 * (rings + 1));
+    }
+  }
+  EXPECT_LT(last, 500u);
+}
+
+TEST(Misfits, small_angles_count)
+{
+  CDT cdt = mesh(0.05);
+  CDT::Vertex_handle v = cdt.locate(Point(0.2, 0.3))->vertex(0);
+  const Point p = v->point();
+  cdt.insert(Point(p.x() + 0.002, p.y()))->face();
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    if (!f->is_in_domain() && std::hypot(f->vertex(0)->point().x() - p.x(), f->vertex(0)->point().y() - p.y()) < 0.15)
+      f->set_in_domain(true);
+  const auto loose = size(0.05).shortest_edge(0.01).longest_edge(9.);
+  EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, loose.misfit_angle(0.)).empty());
+  EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, loose.misfit_angle(0.).misfit_quality(0.5)).empty());
+  EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, loose).empty());
+  CGAL::npbs_adapt(cdt, loose);
+  EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, loose).empty());
+  EXPECT_GE(quality(cdt, 0.05).minimum_quality(), 0.85);
+}
+
+/// as good as if the mesh was made at once
+TEST(Adapt_quality, of_places_that_are_refined_and_given_back)
+{
+  Places d;
+  CDT cdt = at_once(d);
+  const auto expect_good = [&](const auto& report) {
+    const auto once = quality(at_once(d), d), now = quality(cdt, d);
+    validation::expect_valid_mesh(cdt);
+    EXPECT_GE(report.quality.mean_quality(), 0.985);
+    EXPECT_NEAR(report.quality.mean_length_ratio(), 1, 0.021);
+    EXPECT_GE(now.minimum_quality(), once.minimum_quality() - 0.001);
+    EXPECT_NEAR(now.mean_quality(), once.mean_quality(), 0.001);
+    EXPECT_NEAR(double(now.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.012);
+  };
+  const std::size_t before = cdt.number_of_vertices();
+  for (const auto& [x, y] : {std::make_pair(0.2, 0.3), std::make_pair(0.5, 0.05), std::make_pair(1.1, 0.9)}) {
+    d.smaller.push_back({x, y, 0.25});
+    expect_good(CGAL::npbs_adapt(cdt, size(d)));
+    EXPECT_GT(cdt.number_of_vertices(), before + 10);
+    d.smaller.clear();
+    expect_good(CGAL::npbs_adapt(cdt, size(d)));
+    EXPECT_LE(cdt.number_of_vertices(), before + 5);
+  }
+}
+
+/// the points of all rims that there were
+struct Rims : CGAL::Default_adaptation_visitor_2<CDT>
+{
+  std::set<Point> points;
+
+  void after_change(const Faces& faces, const Vertices&)
+  {
+    const std::set<CDT::Face_handle> inside(faces.begin(), faces.end());
+    for (CDT::Face_handle f : faces)
+      for (int i = 0; i < 3; ++i)
+        if (f->neighbor(i)->is_in_domain() && inside.count(f->neighbor(i)) == 0)
+          points.insert(f->vertex(CDT::ccw(i))->point());
+  }
+};
+
+/// by how much the mean of q is less in triangles at former rims than elsewhere
+double seam(const CDT& cdt, const std::set<Point>& rims)
+{
+  double sums[] = {0, 0}, numbers[] = {0, 0};
+  for (CDT::Face_handle f : cdt.finite_face_handles()) {
+    if (!f->is_in_domain())
+      continue;
+    const int is_at_rim = rims.count(f->vertex(0)->point()) + rims.count(f->vertex(1)->point()) +
+                            rims.count(f->vertex(2)->point()) > 0;
+    sums[is_at_rim] += CGAL::radius_ratio_2(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    numbers[is_at_rim] += 1;
+  }
+  EXPECT_GT(numbers[1], 500);
+  return sums[0] / numbers[0] - sums[1] / numbers[1];
+}
+
+/// The vertices of former rims are like others: where parts are meshed again and again no seam is left. Means of three
+/// meshes, since the smallest q of one is a matter of luck, at once or not.
+TEST(Adapt_quality, does_not_drift)
+{
+  double mean_quality = 0, mean_length = 0, smallest = 0, difference = 0; // at once, less what it is after changes
+  constexpr int number_of_meshes = 3;
+  for (int mesh = 1; mesh <= number_of_meshes; ++mesh) {
+    std::mt19937 random(static_cast<unsigned>(mesh));
+    const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    Places d;
+    CDT cdt = at_once(d);
+    Rims rims;
+    for (int k = 0; k < 60; ++k) {
+      if (d.smaller.size() == 5)
+        d.smaller.erase(d.smaller.begin());
+      const double x = uniform(0, 1.1), y = uniform(0, 1);
+      d.smaller.push_back({x, y, uniform(0.2, 0.6)});
+      CGAL::npbs_adapt(cdt, size(d).visitor(std::ref(rims)));
+    }
+    validation::expect_valid_mesh(cdt);
+    const auto after = quality(cdt, d), once = quality(at_once(d), d);
+    mean_quality += (once.mean_quality() - after.mean_quality()) / number_of_meshes;
+    mean_length += (once.mean_length_ratio() - after.mean_length_ratio()) / number_of_meshes;
+    smallest += (once.minimum_quality() - after.minimum_quality()) / number_of_meshes;
+    difference += seam(cdt, rims.points) / number_of_meshes;
+    EXPECT_GE(after.minimum_quality(), 0.88);
+  }
+  // measured: .0011, .0087, .0042, -.0032
+  EXPECT_LE(mean_quality, 0.002);
+  EXPECT_NEAR(mean_length, 0, 0.01);
+  EXPECT_LE(smallest, 0.008);
+  EXPECT_LE(difference, 0.);
+}
+
+} // namespace test_adapt_promises

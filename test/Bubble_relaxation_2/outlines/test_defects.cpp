@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// The treatment of the last defects, and sizes that follow the outline where it is finer than d.
+
+#include "distributed/bubbles.h"
+#include "domains.h"
+#include "random_seeds.h"
+#include "relax_and_validate.h"
+#include "validation.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
+#include <CGAL/npbs_place_nodes.h>
+#include <CGAL/npbs_relax.h>
+
+#include <random>
+
+namespace test_defects {
+
+namespace P = CGAL::parameters;
+namespace internal = CGAL::Bubble_relaxation_2::internal;
+using internal::Index;
+using paper::CDT;
+using paper::Domain;
+using paper::Point;
+
+double angle(const Point& p, const Point& q, const Point& r)
+{
+  const double ux = p.x() - q.x(), uy = p.y() - q.y(), vx = r.x() - q.x(), vy = r.y() - q.y();
+  return std::abs(std::atan2(ux * vy - uy * vx, ux * vx + uy * vy)) * 180 / paper::pi;
+}
+
+/// the corners of outlines with an angle of less than 60 degrees, on either side
+std::set<Point> sharp_corners(const Domain& domain)
+{
+  std::set<Point> result;
+  for (const paper::Outline& o : domain.outlines)
+    for (std::size_t i = 0; i < o.size(); ++i) {
+      const Point& p = o[(i + o.size() - 1) % o.size()];
+      if (angle(p, o[i], o[(i + 1) % o.size()]) < 60)
+        result.insert(o[i]);
+    }
+  return result;
+}
+
+/// the smallest angle of triangles that are neither at a sharp corner nor beside one that is
+double smallest_angle_away_from(const std::set<Point>& corners, const CDT& cdt)
+{
+  std::set<CDT::Vertex_handle> near;
+  for (CDT::Vertex_handle v : cdt.finite_vertex_handles())
+    if (corners.count(v->point()) != 0) {
+      near.insert(v);
+      auto w = cdt.incident_vertices(v), start = w;
+      do
+        near.insert(w);
+      while (++w != start);
+    }
+  double smallest = 180;
+  for (CDT::Face_handle f : cdt.finite_face_handles()) {
+    if (!f->is_in_domain())
+      continue;
+    const auto a = f->vertex(0), b = f->vertex(1), c = f->vertex(2);
+    if (near.count(a) + near.count(b) + near.count(c) == 0)
+      smallest = (std::min)({smallest, angle(a->point(), b->point(), c->point()),
+                             angle(b->point(), c->point(), a->point()),
+                             angle(c->point(), a->point(), b->point())});
+  }
+  return smallest;
+}
+
+paper::Outline points(const domains::Outline& outline)
+{
+  paper::Outline result;
+  for (const auto& p : outline)
+    result.push_back(Point(p.first, p.second));
+  return result;
+}
+
+Domain uniform(const paper::Outline& outline, double d)
+{
+  return {0, "uniform", {outline}, [d](const Point&) { return d; }, 0, 0};
+}
+
+/// a vertex of the triangle that contains a point
+CDT::Vertex_handle inner_vertex(const CDT& cdt, const Point& p) { return cdt.locate(p)->vertex(0); }
+
+const domains::Outline l_shape{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}};
+
+/// the smallest q of each domain at these scales is hardly better
+constexpr double least_quality[] = {0.893, 0.882, 0.89, 0.85, 0.9, 0.92, 0.915, 0.883, 0.925};
+
+class Treated_domain : public testing::TestWithParam<int>
+{};
+
+TEST_P(Treated_domain, has_no_bad_triangles)
+{
+  // at several scales: what is good at one may be luck
+  for (double f : {1., 0.8, 0.6}) {
+    const Domain domain = paper::all_domains(f)[GetParam()];
+    SCOPED_TRACE(domain.name);
+    CDT treated, untreated;
+    const auto with = relax_and_validate(domain, treated, P::mass(1.));
+    const auto without = relax_and_validate(domain, untreated, P::defect_treatment(false));
+    EXPECT_GE(with.quality.minimum_quality(), least_quality[GetParam()]);
+    EXPECT_GE(with.quality.minimum_angle(), 40);
+    EXPECT_GE(with.quality.minimum_quality(), without.quality.minimum_quality());
+    EXPECT_GE(with.quality.mean_quality(), without.quality.mean_quality());
+    EXPECT_EQ(with.number_of_treated_vertices > 0, without.quality.minimum_quality() < 0.95);
+    EXPECT_EQ(without.number_of_treated_vertices, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Treated_domain, testing::Range(0, 9));
+
+TEST(Defects, restored_delaunay_property_is_that_of_the_points)
+{
+  const Domain domain = paper::square_with_hole(0.5);
+  const CDT cdt = paper::triangulate(domain);
+  const auto nodes = CGAL::npbs_place_nodes(cdt, P::sizing_function(domain.d));
+  std::vector<internal::Point> points(nodes.points.begin(), nodes.points.end());
+  internal::Bubble_mesh_2 mesh;
+  internal::Marked_triangles_2 expected;
+  const std::vector<internal::Domain_edge_2> no_edges;
+  ASSERT_EQ(internal::mark_triangulation(points, no_edges, mesh.triangles), internal::Marking_error::NONE);
+  mesh.triangles.inside.assign(mesh.triangles.inside.size(), 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    mesh.bubbles.add(points[i], nodes.sizes[i], internal::Bubbles_2::FACE, 0);
+  internal::Editable_triangulation_2 editable(mesh);
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> shift(-0.25, 0.25); // of d; triangles stay counterclockwise
+  std::vector<Index> moved;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (nodes.dimensions[i] == 2) {
+      const double d = nodes.sizes[i];
+      points[i] = internal::Point(points[i].x() + d * shift(random), points[i].y() + d * shift(random));
+      mesh.bubbles.x[i] = points[i].x();
+      mesh.bubbles.y[i] = points[i].y();
+      moved.push_back(static_cast<Index>(i));
+    }
+  EXPECT_GT(editable.restore_delaunay(moved), 0u);
+  ASSERT_EQ(internal::mark_triangulation(points, no_edges, expected), internal::Marking_error::NONE);
+  const auto triangles = [](const internal::Marked_triangles_2& m) {
+    std::set<std::array<Index, 3>> result;
+    for (auto t : m.vertices) {
+      std::sort(t.begin(), t.end());
+      result.insert(t);
+    }
+    return result;
+  };
+  EXPECT_EQ(triangles(mesh.triangles), triangles(expected));
+}
+
+TEST(Defects, surgery_removes_and_inserts)
+{
+  // a vertex too many, and one that is missing, which moving alone cannot mend
+  for (bool is_missing : {false, true}) {
+    const Domain domain = uniform(points(domains::square(0, 0, 1)), 0.1);
+    CDT cdt;
+    relax_and_validate(domain, cdt, P::mass(1.));
+    const CDT::Vertex_handle victim = inner_vertex(cdt, Point(0.5, 0.5));
+    if (is_missing)
+      cdt.remove(victim);
+    else
+      cdt.insert(CGAL::centroid(cdt.triangle(victim->face())));
+    for (CDT::Face_handle f : cdt.all_face_handles())
+      f->set_in_domain(false); // the new ones are not marked; then all are by nesting
+    const std::size_t n = cdt.number_of_vertices();
+    const auto report =
+      CGAL::npbs_relax(cdt, P::sizing_function(domain.d).initial_placement(CGAL::Bubble_placement::KEEP)
+                              .number_of_rounds(1).number_of_iterations(1).time_step(1e-3));
+    EXPECT_EQ(report.number_of_vertices,
+              n + report.number_of_insertions - report.number_of_deletions);
+    EXPECT_GE(report.quality.minimum_quality(), 0.92);
+    validation::expect_valid_mesh(cdt);
+  }
+}
+
+TEST(Defects, a_given_mesh_is_never_made_worse)
+{
+  for (int seed = 0; seed < 10; ++seed) {
+    const Domain domain = paper::all_domains(1)[seed % 8];
+    CDT cdt;
+    relax_and_validate(domain, cdt, P::mass(1.));
+    std::mt19937 random(random_seeds::seed(static_cast<unsigned>(seed)));
+    std::uniform_real_distribution<double> parameter(0, 1);
+    const auto before = CGAL::mesh_quality_2(cdt);
+    // steps that throw the bubbles about
+    const auto report = CGAL::npbs_relax(
+      cdt, P::sizing_function(domain.d).initial_placement(CGAL::Bubble_placement::KEEP)
+             .population_control(CGAL::Bubble_population::NONE)
+             .time_step(0.5 + parameter(random)).damping(0.1 * parameter(random)).number_of_rounds(1));
+    EXPECT_GE(report.quality.minimum_quality(), before.minimum_quality()) << domain.name;
+    validation::expect_valid_mesh(cdt);
+  }
+}
+
+// the mesh that was given has the larger smallest q, and as many vertices but for a few: it must not be the result
+TEST(Defects, a_given_mesh_is_never_kept_where_d_asks_for_another)
+{
+  for (const domains::Outline& outline : {domains::square(0, 0, 1), l_shape})
+    for (double d0 : {0.03, 0.015}) {
+      SCOPED_TRACE(d0);
+      const auto distance = [](const Point& p) { return std::hypot(p.x() - 0.31, p.y() - 0.27); };
+      const std::vector<std::function<double(const Point&)>> changed{
+        [=](const Point& p) { return (std::min)(d0, d0 / 8 + 0.3 * distance(p)); },
+        [=](const Point& p) { return distance(p) < 0.05 ? d0 / 2 : d0; },
+        [=](const Point& p) { return distance(p) < 0.08 ? 2 * d0 : d0; }};
+      CDT before = domains::make({outline});
+      CGAL::npbs_relax(before, P::sizing_function(d0));
+      for (const auto& d : changed) {
+        CDT cdt = before;
+        CGAL::npbs_relax(cdt, P::sizing_function(d).initial_placement(CGAL::Bubble_placement::KEEP));
+        double sum = 0;
+        int number = 0;
+        for (const auto& e : cdt.finite_edges()) {
+          const auto s = cdt.segment(e);
+          const Point m = CGAL::midpoint(s.source(), s.target());
+          if (distance(m) > 0.04)
+            continue;
+          sum += std::sqrt(s.squared_length()) / d(m);
+          ++number;
+        }
+        EXPECT_NEAR(sum / number, 1, 0.2);
+      }
+    }
+}
+
+TEST(Defects, angles_away_from_sharp_corners_of_random_domains)
+{
+  const unsigned first = random_seeds::seed();
+  for (unsigned seed = first; seed < first + 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> u(0, 1);
+    Domain domain;
+    for (const domains::Outline& o : domains::random_star(seed))
+      domain.outlines.push_back(points(o));
+    const double d0 = std::exp(std::log(0.02) + u(random) * std::log(15.)), g = 0.28 * u(random);
+    const double x = 2 * u(random) - 1, y = 2 * u(random) - 1;
+    domain.d = [=](const Point& p) { return d0 + g * std::hypot(p.x() - x, p.y() - y); };
+    CDT cdt;
+    relax_and_validate(domain, cdt, P::mass(1.));
+    EXPECT_GE(smallest_angle_away_from(sharp_corners(domain), cdt), 33); // 33.4 is the least of 400
+  }
+}
+
+TEST(Outline_limit, grades_from_a_short_piece)
+{
+  const Domain domain = uniform({{0, 0}, {0.5, 0}, {0.503, 0.001}, {1, 0}, {1, 1}, {0, 1}}, 0.1);
+  CDT limited, not_limited;
+  const auto with = relax_and_validate(domain, limited, P::mass(1.));
+  const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
+  EXPECT_LT(without.quality.minimum_angle(), 2);
+  EXPECT_GE(with.quality.minimum_angle(), 41);
+  EXPECT_NEAR(double(with.number_of_vertices), 329, 5);
+}
+
+TEST(Outline_limit, makes_a_narrow_channel_finer)
+{
+  const Domain domain =
+    uniform({{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0.53}, {1, 0.53}, {1, 1}, {0, 1}},
+            0.1);
+  CDT limited, not_limited;
+  const auto with = relax_and_validate(domain, limited, P::mass(1.));
+  const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false).defect_treatment(false));
+  EXPECT_LT(without.quality.minimum_angle(), 16);
+  EXPECT_GE(with.quality.minimum_angle(), 39);
+}
+
+TEST(Outline_limit, leaves_an_outline_alone_that_fits)
+{
+  for (const Domain& domain : paper::all_domains(1)) {
+    CDT limited, not_limited;
+    const auto with = relax_and_validate(domain, limited, P::mass(1.));
+    const auto without = relax_and_validate(domain, not_limited, P::limit_by_outline(false));
+    EXPECT_EQ(with.quality.mean_quality(), without.quality.mean_quality()) << domain.name;
+  }
+}
+
+TEST(Outline_limit, sizes_of_nodes_are_those_that_were_followed)
+{
+  const Domain domain = uniform({{0, 0}, {0.5, 0}, {0.503, 0.001}, {1, 0}, {1, 1}, {0, 1}}, 0.1);
+  const auto nodes =
+    CGAL::npbs_place_nodes(paper::triangulate(domain), P::sizing_function(domain.d));
+  double least = 1, largest = 0;
+  for (double d : nodes.sizes) {
+    least = (std::min)(least, d);
+    largest = (std::max)(largest, d);
+  }
+  EXPECT_LT(least, 0.004);
+  EXPECT_EQ(largest, 0.1);
+}
+
+} // namespace test_defects

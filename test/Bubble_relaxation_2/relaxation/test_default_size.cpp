@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// Without a sizing function an outline that has no mesh yet is meshed as its constraints are long and its
+// regions are wide.
+
+#include "domains.h"
+#include "random_seeds.h"
+#include "validation.h"
+
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
+#include <CGAL/npbs_relax.h>
+
+namespace test_default_size {
+
+using CGAL::Bubble_relaxation_2::internal::Outline_field_2;
+using CGAL::Bubble_relaxation_2::internal::Size_source_2;
+using domains::Outline;
+
+const Outline l_shape{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+
+/// the area that is given lies within the outlines
+auto relax(domains::CDT& cdt, double area)
+{
+  const validation::Snapshot before = validation::snapshot(cdt);
+  const auto report = CGAL::npbs_relax(cdt);
+  validation::expect_valid_mesh(cdt);
+  validation::expect_vertices_kept(before.vertices, validation::snapshot(cdt));
+  validation::expect_constraints_kept(before, validation::snapshot(cdt));
+  validation::expect_report_adds_up(cdt, report);
+  EXPECT_NEAR(validation::domain_area(cdt), area, 1e-12);
+  return report;
+}
+
+auto relax(const std::vector<Outline>& outlines, double area)
+{
+  domains::CDT cdt = domains::make(outlines);
+  return relax(cdt, area);
+}
+
+/// the lengths of the edges of the mesh that have an end within `reach` of a point
+std::vector<double> lengths_around(const domains::CDT& cdt, const domains::Point& p, double reach)
+{
+  std::vector<double> result;
+  for (const auto& e : cdt.finite_edges()) {
+    const auto s = cdt.segment(e);
+    if ((e.first->is_in_domain() || e.first->neighbor(e.second)->is_in_domain()) &&
+        (std::min)(CGAL::squared_distance(p, s.source()), CGAL::squared_distance(p, s.target())) <= reach * reach)
+      result.push_back(std::sqrt(s.squared_length()));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Outline_field, is_the_least_over_all_sources)
+{
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const CGAL::Bbox_2 box(-1, -1, 1, 1);
+  std::vector<Size_source_2> sources;
+  for (int i = 0; i < 1000; ++i)
+    sources.push_back({{coordinate(random), coordinate(random)}, 0.01 + 0.01 * coordinate(random)});
+  const Outline_field_2 field(sources, box, 0.2);
+  std::shuffle(sources.begin(), sources.end(), random);
+  const Outline_field_2 shuffled(sources, box, 0.2);
+  for (int i = 0; i < 1000; ++i) {
+    const domains::Point p(coordinate(random), coordinate(random));
+    double least = 1e300;
+    for (const Size_source_2& s : sources)
+      least = (std::min)(least, s.d + 0.2 *
+                                        std::sqrt(CGAL::squared_distance(p, s.point)));
+    EXPECT_NEAR(field(p), least, 0.01 * least);
+    EXPECT_EQ(field(p), shuffled(p));
+  }
+}
+
+TEST(Outline_field, asks_few_sources_on_the_axis_of_a_circle)
+{
+  std::vector<Size_source_2> sources;
+  for (const auto& p : domains::polygon(0, 0, 1, 100000))
+    sources.push_back({{p.first, p.second}, 6.28e-5});
+  const Outline_field_2 field(sources, CGAL::Bbox_2(-1, -1, 1, 1), 0.2);
+  for (int i = 0; i < 1000000; ++i) // takes minutes if a query looks at all sources
+    EXPECT_NEAR(field(1e-9 * i, 0), 0.2 + 6.28e-5, 0.02);
+}
+
+TEST(Default_size, of_an_l_with_a_finely_divided_hole)
+{
+  const Outline hole = domains::polygon(0.5, 0.5, 0.25, 60);
+  const auto report = relax({l_shape, hole}, 3 - domains::area(hole));
+  EXPECT_GE(report.quality.mean_quality(), 0.975);
+  EXPECT_GE(report.quality.minimum_quality(), 0.865);
+  EXPECT_NEAR(report.quality.mean_length_ratio(), 0.996, 0.005);
+}
+
+TEST(Default_size, of_a_channel)
+{
+  const auto report = relax({domains::square(0, 0, 1), domains::square(0.1, 0.1, 0.8)}, 0.36);
+  EXPECT_GE(report.quality.mean_quality(), 0.969);
+  EXPECT_GE(report.quality.minimum_quality(), 0.82); // right and isosceles, in corners
+}
+
+TEST(Default_size, of_a_long_rectangle)
+{
+  const auto report = relax({{{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}}}, 1);
+  EXPECT_GE(report.quality.mean_quality(), 0.966);
+  EXPECT_GE(report.quality.minimum_quality(), 0.82);
+  EXPECT_NEAR(double(report.number_of_vertices), 170, 4); // one row, lower by a tenth than it should be
+}
+
+TEST(Default_size, of_almost_coincident_vertices)
+{
+  // 1e-13 above the corner there is a bend, else the vertex would only split an edge
+  const auto report = relax({{{0, 0}, {1, 0}, {1 + 1e-13, 1e-13}, {1, 1}, {0, 1}}}, 1);
+  EXPECT_GE(report.quality.mean_quality(), 0.98);
+  EXPECT_LE(report.number_of_vertices, 2000u);
+}
+
+TEST(Default_size, of_a_slit)
+{
+  // between a hole and the outline there is a gap of 1e-9, too narrow for triangles: its sides count as touching
+  const double gap = 1e-9;
+  domains::CDT cdt = domains::make({domains::square(0, 0, 1), {{0.2, gap}, {0.8, gap}, {0.8, 0.5}}});
+  const auto report = relax(cdt, 1 - 0.5 * 0.6 * (0.5 - gap));
+  EXPECT_NEAR(double(report.number_of_vertices), 259, 4);
+  EXPECT_NEAR(double(report.number_of_triangles), 339, 8);
+  EXPECT_GT(report.number_of_small_angles, 0u); // needles across the gap
+  EXPECT_LE(report.small_y, gap);
+  EXPECT_GE(report.small_x, 0.);
+  EXPECT_LE(report.small_x, 1.);
+  std::size_t in_gap = 0, others = 0;
+  double sum = 0, least = 1;
+  for (auto f : cdt.finite_face_handles()) {
+    if (!f->is_in_domain())
+      continue;
+    const auto t = cdt.triangle(f);
+    const bool is_in_gap = t[0].y() <= gap && t[1].y() <= gap && t[2].y() <= gap;
+    const double q = CGAL::radius_ratio_2(t[0], t[1], t[2]);
+    is_in_gap ? ++in_gap : ++others;
+    if (!is_in_gap) {
+      sum += q;
+      least = (std::min)(least, q);
+    }
+  }
+  EXPECT_GT(in_gap, 0u);
+  EXPECT_GE(sum / double(others), 0.961);
+  EXPECT_GE(least, 0.815);
+  EXPECT_NEAR(lengths_around(cdt, domains::Point(0.5, 0), 0.1).back(), 0.0202, 0.002);
+  EXPECT_NEAR(lengths_around(cdt, domains::Point(0, 1), 0.1).back(), 0.2304, 0.005);
+}
+
+TEST(Default_size, of_random_stars)
+{
+  std::mt19937 random(random_seeds::seed());
+  for (int i = 0; i < 10; ++i) {
+    const std::vector<Outline> star = domains::random_star(random());
+    const auto report = relax(star, domains::area(star[0]) - domains::area(star[1]));
+    // of 200 stars the least are 0.9186 and 0.801
+    EXPECT_GE(report.quality.mean_quality(), 0.915);
+    EXPECT_GE(report.quality.minimum_quality(), 0.78);
+  }
+}
+
+} // namespace test_default_size

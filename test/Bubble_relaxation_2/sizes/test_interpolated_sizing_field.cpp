@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+// A sizing field that is given by sizes at the vertices of another triangulation.
+
+#include "domains.h"
+#include "expect_throw.h"
+#include "random_seeds.h"
+#include "validation.h"
+
+#include <CGAL/Interpolated_sizing_field_2.h>
+#include <CGAL/npbs_relax.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <thread>
+
+namespace test_interpolated_sizing_field {
+
+namespace P = CGAL::parameters;
+using domains::CDT;
+using domains::K;
+using domains::Point;
+using Delaunay = CGAL::Delaunay_triangulation_2<K>;
+
+/// sizes at the vertices of a triangulation, by a function of their points
+template <class Triangulation>
+struct Sizes
+{
+  using Handle = typename Triangulation::Vertex_handle;
+  using Map = boost::associative_property_map<std::map<Handle, double>>;
+
+  template <class Function>
+  Sizes(const Triangulation& t, const Function& f)
+  {
+    for (Handle v : t.finite_vertex_handles())
+      values[v] = f(v->point());
+  }
+
+  Map map() { return Map(values); }
+
+  std::map<Handle, double> values;
+};
+
+template <class Triangulation, class Function>
+CGAL::Interpolated_sizing_field_2<Triangulation> field(const Triangulation& t, const Function& f)
+{
+  return {t, Sizes<Triangulation>(t, f).map()};
+}
+
+std::vector<Point> random_points(int n, unsigned k)
+{
+  std::mt19937 random(random_seeds::seed(k));
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Point> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int k = 0; k < n; ++k)
+    points.emplace_back(uniform(random), uniform(random));
+  return points;
+}
+
+double linear(const Point& p) { return 0.1 + 0.2 * p.x() + 0.3 * p.y(); }
+
+CDT graded_mesh(const std::vector<domains::Outline>& outlines)
+{
+  CDT cdt = domains::make(outlines);
+  CGAL::npbs_relax(cdt, P::sizing_function([](const Point& p) { return 0.03 + 0.1 * p.x(); }));
+  return cdt;
+}
+
+TEST(Interpolated_sizing_field, is_linear_inside_and_nearest_outside)
+{
+  const std::vector<Point> points = random_points(1000, 0);
+  const Delaunay t(points.begin(), points.end());
+  const auto d = field(t, linear);
+  for (const Point& p : random_points(1000, 3))
+    EXPECT_NEAR(d(p), linear(p), 1e-12);
+  for (const Point& p : points)
+    EXPECT_EQ(d(p), linear(p));
+  EXPECT_NEAR(d(Point(0.3, -5)), linear(Point(0.3, 0)), 1e-12);
+  EXPECT_NEAR(d(Point(3, 0.7)), linear(Point(1, 0.7)), 1e-12);
+  EXPECT_EQ(d(Point(4, 5)), linear(Point(1, 1)));
+  EXPECT_EQ(d(Point(-1e9, -1)), linear(Point(0, 0)));
+}
+
+TEST(Interpolated_sizing_field, finds_the_nearest_point_of_any_hull)
+{
+  std::vector<Point> points;
+  for (const auto& p : domains::polygon(0, 0, 1, 50))
+    points.emplace_back(p.first, 0.2 * p.second);
+  const Delaunay t(points.begin(), points.end());
+  const auto x = field(t, [](const Point& p) { return 2 + p.x(); });
+  const auto y = field(t, [](const Point& p) { return 2 + p.y(); });
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> uniform(-3, 3);
+  for (int k = 0; k < 2000; ++k) {
+    const Point q(uniform(random), uniform(random));
+    const Point nearest(x(q) - 2, y(q) - 2); // where it is tells how far
+    double least = 1e300;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      least = (std::min)(least, CGAL::squared_distance(q, K::Segment_2(points[i], points[(i + 1) % 50])));
+    if (t.is_infinite(t.locate(q))) {
+      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(q, nearest)), std::sqrt(least), 1e-12) << q;
+    }
+  }
+}
+
+TEST(Interpolated_sizing_field, counts_marked_faces_only)
+{
+  CDT cdt = graded_mesh({domains::square(0, 0, 1), domains::square(0.3, 0.3, 0.4)});
+  cdt.insert(Point(0.5, 0.5)); // in the hole; its size is none
+  for (auto f : cdt.finite_face_handles()) {
+    const Point c = CGAL::centroid(cdt.triangle(f));
+    f->set_in_domain(std::abs(c.x() - 0.5) > 0.2 || std::abs(c.y() - 0.5) > 0.2);
+  }
+  const auto d = field(cdt, [](const Point& p) { return p == Point(0.5, 0.5) ? -1. : linear(p); });
+  EXPECT_NEAR(d(Point(0.32, 0.5)), linear(Point(0.3, 0.5)), 1e-12);
+  EXPECT_NEAR(d(Point(0.55, 0.65)), linear(Point(0.55, 0.7)), 1e-12);
+}
+
+TEST(Interpolated_sizing_field, has_the_same_bits_in_any_order_and_thread)
+{
+  std::vector<Point> points = random_points(500, 0);
+  const Delaunay t(points.begin(), points.end());
+  std::reverse(points.begin(), points.end());
+  Delaunay other;
+  for (const Point& p : points)
+    other.insert(p);
+  const auto size = [](const Point& p) { return 0.1 + p.x() * p.y() / 3; };
+  const auto d = field(t, size), e = field(other, size);
+  std::vector<Point> probes = random_points(5000, 4);
+  for (auto edge = t.finite_edges_begin(); edge != t.finite_edges_end(); ++edge)
+    probes.push_back(CGAL::midpoint(t.segment(*edge).source(), t.segment(*edge).target()));
+  std::vector<double> forward(probes.size()), backward(probes.size());
+  std::thread a([&] { std::transform(probes.begin(), probes.end(), forward.begin(), d); });
+  std::thread b([&] { std::transform(probes.rbegin(), probes.rend(), backward.rbegin(), e); });
+  a.join();
+  b.join();
+  EXPECT_TRUE(forward == backward);
+}
+
+TEST(Interpolated_sizing_field, limits_the_gradient)
+{
+  const CDT cdt = graded_mesh({domains::square(0, 0, 1)});
+  const auto jump = [](const Point& p) { return p.x() + p.y() < 0.6 ? 0.01 : 0.6; };
+  Sizes<CDT> sizes(cdt, jump);
+  for (double g : {0.1, 0.5}) {
+    const CGAL::Interpolated_sizing_field_2<CDT> d(cdt, sizes.map(), g);
+    double steepest = 0, largest = 0;
+    std::vector<Point> points = random_points(20000, 5);
+    for (std::size_t k = 4; k < points.size(); ++k) {
+      const Point p = points[k], q(0.999 * p.x() + 0.0005, 0.998 * p.y() + 0.001);
+      steepest = (std::max)(steepest, std::abs(d(p) - d(q)) / std::sqrt(CGAL::squared_distance(p, q)));
+      EXPECT_LE(d(p), 0.6 * (1 + 1e-12));
+      EXPECT_GE(d(p), 0.01 * (1 - 1e-12));
+      largest = (std::max)(largest, d(p));
+    }
+    EXPECT_LE(steepest, g * (1 + 1e-6));
+    EXPECT_GT(largest, (std::min)(0.59, 0.01 + 0.85 * g)); // 0.99 away from where it is small
+  }
+}
+
+TEST(Interpolated_sizing_field, adapts_the_very_mesh_it_was_made_of)
+{
+  CDT cdt = graded_mesh({domains::square(0, 0, 1)});
+  const auto wanted = [](const Point& p) { return 0.01 + 0.2 * std::abs(p.x() + p.y() - 1); };
+  Sizes<CDT> sizes(cdt, wanted);
+  const CGAL::Interpolated_sizing_field_2<CDT> d(cdt, sizes.map(), 0.2);
+  const auto report = CGAL::npbs_relax(cdt, P::sizing_function(d));
+  EXPECT_GT(report.quality.mean_quality(), 0.95);
+  EXPECT_NEAR(report.quality.mean_length_ratio(), 1, 0.05);
+  EXPECT_LE(report.largest_size_gradient, 0.2 * (1 + 1e-6));
+}
+
+TEST(Interpolated_sizing_field, refuses_bad_input)
+{
+  CDT cdt = graded_mesh({domains::square(0, 0, 1)});
+  for (double bad : {0., -1., std::nan(""), double(INFINITY)})
+    expect_invalid([&] { field(cdt, [=](const Point& p) { return p == Point(1, 0) ? bad : 0.1; }); },
+                   {"size", "(1, 0)", "positive"});
+  Sizes<CDT> sizes(cdt, linear);
+  for (double bad : {0., -1., std::nan(""), double(INFINITY)})
+    expect_invalid([&] { CGAL::Interpolated_sizing_field_2<CDT>(cdt, sizes.map(), bad); }, {"gradation"});
+  Delaunay line;
+  line.insert(Point(0, 0));
+  line.insert(Point(1, 0));
+  expect_invalid([&] { field(line, linear); }, {"dimension 1"});
+}
+
+} // namespace test_interpolated_sizing_field
