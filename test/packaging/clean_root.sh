@@ -20,14 +20,24 @@ for folder in bin lib lib64 sbin; do # on a merged system these are links, and t
   [ ! -L "/$folder" ] || { mkdir -p "$root/usr/$folder" && ln -s "usr/$folder" "$root/$folder"; }
 done
 touch "$root/var/lib/dpkg/status"
-declare -A is_registered is_visited
+# what is installed here depends on, and the names of its lists of files: dpkg is asked once, since it reads all of its
+# database each time
+declare -A depends list_of is_visited
+while IFS=$'\t' read -r name list status dependencies; do
+  [ "$status" != installed ] || { depends[$name]=$dependencies && list_of[$name]=$list.list; }
+done < <(dpkg-query -W -f='${Package}\t${binary:Package}\t${db:Status-Status}\t${Pre-Depends}, ${Depends}\n')
 
 # the packages of a list of dependencies: of alternatives the one that is here, nothing virtual
 names_in() {
-  tr ',' '\n' <<< "$1" | while IFS='|' read -r -a alternatives; do
+  local list alternatives alternative name
+  IFS=',' read -r -a list <<< "$1"
+  for alternatives in "${list[@]}"; do
+    IFS='|' read -r -a alternatives <<< "$alternatives"
     for alternative in "${alternatives[@]}"; do
-      name=$(sed -E 's/\(.*//; s/[[:space:]]//g; s/:any//' <<< "$alternative")
-      if [ -n "$name" ] && dpkg-query -W -f='${Status}' "$name" 2> /dev/null | grep -q 'ok installed$'; then
+      name=${alternative%%(*}
+      name=${name//[[:space:]]/}
+      name=${name%%:*}
+      if [ -n "$name" ] && [ -n "${depends[$name]:-}" ]; then
         echo "$name"
         break
       fi
@@ -35,35 +45,37 @@ names_in() {
   done
 }
 
-# takes a package of this system over, and all that it depends on: registers it, and copies its files on
-# demand
+# takes a package of this system over, and all that it depends on: for those that are to be registered, and for those
+# whose files are to be copied
 adopt() { # NAME with_files|without_files
   [ -z "${is_visited[$*]:-}" ] || return 0
-  is_visited[$*]=yes
-  if [ -z "${is_registered[$1]:-}" ]; then
-    is_registered[$1]=yes
-    { dpkg-query -s "$1" && echo; } >> "$root/var/lib/dpkg/status"
-    cp "$(dpkg-query -c "$1" md5sums | sed 's/md5sums$/list/')" "$root/var/lib/dpkg/info/"
-  fi
-  if [ "$2" = with_files ]; then
-    dpkg-query -L "$1" | while read -r file; do
-      [ -d "$file" ] && [ ! -L "$file" ] || echo "${file#/}"
-    done | tar -C / --create --ignore-failed-read --files-from=- 2> /dev/null |
-      tar -C "$root" --extract --keep-directory-symlink
-  fi
+  is_visited[$*]=$1
   local name
-  for name in $(names_in "$(dpkg-query -W -f='${Pre-Depends}, ${Depends}' "$1")"); do
+  for name in $(names_in "${depends[$1]}"); do
     adopt "$name" "$2"
   done
 }
 
-# dpkg itself checks the dependencies, and refuses what misses one
 for package in "$@"; do
   files=without_files
   [ "$(dpkg-deb -f "$package" Package)" != npbs-mesh ] || files=with_files
   for name in $(names_in "$(dpkg-deb -f "$package" Depends)"); do
     adopt "$name" "$files"
   done
+done
+mapfile -t registered < <(printf '%s\n' "${is_visited[@]}" | sort -u)
+mapfile -t copied < <(for key in "${!is_visited[@]}"; do echo "$key"; done | sed -n 's/ with_files$//p' | sort)
+for name in "${registered[@]}"; do
+  cp "/var/lib/dpkg/info/${list_of[$name]}" "$root/var/lib/dpkg/info/"
+done
+dpkg-query -s "${registered[@]}" > "$root/var/lib/dpkg/status"
+dpkg-query -L "${copied[@]}" | sort -u | while read -r file; do
+  [ -d "$file" ] && [ ! -L "$file" ] || echo "${file#/}"
+done | tar -C / --create --ignore-failed-read --files-from=- 2> /dev/null |
+  tar -C "$root" --extract --keep-directory-symlink
+
+# dpkg itself checks the dependencies, and refuses what misses one
+for package in "$@"; do
   dpkg --root="$root" --force-script-chrootless --log=/dev/null --install "$package"
 done
 
