@@ -123,17 +123,17 @@ void make_defect(Case& c, Index i, double dx = 0.3, double dy = 0.1)
   b.y[i] = p.y();
 }
 
-class Paper_domain : public testing::TestWithParam<int>
+class Treated_paper_domain : public testing::TestWithParam<int>
 {};
 
-TEST_P(Paper_domain, is_treated_as_by_one_rank)
+TEST_P(Treated_paper_domain, is_treated_as_by_one_rank)
 {
   const paper::Domain d = paper::all_domains(1)[GetParam()];
   SCOPED_TRACE(d.name);
   EXPECT_GT(expect_same_treatment(relaxed(d)).counts.treated, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Some, Paper_domain, testing::Values(1, 4, 7));
+INSTANTIATE_TEST_SUITE_P(Some, Treated_paper_domain, testing::Values(1, 4, 7));
 
 TEST(Distributed_treatment, operations)
 {
