@@ -92,6 +92,8 @@ public:
     m_copies.push_back(Face_handle());
   }
 
+  bool is_taken(Face_handle f) const { return m_old_numbers(&*f) != no_index; }
+
   bool is_new(Face_handle f) const { return m_new_numbers(&*f) != no_index; }
 
   /// the old face beside a part, or what has taken its place

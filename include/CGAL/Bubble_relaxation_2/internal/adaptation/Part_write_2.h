@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_vertices_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,7 +27,7 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Writes the mesh of a part into the triangulation that it was read from. All that can fail is done by `build()`, of
-/// which nothing is left if no exchange follows.
+/// which nothing is left if no exchange follows. `find_unwritable()` is for writes that only try.
 template <class Cdt>
 class Part_write_2
 {
@@ -44,26 +45,26 @@ public:
       m_vertices(reading, mesh.bubbles, elevations, m_exchange), m_repair(cdt, m_exchange), m_paths(reading)
   {}
 
-  /// Makes the new faces. Returns the bubbles that have to go before that can be done: those that an edge of the rim
-  /// cannot bear, or which are beside a constraint by a rounding where there is no room for that.
+  /// Returns the bubbles that have to go before the mesh can be written: those that an edge of the rim cannot bear, or
+  /// which are beside a constraint by a rounding where there is no room for that. Nearly always all triangles can
+  /// become faces as they are, and to see that takes less than to make them.
   /// \throws std::runtime_error if the triangulation is too flat beside a constraint
-  std::vector<Index> build()
+  std::vector<Index> find_unwritable()
   {
-    take_part();
-    m_paths.find(m_mesh.bubbles, m_vertices);
-    for (std::size_t e = 0; e < m_paths.size(); ++e)
-      change_border(m_reading.graph->chains()[e], m_paths[e]);
-    m_repair.make_hull_convex();
-    if (std::vector<Index> those = bubbles_of(m_repair.flat_faces(0)); !those.empty())
-      return those;
-    m_repair.flip(0, true);
-    m_first_inside = m_exchange.new_faces().size();
-    add_faces();
-    link_faces();
-    if (std::vector<Index> those = bubbles_of(m_repair.flat_faces(m_first_inside)); !those.empty())
-      return those;
-    m_repair.flip(m_first_inside, false);
-    return unbearable();
+    std::vector<Index> those = build_outside();
+    m_is_delaunay = those.empty() && is_delaunay();
+    return m_is_delaunay || !those.empty() ? those : build_inside();
+  }
+
+  /// whether `find_unwritable()` saw that no edge of the triangles is to be flipped
+  bool needs_no_flips() const { return m_is_delaunay; }
+
+  /// Makes the new faces of a mesh that can be written. `needs_no_flips`: that is known
+  void build(bool needs_no_flips)
+  {
+    m_is_delaunay = needs_no_flips;
+    build_outside();
+    build_inside();
   }
 
   const Path& removed_vertices() const { return m_vertices.removed(); }
@@ -94,16 +95,81 @@ public:
   }
 
 private:
+  /// the new faces out of the domain; returns the bubbles that have to go for them
+  std::vector<Index> build_outside()
+  {
+    take_part();
+    m_paths.find(m_mesh.bubbles, m_vertices);
+    for (std::size_t e = 0; e < m_paths.size(); ++e)
+      change_border(m_reading.graph->chains()[e], m_paths[e]);
+    m_repair.make_hull_convex();
+    std::vector<Index> those = bubbles_of(m_repair.flat_faces(0));
+    if (those.empty())
+      m_repair.flip(0, true);
+    m_first_inside = m_exchange.new_faces().size();
+    return those;
+  }
+
+  /// the new faces of the part; returns the bubbles that have to go for them
+  std::vector<Index> build_inside()
+  {
+    add_faces();
+    link_faces();
+    if (m_is_delaunay)
+      return {};
+    if (std::vector<Index> those = bubbles_of(m_repair.flat_faces(m_first_inside)); !those.empty())
+      return those;
+    m_repair.flip(m_first_inside, false);
+    return unbearable();
+  }
+
+  /// Whether the triangles are counterclockwise as the user's vertices, and of a constrained Delaunay triangulation
+  /// with the faces beyond the rim.
+  bool is_delaunay()
+  {
+    const Marked_triangles_2& tr = m_mesh.triangles;
+    const auto is_legal = [&](std::size_t t, int i) {
+      const Index n = tr.neighbors[t][i];
+      if (n == no_index || !tr.inside[n])
+        return is_bearable(m_vertices(tr.vertices[t][ccw(i)]), m_vertices(tr.vertices[t][cw(i)]),
+                           m_vertices(tr.vertices[t][i]));
+      return static_cast<std::size_t>(n) < t || tr.edges[t][i] != no_index ||
+             !is_in_circle_of(n, m_vertices(tr.vertices[t][i]));
+    };
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      if (!tr.inside[t])
+        continue;
+      const auto& v = tr.vertices[t];
+      const Vertex_handle a = m_vertices(v[0]), b = m_vertices(v[1]), c = m_vertices(v[2]); // made in this order
+      if (!is_counterclockwise<Cdt>(a, b, c) || !is_legal(t, 0) || !is_legal(t, 1) || !is_legal(t, 2))
+        return false;
+    }
+    return true;
+  }
+
+  bool is_in_circle_of(Index t, Vertex_handle v)
+  {
+    const auto& corners = m_mesh.triangles.vertices[t];
+    return is_in_circle<Cdt>(m_vertices(corners[0]), m_vertices(corners[1]), m_vertices(corners[2]), v);
+  }
+
+  /// whether `w` may be opposite to the side of the part from `u` to `v`: not in the circle of a face beyond it
+  bool is_bearable(Vertex_handle u, Vertex_handle v, Vertex_handle w) const
+  {
+    if (m_exchange.open_side(v, u).face != Face_handle()) // an edge of the border, which is constrained
+      return true;
+    const Side s = beyond(u, v);
+    return s.is_constrained || m_cdt.is_infinite(s.face) ||
+           !is_in_circle<Cdt>(s.face->vertex(0), s.face->vertex(1), s.face->vertex(2), w);
+  }
+
   void take_part()
   {
     for (Face_handle f : m_part)
       m_exchange.take(f);
-    Address_numbers in_part(sizeof(typename Cdt::Face));
-    for (Face_handle f : m_part)
-      in_part.add(&*f);
     for (Face_handle f : m_part)
       for (int i = 0; i < 3; ++i)
-        if (in_part(&*f->neighbor(i)) == no_index)
+        if (!m_exchange.is_taken(f->neighbor(i)))
           m_beyond[{&*f->vertex(Cdt::ccw(i)), &*f->vertex(Cdt::cw(i))}] = {f, i};
   }
 
@@ -237,6 +303,7 @@ private:
   Constraint_paths_2<Cdt> m_paths;
   std::vector<Face_handle> m_faces; // of the triangles that are inside
   std::size_t m_first_inside = 0;   // of the new faces
+  bool m_is_delaunay = false;       // the triangles, as they are; false if that is not known
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -76,15 +76,29 @@ private:
   Limits_of_outline_2 m_limits;
 };
 
+/// What is known of a mesh before it is written.
+template <class Cdt>
+struct Part_foresight_2
+{
+  std::vector<typename Cdt::Vertex_handle> removed; ///< vertices that will go
+  bool needs_no_flips;                              ///< its triangles become faces as they are
+};
+
 /// Nodes that cannot be written have to go, until those can be that are left.
 template <class Cdt>
-void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_reading_2<Cdt>& reading,
-                   const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
+Part_foresight_2<Cdt> make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
+                                    const Part_reading_2<Cdt>& reading, const Problem_2& problem, Bubble_mesh_2& mesh,
+                                    Report& report)
 {
   for (;;) {
-    const std::vector<Index> those = Part_write_2<Cdt>(cdt, part, reading, mesh, Elevations<Cdt>()).build();
-    if (those.empty())
-      return;
+    std::vector<Index> those;
+    {
+      const Elevations<Cdt> elevations; // they do not matter
+      Part_write_2<Cdt> attempt(cdt, part, reading, mesh, elevations);
+      those = attempt.find_unwritable();
+      if (those.empty())
+        return {attempt.removed_vertices(), attempt.needs_no_flips()};
+    }
     make_mesh_without(those, problem, mesh, report);
   }
 }
@@ -96,15 +110,13 @@ void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename 
                 Visitor& visitor, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
-  make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
-  using Vertices = std::vector<typename Cdt::Vertex_handle>;
+  const auto [removed, needs_no_flips] = make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
   const Elevations<Cdt> elevations = find_elevations(cdt, input.reading(), mesh.bubbles, elevation);
-  const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh, elevations).removed_vertices();
   const Tags_2<Cdt, NamedParameters> tags(np, cdt, input.reading());
   visitor.before_change(part, removed);
   Part_write_2<Cdt> write(cdt, part, input.reading(), mesh, elevations);
-  write.build();
-  const Vertices new_vertices = write.new_vertices();
+  write.build(needs_no_flips);
+  const std::vector<typename Cdt::Vertex_handle> new_vertices = write.new_vertices();
   const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
   write.exchange();
   visitor.while_both_exist(part, removed, new_faces, new_vertices);
