@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_vertices_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,8 +52,10 @@ public:
   {
     take_part();
     m_paths.find(m_mesh.bubbles, m_vertices);
-    for (std::size_t e = 0; e < m_paths.size(); ++e)
+    for (std::size_t e = 0; e < m_paths.size(); ++e) {
+      tick(e);
       change_border(m_reading.graph->chains()[e], m_paths[e]);
+    }
     m_repair.make_hull_convex();
     if (std::vector<Index> those = bubbles_of(m_repair.flat_faces(0)); !those.empty())
       return those;
@@ -96,15 +99,19 @@ public:
 private:
   void take_part()
   {
-    for (Face_handle f : m_part)
-      m_exchange.take(f);
     Address_numbers in_part(sizeof(typename Cdt::Face));
-    for (Face_handle f : m_part)
+    std::size_t number = 0;
+    for (Face_handle f : m_part) {
+      tick(number++);
+      m_exchange.take(f);
       in_part.add(&*f);
-    for (Face_handle f : m_part)
+    }
+    for (Face_handle f : m_part) {
+      tick(number++);
       for (int i = 0; i < 3; ++i)
         if (in_part(&*f->neighbor(i)) == no_index)
           m_beyond[{&*f->vertex(Cdt::ccw(i)), &*f->vertex(Cdt::cw(i))}] = {f, i};
+    }
   }
 
   /// changes the faces on the other side of a constraint at the border of the domain
@@ -147,6 +154,7 @@ private:
     const Marked_triangles_2& tr = m_mesh.triangles;
     m_faces.resize(tr.number_of_triangles());
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      tick(t);
       if (!tr.inside[t])
         continue;
       const auto& v = tr.vertices[t];
@@ -159,7 +167,8 @@ private:
   void link_faces()
   {
     const Marked_triangles_2& tr = m_mesh.triangles;
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      tick(t);
       for (int i = 0; i < 3 && tr.inside[t]; ++i) {
         const Index n = tr.neighbors[t][i];
         if (n == no_index || !tr.inside[n])
@@ -168,6 +177,7 @@ private:
           m_exchange.link(m_faces[t], i, Side{m_faces[n], tr.index_of_neighbor(n, static_cast<Index>(t)),
                                               tr.edges[t][i] != no_index});
       }
+    }
     if (m_exchange.has_open_sides())
       throw std::runtime_error("Bubble_relaxation_2: an edge of the border got lost; please report this");
   }
@@ -188,6 +198,7 @@ private:
   {
     std::vector<Index> result;
     for (std::size_t k = m_first_inside; k < m_exchange.new_faces().size(); ++k) {
+      tick(k);
       const Face_handle f = m_exchange.new_faces()[k];
       for (int i = 0; i < 3; ++i)
         if (!m_exchange.is_new(f->neighbor(i)) && !f->is_constrained(i) && m_repair.is_illegal(f, i))

@@ -76,36 +76,46 @@ private:
   Limits_of_outline_2 m_limits;
 };
 
-/// Nodes that cannot be written have to go, until those can be that are left.
+/// Nodes that cannot be written have to go, until those can be that are left. Returns the vertices that will go.
 template <class Cdt>
-void make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_reading_2<Cdt>& reading,
-                   const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
+std::vector<typename Cdt::Vertex_handle>
+make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_reading_2<Cdt>& reading,
+              const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
 {
+  const Elevations<Cdt> none;
   for (;;) {
-    const std::vector<Index> those = Part_write_2<Cdt>(cdt, part, reading, mesh, Elevations<Cdt>()).build();
-    if (those.empty())
-      return;
+    std::vector<Index> those;
+    {
+      Part_write_2<Cdt> write(cdt, part, reading, mesh, none);
+      those = write.build();
+      if (those.empty())
+        return write.removed_vertices();
+    }
     make_mesh_without(those, problem, mesh, report);
   }
 }
 
-/// Puts the mesh of a part into the triangulation, and tells the visitor.
+/// Puts the mesh of a part into the triangulation, and tells the visitor. The callback is called while the new faces
+/// are made, of which nothing is left if it stops that or throws; it is told that all is done just before they are
+/// put in.
 template <class Cdt, class NamedParameters, class Visitor>
 void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename Cdt::Face_handle>& part,
                 const Part_input_2<Cdt>& input, Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation,
                 Visitor& visitor, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
-  make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
+  Progress& progress = *input.problem().options.progress;
+  progress.start_phase(Bubble_phase::WRITING);
   using Vertices = std::vector<typename Cdt::Vertex_handle>;
+  const Vertices removed = make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
   const Elevations<Cdt> elevations = find_elevations(cdt, input.reading(), mesh.bubbles, elevation);
-  const Vertices removed = Part_write_2<Cdt>(cdt, part, input.reading(), mesh, elevations).removed_vertices();
   const Tags_2<Cdt, NamedParameters> tags(np, cdt, input.reading());
   visitor.before_change(part, removed);
   Part_write_2<Cdt> write(cdt, part, input.reading(), mesh, elevations);
   write.build();
   const Vertices new_vertices = write.new_vertices();
   const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
+  progress.report(1);
   write.exchange();
   visitor.while_both_exist(part, removed, new_faces, new_vertices);
   tags.forget_part(input.reading(), part);
@@ -133,7 +143,6 @@ struct Part_task_2
   {
     const Part_input_2<Cdt> input = read(part, report);
     Bubble_mesh_2 mesh = make_mesh(input.problem(), report);
-    options.progress->report(1);
     write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
   }
 
@@ -150,7 +159,6 @@ struct Part_task_2
       report = of_this_try;
       Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
       if (larger.size() == part.size()) {
-        options.progress->report(1);
         write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
         return;
       }
