@@ -247,8 +247,8 @@ struct Adapt_writing : testing::Test
   std::vector<typename Cdt::Face_handle> part = faces_near(cdt, 0.5, 0.1, 0.3);
   std::vector<double> calls; // while the part is written
 
-  /// `obey(calls)`: what the callback returns while the part is written. It is slow there at first, so that it is called
-  /// wherever it may be.
+  /// `obey(calls)`: what the callback returns while the part is written. It is slow there at first, so that it is
+  /// called wherever it may be.
   template <class Obey>
   auto remesh(const Obey& obey, bool restores)
   {

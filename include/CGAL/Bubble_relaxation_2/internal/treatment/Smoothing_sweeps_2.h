@@ -36,7 +36,8 @@ inline double quality(const Bubble_mesh_2& mesh, Index t)
 /// q of each triangle of the domain, 1 outside
 inline std::vector<double> qualities(const Bubble_mesh_2& mesh, const Threads& threads)
 {
-  std::vector<double> result(mesh.triangles.number_of_triangles());
+  std::vector<double> result;
+  resize_in_turn(result, mesh.triangles.number_of_triangles());
   parallel_for(threads, result.size(), [&](std::size_t t) {
     const Index i = static_cast<Index>(t);
     result[t] = mesh.triangles.inside[t] != 0 ? quality(mesh, i) : 1.;
