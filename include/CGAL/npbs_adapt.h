@@ -97,6 +97,10 @@ handle, not marked as one of the domain, or of another triangulation
 \throws std::runtime_error if edges lie nearer to each other than the rounding of the bubbles on them, or if the
 triangulation beside a constraint is too flat to change it there
 
+The callback is called while the part is written, too, until the new faces are ready; the last call, with 1, comes just
+before they take the place of the old ones. Where it returns `false` with `restore_when_stopped`, `cdt` is as it was
+and all handles are valid; without, while the part is written, that changes nothing, since the mesh is complete.
+
 Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After
 any exception, `std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions
 from that: `after_change()` of the visitor is called when all is done, as is `put()` of the maps of tags before it;

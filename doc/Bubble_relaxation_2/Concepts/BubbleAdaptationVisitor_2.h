@@ -28,7 +28,8 @@ class BubbleAdaptationVisitor_2
 {
 public:
   /// is called when the new mesh of the part is known and nothing has been changed. If it throws the triangulation
-  /// stays as it is.
+  /// stays as it is. So it does, and no other function is called, if the callback still throws after that, or stops
+  /// all with `restore_when_stopped`.
   void before_change(const std::vector<CDT::Face_handle>& old_faces,
                      const std::vector<CDT::Vertex_handle>& removed_vertices);
 

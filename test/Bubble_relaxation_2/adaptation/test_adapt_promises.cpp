@@ -22,6 +22,7 @@
 #include <CGAL/transfer_2.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -30,6 +31,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace test_adapt_promises {
@@ -213,6 +215,77 @@ TEST(Adapt_errors, nothing_is_left_behind_by_what_users_throw)
   EXPECT_THROW(CGAL::npbs_remesh_faces(cdt, part, size(0.03).visitor(visitor)), Stop);
   EXPECT_FALSE(Content<CDT>(cdt) == before);
   validation::expect_valid_mesh(cdt);
+}
+
+/// in triangulations with and without polylines of constraints
+template <class Cdt>
+struct Adapt_writing : testing::Test
+{
+  Cdt cdt = mesh<Cdt>();
+  std::vector<typename Cdt::Face_handle> part = faces_near(cdt, 0.5, 0.1, 0.3);
+  std::vector<double> calls; // while the part is written
+
+  /// `obey(calls)`: what the callback returns while the part is written. It is slow there at first, so that it is
+  /// called wherever it may be.
+  template <class Obey>
+  auto remesh(const Obey& obey, bool restores)
+  {
+    constexpr double begin_of_writing = 0.95;
+    calls.clear();
+    const auto callback = [&](double progress) {
+      if (progress < begin_of_writing)
+        return true;
+      if (calls.size() < 12)
+        std::this_thread::sleep_for(std::chrono::milliseconds(45));
+      calls.push_back(progress);
+      return obey(calls);
+    };
+    return CGAL::npbs_remesh_faces(cdt, part, size(0.03).callback(callback).restore_when_stopped(restores));
+  }
+};
+
+using Adapted = testing::Types<CDT, Plus>;
+TYPED_TEST_SUITE(Adapt_writing, Adapted, );
+
+TYPED_TEST(Adapt_writing, tells_that_it_goes_on)
+{
+  const auto report = this->remesh([](const auto&) { return true; }, true);
+  EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::CONVERGED);
+  EXPECT_GE(this->calls.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(this->calls.begin(), this->calls.end()));
+  EXPECT_GT(std::set<double>(this->calls.begin(), this->calls.end()).size(), 4u);
+  EXPECT_EQ(this->calls.back(), 1);
+  EXPECT_EQ(std::count(this->calls.begin(), this->calls.end(), 1.), 1);
+}
+
+TYPED_TEST(Adapt_writing, a_stop_or_an_exception_leaves_all_handles)
+{
+  TypeParam other = this->cdt;
+  const Content<TypeParam> before(this->cdt);
+  for (std::size_t last : {1u, 2u, 5u, 10u, 1000u}) { // the last time when all is done
+    SCOPED_TRACE(last);
+    const auto goes_on = [last](const auto& calls) { return calls.size() < last && calls.back() < 1; };
+    const auto report = this->remesh(goes_on, true);
+    EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK);
+    EXPECT_EQ(report.number_of_vertices, 0u);
+    EXPECT_TRUE(this->calls.size() == last || this->calls.back() == 1);
+    EXPECT_TRUE(Content<TypeParam>(this->cdt) == before);
+    EXPECT_THROW(this->remesh([&](const auto& calls) { return goes_on(calls) ? true : throw Stop(); }, false), Stop);
+    EXPECT_TRUE(Content<TypeParam>(this->cdt) == before);
+  }
+  CGAL::npbs_remesh_faces(this->cdt, this->part, size(0.03));
+  CGAL::npbs_remesh_faces(other, faces_near(other, 0.5, 0.1, 0.3), size(0.03));
+  EXPECT_EQ(validation::triangles(this->cdt), validation::triangles(other));
+}
+
+TYPED_TEST(Adapt_writing, a_stop_without_restoring_leaves_the_whole_part)
+{
+  TypeParam other = this->cdt;
+  const auto report = this->remesh([](const auto& calls) { return calls.size() < 3; }, false);
+  EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::CONVERGED);
+  EXPECT_EQ(this->calls.size(), 3u); // it is not called again
+  CGAL::npbs_remesh_faces(other, faces_near(other, 0.5, 0.1, 0.3), size(0.03));
+  EXPECT_EQ(validation::triangles(this->cdt), validation::triangles(other));
 }
 
 TEST(Adapt_errors, nothing_is_left_behind_where_memory_ends)

@@ -416,7 +416,7 @@ TEST(Progress_of_adaptation, may_be_stopped_while_a_domain_without_marks_is_foun
   using Plain = CGAL::Constrained_Delaunay_triangulation_2<domains::K>;
   Plain cdt = domains::make<Plain>({domains::square(0, 0, 1)});
   std::vector<Point> points;
-  constexpr int side = 350; // so many that it takes more than a twenty-fifth of a second
+  constexpr int side = 350; // so many that it takes more than a fortieth of a second
   for (int i = 1; i < side; ++i)
     for (int j = 1; j < side; ++j)
       points.push_back(Point((i + 0.3 * (j % 2)) / side, double(j) / side));

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 
 #include <cstddef>
 #include <utility>
@@ -57,6 +58,7 @@ public:
   {
     std::vector<Face_handle> result;
     for (std::size_t k = first; k < m_exchange.new_faces().size(); ++k) {
+      tick(k);
       const Face_handle f = m_exchange.new_faces()[k];
       if (!m_exchange.is_dropped(f) && !m_cdt.is_infinite(f) &&
           !is_counterclockwise<Cdt>(f->vertex(0), f->vertex(1), f->vertex(2)))
@@ -71,16 +73,21 @@ public:
   void flip(std::size_t first, bool may_reach_out)
   {
     std::vector<std::pair<Face_handle, int>> doubtful;
-    for (std::size_t k = first; k < m_exchange.new_faces().size(); ++k)
+    doubtful.reserve(3 * (m_exchange.new_faces().size() - first));
+    for (std::size_t k = first; k < m_exchange.new_faces().size(); ++k) {
+      tick(k);
       for (int i = 0; i < 3 && !m_exchange.is_dropped(m_exchange.new_faces()[k]); ++i)
         doubtful.emplace_back(m_exchange.new_faces()[k], i);
+    }
     while (!doubtful.empty()) {
+      tick(doubtful.size());
       const auto [f, i] = doubtful.back();
       doubtful.pop_back();
       if (f->is_constrained(i) || !(may_reach_out || m_exchange.is_new(f->neighbor(i))) || !is_illegal(f, i))
         continue;
       const Face_handle g = m_exchange.across(f, i);
       m_exchange.flip(f, i);
+      make_room_for(6, doubtful);
       for (Face_handle side_of : {f, g})
         for (int k = 0; k < 3; ++k)
           doubtful.emplace_back(side_of, k);

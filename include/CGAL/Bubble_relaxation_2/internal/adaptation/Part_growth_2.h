@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_GROWTH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_GROWTH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <cstddef>
@@ -29,8 +30,11 @@ public:
   Part_growth_2(const Cdt& cdt, const Is_inside& is_in_domain, std::vector<Face_handle> part)
     : m_cdt(cdt), m_is_in_domain(is_in_domain), m_part(std::move(part)), m_numbers(sizeof(typename Cdt::Face))
   {
-    for (Face_handle f : m_part)
+    std::size_t number = 0;
+    for (Face_handle f : m_part) {
+      tick(number++);
       m_numbers.add(&*f);
+    }
   }
 
   const std::vector<Face_handle>& faces() const { return m_part; }
@@ -40,9 +44,11 @@ public:
   {
     for (std::size_t ring = 0, first = 0; ring < number; ++ring) {
       const std::size_t last = m_part.size();
-      for (; first < last; ++first)
+      for (; first < last; ++first) {
+        tick(first);
         for (int i = 0; i < 3; ++i)
           add_star(m_part[first]->vertex(i));
+      }
     }
   }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
 #include <cstddef>
@@ -36,16 +37,20 @@ public:
       m_of_bubble(bubbles.size()), m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
   {
     std::map<Place, Index> old;
-    for (Index v : reading.free)
+    for (Index v : reading.free) {
+      tick(old.size());
       old[place(v)] = v;
+    }
     for (const auto& chain : reading.graph->chains())
       for (Index v : chain.splits)
         old[place(v)] = v;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      tick(i);
       if (bubbles.is_corner(i))
         set(i, vertex_of_corner(reading, bubbles, i));
       else
         keep(i, old);
+    }
     for (const auto& [where, v] : old)
       m_removed.push_back(reading.vertex(v));
   }

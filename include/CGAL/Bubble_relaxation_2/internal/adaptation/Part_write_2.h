@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_vertices_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -100,8 +101,10 @@ private:
   {
     take_part();
     m_paths.find(m_mesh.bubbles, m_vertices);
-    for (std::size_t e = 0; e < m_paths.size(); ++e)
+    for (std::size_t e = 0; e < m_paths.size(); ++e) {
+      tick(e);
       change_border(m_reading.graph->chains()[e], m_paths[e]);
+    }
     m_repair.make_hull_convex();
     std::vector<Index> those = bubbles_of(m_repair.flat_faces(0));
     if (those.empty())
@@ -137,6 +140,7 @@ private:
              !is_in_circle_of(n, m_vertices(tr.vertices[t][i]));
     };
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      tick(t);
       if (!tr.inside[t])
         continue;
       const auto& v = tr.vertices[t];
@@ -165,12 +169,17 @@ private:
 
   void take_part()
   {
-    for (Face_handle f : m_part)
+    std::size_t number = 0;
+    for (Face_handle f : m_part) {
+      tick(number++);
       m_exchange.take(f);
-    for (Face_handle f : m_part)
+    }
+    for (Face_handle f : m_part) {
+      tick(number++);
       for (int i = 0; i < 3; ++i)
         if (!m_exchange.is_taken(f->neighbor(i)))
           m_beyond[{&*f->vertex(Cdt::ccw(i)), &*f->vertex(Cdt::cw(i))}] = {f, i};
+    }
   }
 
   /// changes the faces on the other side of a constraint at the border of the domain
@@ -213,6 +222,7 @@ private:
     const Marked_triangles_2& tr = m_mesh.triangles;
     m_faces.resize(tr.number_of_triangles());
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      tick(t);
       if (!tr.inside[t])
         continue;
       const auto& v = tr.vertices[t];
@@ -225,7 +235,8 @@ private:
   void link_faces()
   {
     const Marked_triangles_2& tr = m_mesh.triangles;
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
+    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
+      tick(t);
       for (int i = 0; i < 3 && tr.inside[t]; ++i) {
         const Index n = tr.neighbors[t][i];
         if (n == no_index || !tr.inside[n])
@@ -234,6 +245,7 @@ private:
           m_exchange.link(m_faces[t], i, Side{m_faces[n], tr.index_of_neighbor(n, static_cast<Index>(t)),
                                               tr.edges[t][i] != no_index});
       }
+    }
     if (m_exchange.has_open_sides())
       throw std::runtime_error("Bubble_relaxation_2: an edge of the border got lost; please report this");
   }
@@ -254,6 +266,7 @@ private:
   {
     std::vector<Index> result;
     for (std::size_t k = m_first_inside; k < m_exchange.new_faces().size(); ++k) {
+      tick(k);
       const Face_handle f = m_exchange.new_faces()[k];
       for (int i = 0; i < 3; ++i)
         if (!m_exchange.is_new(f->neighbor(i)) && !f->is_constrained(i) && m_repair.is_illegal(f, i))

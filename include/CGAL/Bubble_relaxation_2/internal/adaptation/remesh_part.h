@@ -90,11 +90,11 @@ Part_foresight_2<Cdt> make_writable(Cdt& cdt, const std::vector<typename Cdt::Fa
                                     const Part_reading_2<Cdt>& reading, const Problem_2& problem, Bubble_mesh_2& mesh,
                                     Report& report)
 {
+  const Elevations<Cdt> none;
   for (;;) {
     std::vector<Index> those;
     {
-      const Elevations<Cdt> elevations; // they do not matter
-      Part_write_2<Cdt> attempt(cdt, part, reading, mesh, elevations);
+      Part_write_2<Cdt> attempt(cdt, part, reading, mesh, none);
       those = attempt.find_unwritable();
       if (those.empty())
         return {attempt.removed_vertices(), attempt.needs_no_flips()};
@@ -103,13 +103,17 @@ Part_foresight_2<Cdt> make_writable(Cdt& cdt, const std::vector<typename Cdt::Fa
   }
 }
 
-/// Puts the mesh of a part into the triangulation, and tells the visitor.
+/// Puts the mesh of a part into the triangulation, and tells the visitor. The callback is called while the new faces
+/// are made, of which nothing is left if it stops that or throws; it is told that all is done just before they are
+/// put in.
 template <class Cdt, class NamedParameters, class Visitor>
 void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename Cdt::Face_handle>& part,
                 const Part_input_2<Cdt>& input, Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation,
                 Visitor& visitor, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
+  Progress& progress = *input.problem().options.progress;
+  progress.start_phase(Bubble_phase::WRITING);
   const auto [removed, needs_no_flips] = make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
   const Elevations<Cdt> elevations = find_elevations(cdt, input.reading(), mesh.bubbles, elevation);
   const Tags_2<Cdt, NamedParameters> tags(np, cdt, input.reading());
@@ -118,6 +122,7 @@ void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename 
   write.build(needs_no_flips);
   const std::vector<typename Cdt::Vertex_handle> new_vertices = write.new_vertices();
   const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
+  progress.report(1);
   write.exchange();
   visitor.while_both_exist(part, removed, new_faces, new_vertices);
   tags.forget_part(input.reading(), part);
@@ -145,7 +150,6 @@ struct Part_task_2
   {
     const Part_input_2<Cdt> input = read(part, report);
     Bubble_mesh_2 mesh = make_mesh(input.problem(), report);
-    options.progress->report(1);
     write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
   }
 
@@ -162,7 +166,6 @@ struct Part_task_2
       report = of_this_try;
       Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
       if (larger.size() == part.size()) {
-        options.progress->report(1);
         write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
         return;
       }

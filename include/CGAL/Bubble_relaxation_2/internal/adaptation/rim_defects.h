@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_RIM_DEFECTS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_RIM_DEFECTS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
@@ -30,6 +31,7 @@ inline std::vector<Index> rim_defects(const Domain_2& part, const Bubble_mesh_2&
       is_on_rim[e.source] = is_on_rim[e.target] = 1;
   const Bubbles_2& b = mesh.bubbles;
   for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {
+    tick(t);
     const Index f = static_cast<Index>(t);
     if (!mesh.triangles.inside[t] ||
         !(CGAL::radius_ratio_2(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2)) < bad))

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_BUBBLES_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_BUBBLES_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
@@ -102,9 +103,11 @@ struct Bubbles_2
   {
     std::vector<Index> result;
     result.reserve(size());
-    for (std::size_t i = 0; i < size(); ++i)
+    for (std::size_t i = 0; i < size(); ++i) {
+      tick(i);
       if (!is_gone(i))
         result.push_back(static_cast<Index>(i));
+    }
     return result;
   }
 
@@ -184,15 +187,19 @@ private:
   static void select(std::vector<T>& array, const std::vector<Index>& order, bool in_place)
   {
     if (in_place) {
-      for (std::size_t k = 0; k < order.size(); ++k)
+      for (std::size_t k = 0; k < order.size(); ++k) {
+        tick(k);
         array[k] = array[order[k]];
+      }
       array.resize(order.size());
       return;
     }
     std::vector<T> selected;
     selected.reserve(order.size() + order.size() / 8);
-    for (Index i : order)
+    for (Index i : order) {
+      tick(selected.size());
       selected.push_back(array[i]);
+    }
     array.swap(selected);
   }
 };

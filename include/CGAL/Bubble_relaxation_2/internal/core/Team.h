@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_TEAM_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <algorithm>
@@ -68,6 +69,7 @@ void sort_positions(std::vector<double>& values, std::size_t begin, std::size_t 
 {
   if (first == last)
     return;
+  tick();
   const Iterator middle = first + (last - first) / 2;
   const auto at = [&values](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(begin), at(*middle), at(end));

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_VOCABULARY_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_arithmetic.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -67,17 +68,23 @@ inline int cw(int i) { return i == 0 ? 2 : i - 1; }
 template <class T>
 void make_room_for(std::size_t n, std::vector<T>& array)
 {
-  if (array.size() + n > array.capacity())
-    array.reserve(array.size() + (std::max)(n, array.size() / 8));
+  if (array.size() + n <= array.capacity())
+    return;
+  std::vector<T> larger;
+  larger.reserve(array.size() + (std::max)(n, array.size() / 8));
+  append_in_turn(array, larger);
+  array.swap(larger);
 }
 
 /// where flags are set
 inline std::vector<Index> marked(const std::vector<char>& flags)
 {
   std::vector<Index> result;
-  for (std::size_t i = 0; i < flags.size(); ++i)
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    tick(i);
     if (flags[i])
       result.push_back(static_cast<Index>(i));
+  }
   return result;
 }
 

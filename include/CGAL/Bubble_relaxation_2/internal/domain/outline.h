@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_OUTLINE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
@@ -26,9 +27,11 @@ namespace CGAL::Bubble_relaxation_2::internal {
 inline std::vector<std::vector<Index>> bubbles_on_edges(const Domain_2& domain, const Bubbles_2& b)
 {
   std::vector<std::vector<Index>> on_edge(domain.edges().size());
-  for (std::size_t i = 0; i < b.size(); ++i)
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    tick(i);
     if (b.is_on_edge(i))
       on_edge[b.host[i]].push_back(static_cast<Index>(i));
+  }
   for (std::vector<Index>& bubbles : on_edge)
     std::sort(bubbles.begin(), bubbles.end(), [&](Index i, Index j) {
       return b.s[i] < b.s[j] || (b.s[i] == b.s[j] && i < j);
@@ -98,16 +101,24 @@ inline std::vector<Domain_edge_2> cut_edges(const Domain_2& domain, const Bubble
   return pieces;
 }
 
+/// where bubbles are
+inline std::vector<Point> points_of(const Bubbles_2& bubbles)
+{
+  std::vector<Point> points;
+  points.reserve(bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    tick(i);
+    points.push_back(bubbles.point(i));
+  }
+  return points;
+}
+
 /// Makes the triangles of a mesh of bubbles anew: their constrained Delaunay triangulation with the domain marked.
 /// Returns whether it can be made.
 inline bool try_to_triangulate(const std::vector<Domain_edge_2>& edges, Bubble_mesh_2& mesh)
 {
-  std::vector<Point> points;
-  points.reserve(mesh.bubbles.size());
-  for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
-    points.push_back(mesh.bubbles.point(i));
   mesh.triangles = Marked_triangles_2();
-  return mark_triangulation(points, edges, mesh.triangles) == Marking_error::NONE;
+  return mark_triangulation(points_of(mesh.bubbles), edges, mesh.triangles) == Marking_error::NONE;
 }
 
 /// The same with the edges of a domain.
@@ -122,11 +133,7 @@ inline void triangulate(const Domain_2& domain, Bubble_mesh_2& mesh)
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.
 inline void sort_in_space(const Domain_2& domain, Bubbles_2& bubbles, const Threads& threads = Threads())
 {
-  std::vector<Point> points;
-  points.reserve(bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    points.push_back(bubbles.point(i));
-  bubbles.select(hilbert_order(hilbert_curve(domain), points, threads));
+  bubbles.select(hilbert_order(hilbert_curve(domain), points_of(bubbles), threads));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -117,9 +117,11 @@ inline std::vector<Index> perhaps_in_one_place(const Bubbles_2& b)
     is_taken[hash(i)] = true;
   }
   std::vector<Index> result;
-  for (std::size_t i = 0; i < b.size(); ++i)
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    tick(i);
     if (is_taken_twice[hash(i)] && !b.is_gone(i))
       result.push_back(static_cast<Index>(i));
+  }
   return result;
 }
 

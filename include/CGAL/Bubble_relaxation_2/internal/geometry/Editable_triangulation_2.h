@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EDITABLE_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
 #include <boost/container/small_vector.hpp>
@@ -96,10 +97,12 @@ public:
   explicit Editable_triangulation_2(Bubble_mesh_2& mesh, Undo_log_2* log = nullptr)
     : m_mesh(mesh), m_triangles(mesh.triangles), m_log(log), m_triangle_of(mesh.bubbles.size(), no_index)
   {
-    for (std::size_t t = 0; t < m_triangles.number_of_triangles(); ++t)
+    for (std::size_t t = 0; t < m_triangles.number_of_triangles(); ++t) {
+      tick(t);
       for (Index v : m_triangles.vertices[t])
         if (m_triangles.inside[t] || m_triangle_of[v] == no_index)
           m_triangle_of[v] = static_cast<Index>(t);
+    }
   }
 
   const Bubble_mesh_2& mesh() const { return m_mesh; }
@@ -139,8 +142,9 @@ public:
   /// so little that all its triangles are still counterclockwise; returns the number of flips
   std::size_t restore_delaunay(const std::vector<Index>& moved)
   {
-    std::size_t number_of_flips = 0;
+    std::size_t number_of_flips = 0, number = 0;
     for (Index v : moved) {
+      tick(number++);
       for (const Corner_2& c : star(v)) {
         m_doubtful.push_back(c);
         m_doubtful.push_back(Corner_2{c.triangle, ccw(c.index)});

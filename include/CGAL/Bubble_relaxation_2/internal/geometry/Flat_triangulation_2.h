@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLAT_TRIANGULATION_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLAT_TRIANGULATION_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <array>
@@ -40,12 +41,14 @@ struct Triangles_2
 template <class Visitor>
 void for_each_edge(const Triangles_2& tr, std::size_t first, std::size_t last, const Visitor& visit)
 {
-  for (std::size_t k = first; k < last; ++k)
+  for (std::size_t k = first; k < last; ++k) {
+    tick(k);
     for (int i = 0; i < 3 && tr.inside[k]; ++i) {
       const Index t = static_cast<Index>(k), n = tr.neighbors[k][i];
       if (n == no_index || !tr.inside[n] || n > t)
         visit(t, i);
     }
+  }
 }
 
 /// A triangulation in arrays, for walks that many bubbles do at once.

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_HILBERT_CURVE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_HILBERT_CURVE_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
@@ -144,7 +145,8 @@ inline std::vector<Index> hilbert_order(const Hilbert_curve_2& curve, const std:
     Hilbert_curve_2::Key key;
     Index index;
   };
-  std::vector<Numbered_key> keys(points.size());
+  std::vector<Numbered_key> keys;
+  resize_in_turn(keys, points.size());
   parallel_for(threads, points.size(), [&](std::size_t i) {
     keys[i] = Numbered_key{curve.key(points[i].x(), points[i].y()), static_cast<Index>(i)};
   });
@@ -154,7 +156,8 @@ inline std::vector<Index> hilbert_order(const Hilbert_curve_2& curve, const std:
     const Point &p = points[a.index], &q = points[b.index];
     return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : a.index < b.index;
   });
-  std::vector<Index> result(points.size());
+  std::vector<Index> result;
+  resize_in_turn(result, points.size());
   parallel_for(threads, keys.size(), [&](std::size_t k) { result[k] = keys[k].index; });
   return result;
 }

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_MARKED_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
@@ -84,10 +85,12 @@ inline Edge_label edge_label(const Marked_triangles_2& m, Index t, int i)
 /// makes indices of edges labels
 inline void label_edges(Marked_triangles_2& m)
 {
-  for (std::size_t t = 0; t < m.edges.size(); ++t)
+  for (std::size_t t = 0; t < m.edges.size(); ++t) {
+    tick(t);
     for (int i = 0; i < 3; ++i)
       if (m.edges[t][i] != no_index)
         m.edges[t][i] = edge_label(m, static_cast<Index>(t), i);
+  }
 }
 
 /// Forgets all triangles but those for which `is_kept(t)` holds; returns the new numbers, `no_index` for the others.
@@ -96,10 +99,13 @@ std::vector<Index> keep_triangles(Marked_triangles_2& m, const Is_kept& is_kept)
 {
   std::vector<Index> number(m.number_of_triangles(), no_index);
   Index left = 0;
-  for (std::size_t t = 0; t < number.size(); ++t)
+  for (std::size_t t = 0; t < number.size(); ++t) {
+    tick(t);
     if (is_kept(t))
       number[t] = left++;
+  }
   for (std::size_t t = 0; t < number.size(); ++t) {
+    tick(t);
     if (number[t] == no_index)
       continue;
     m.vertices[number[t]] = m.vertices[t];

@@ -104,9 +104,10 @@ private:
 
   Index append()
   {
-    m_triangles.vertices.emplace_back();
-    m_triangles.neighbors.emplace_back();
-    m_triangles.edges.emplace_back();
+    for (auto* corners : {&m_triangles.vertices, &m_triangles.neighbors, &m_triangles.edges}) {
+      make_room_for(1, *corners);
+      corners->emplace_back();
+    }
     m_triangles.inside.push_back(1);
     m_is_gone.push_back(0);
     return static_cast<Index>(m_is_gone.size() - 1);

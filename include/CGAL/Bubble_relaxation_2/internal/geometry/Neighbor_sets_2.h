@@ -315,12 +315,10 @@ private:
     ++m_number_of_changes;
     const std::size_t n = bubbles.size() + bubbles.size() / 8; // with those that will be added
     m_sets.start(n);
-    for (std::vector<double>* a : {&m_x, &m_y, &m_d})
-      a->reserve(n);
     m_numbers = &bubbles.id;
-    m_x = references.x;
-    m_y = references.y;
-    m_d = references.d;
+    copy_in_turn(references.x, m_x, n);
+    copy_in_turn(references.y, m_y, n);
+    copy_in_turn(references.d, m_d, n);
   }
 
   static constexpr std::size_t block_size = Neighbor_search_2::block_size, least_blocks_at_once = 32,

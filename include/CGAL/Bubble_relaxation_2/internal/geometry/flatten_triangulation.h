@@ -13,9 +13,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
-#include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -29,36 +29,63 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The numbers of vertices, or of faces, by their addresses. The user's types are forgotten here, so that all that
-/// is done with numbers is compiled once.
+/// is done with numbers is compiled once. Unlike CGAL's maps it ticks while it grows, which takes long with millions.
 class Address_numbers
 {
 public:
   /// \param size of the objects in memory
-  explicit Address_numbers(std::size_t size) : m_size(size), m_numbers(no_index) {}
+  explicit Address_numbers(std::size_t size) : m_size(size) {}
 
   void add(void* object)
   {
-    m_numbers[key(object)] = static_cast<Index>(m_addresses.size());
+    if (m_addresses.size() == m_first.size())
+      grow();
     m_addresses.push_back(object);
+    m_next.push_back(no_index);
+    enter(m_addresses.size() - 1);
   }
 
   /// `no_index` if it was not added
-  Index operator()(const void* object) const { return m_numbers[key(object)]; }
+  Index operator()(const void* object) const
+  {
+    Index i = m_first.empty() ? no_index : m_first[bucket(object)];
+    while (i != no_index && m_addresses[i] != object)
+      i = m_next[i];
+    return i;
+  }
 
   const std::vector<void*>& addresses() const { return m_addresses; }
 
 private:
-  struct Identity
+  /// objects that follow each other in memory are in buckets that do so
+  std::size_t bucket(const void* object) const
   {
-    std::size_t operator()(std::size_t key) const { return key; }
-  };
+    return reinterpret_cast<std::uintptr_t>(object) / m_size & (m_first.size() - 1);
+  }
 
-  /// objects that follow each other in memory have consecutive keys, as the hash map likes them
-  std::size_t key(const void* object) const { return reinterpret_cast<std::uintptr_t>(object) / m_size; }
+  void enter(std::size_t i)
+  {
+    Index& first = m_first[bucket(m_addresses[i])];
+    m_next[i] = first;
+    first = static_cast<Index>(i);
+  }
+
+  void grow()
+  {
+    const std::size_t n = m_addresses.size();
+    assign_in_turn(m_first, (std::max)(2 * n, std::size_t(64)), no_index);
+    make_room_for(m_first.size() - n, m_addresses);
+    make_room_for(m_first.size() - n, m_next);
+    for (std::size_t i = 0; i < n; ++i) {
+      tick(i);
+      enter(i);
+    }
+  }
 
   std::size_t m_size;
-  Unique_hash_map<std::size_t, Index, Identity> m_numbers;
   std::vector<void*> m_addresses;
+  std::vector<Index> m_first; // the number that was added last to each bucket, of which there is a power of two
+  std::vector<Index> m_next;  // the one that was added to the same bucket before
 };
 
 /// Vertices and faces of one of CGAL's triangulations by their addresses, which containers have instead of handles:
@@ -192,10 +219,12 @@ inline std::vector<Index> lexicographic_order(const Triangulation_copy_2& copy, 
 {
   std::vector<std::pair<Point, Index>> sorted;
   sorted.reserve(copy.tr.points.size());
-  for (const Point& p : copy.tr.points)
+  for (const Point& p : copy.tr.points) {
+    tick(sorted.size());
     sorted.emplace_back(p, static_cast<Index>(sorted.size()));
+  }
   const std::vector<void*>& address = copy.vertices.addresses();
-  std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
+  parallel_sort(Threads(), sorted, [&](const auto& a, const auto& b) {
     return is_before != nullptr ? is_before(address[a.second], address[b.second]) : a < b;
   });
   std::vector<Index> order;

@@ -84,14 +84,16 @@ private:
   void copy_to_arrays()
   {
     const std::size_t n = m_cdt.number_of_faces();
-    m_result.vertices.resize(n);
-    m_result.neighbors.resize(n);
-    m_sides.assign(n, {no_index, no_index, no_index});
-    m_result.inside.assign(n, 0);
-    m_seen.assign(n, 0);
+    resize_in_turn(m_result.vertices, n);
+    resize_in_turn(m_result.neighbors, n);
+    assign_in_turn(m_sides, n, {no_index, no_index, no_index});
+    assign_in_turn(m_result.inside, n, char(0));
+    assign_in_turn(m_seen, n, char(0));
     Index number = 0;
-    for (Face_handle f : m_cdt.all_face_handles())
+    for (Face_handle f : m_cdt.all_face_handles()) {
       f->info() = m_cdt.is_infinite(f) ? no_index : number++;
+      tick(static_cast<std::size_t>(number));
+    }
     for (Face_handle f : m_cdt.finite_face_handles()) {
       for (int i = 0; i < 3; ++i) {
         m_result.vertices[f->info()][i] = f->vertex(i)->info();
@@ -144,7 +146,9 @@ private:
 
   void flood()
   {
+    std::size_t number = 0;
     while (!m_stack.empty()) {
+      tick(number++);
       const Index t = m_stack.back();
       m_stack.pop_back();
       for (int i = 0; i < 3; ++i)

@@ -23,7 +23,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -89,8 +88,12 @@ private:
   std::vector<Index> delete_crowded(const Bubbles_2& b, const Local_triangulation_2& mesh)
   {
     std::vector<Triangle> triangles;
-    std::copy_if(mesh.triangles().begin(), mesh.triangles().end(), std::back_inserter(triangles),
-                 [&](const Triangle& t) { return is_inside(b, t); });
+    triangles.reserve(mesh.triangles().size());
+    for (const Triangle& t : mesh.triangles()) {
+      tick(triangles.size());
+      if (is_inside(b, t))
+        triangles.push_back(t);
+    }
     m_team.share_triangles(b, triangles);
     const Crowded crowded = find_crowded(b, mesh.touched(), triangles);
     Greedy_choice choice; // the worst first; the neighbours of a deleted bubble get room and stay
@@ -111,7 +114,9 @@ private:
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<int> degree(b.size(), 0);
     std::vector<double> nearest(b.size(), infinity); // distance over mean size, least over neighbours
-    for (const Triangle& v : triangles)
+    std::size_t number = 0;
+    for (const Triangle& v : triangles) {
+      tick(number++);
       for (int i = 0; i < 3; ++i) {
         if (v[i] != no_index)
           ++degree[v[i]];
@@ -122,6 +127,7 @@ private:
         nearest[p] = (std::min)(nearest[p], w);
         nearest[q] = (std::min)(nearest[q], w);
       }
+    }
     Crowded result;
     result.nearest.assign(b.size(), infinity);
     for (Index i : touched)
@@ -149,13 +155,16 @@ private:
     std::vector<Index> position(b.size(), no_index);
     for (Index i : crowded.ours)
       position[i] = static_cast<Index>(choice.add(i));
-    for (const Triangle& v : triangles)
+    std::size_t number = 0;
+    for (const Triangle& v : triangles) {
+      tick(number++);
       for (int i = 0; i < 3; ++i)
         if (v[i] != no_index && position[v[i]] != no_index)
           for (Index j : {v[ccw(i)], v[cw(i)]})
             if (is_near(b, v[i], j) && crowded.nearest[j] < std::numeric_limits<double>::infinity() &&
                 is_worse(b, crowded, j, v[i]))
               choice.rivals(static_cast<std::size_t>(position[v[i]])).push_back(j);
+    }
   }
 
   Bubbles_2 fill_holes(const Bubbles_2& b, const Local_triangulation_2& mesh)

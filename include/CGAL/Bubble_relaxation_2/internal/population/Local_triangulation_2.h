@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_LOCAL_TRIANGULATION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
@@ -240,8 +241,14 @@ private:
             add_star(bubbles, neighbors, is_touched, m_touched[k], blocks[b]);
       },
       1);
+    std::size_t number = 0;
     for (const std::vector<Triangle>& block : blocks)
+      number += block.size();
+    m_triangles.reserve(number);
+    for (const std::vector<Triangle>& block : blocks) {
       m_triangles.insert(m_triangles.end(), block.begin(), block.end());
+      tick();
+    }
   }
 
   static void add_star(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,

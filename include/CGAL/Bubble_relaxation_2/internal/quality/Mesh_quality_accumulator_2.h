@@ -93,6 +93,18 @@ public:
   /// `ratio`: the length of an edge over the wanted length
   void add_length(double ratio) { m_lengths.push_back(ratio); }
 
+  /// makes room for all that others have
+  void make_room_for(const std::vector<Mesh_quality_accumulator_2>& others)
+  {
+    std::size_t qualities = m_qualities.size(), lengths = m_lengths.size();
+    for (const Mesh_quality_accumulator_2& other : others) {
+      qualities += other.m_qualities.size();
+      lengths += other.m_lengths.size();
+    }
+    m_qualities.reserve(qualities);
+    m_lengths.reserve(lengths);
+  }
+
   /// adds all that another one has
   void add(const Mesh_quality_accumulator_2& other)
   {

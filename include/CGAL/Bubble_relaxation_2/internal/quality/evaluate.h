@@ -176,10 +176,11 @@ public:
   void add(const Bubbles_2& b, const std::vector<double>& wanted)
   {
     constexpr double much = 0.7; // one alone would have the area of two
-    for (std::size_t v = 0; v < b.size(); ++v)
-      if (b.is_ours(static_cast<Index>(v)) && b.d[v] < much * wanted[v])
-        m_squares[square(b.x[v] - m_x) + side * square(b.y[v] - m_y)].add(b.d[v] / wanted[v],
-                                                                          b.point(static_cast<Index>(v)));
+    for (std::size_t v = 0; v < b.size(); ++v) {
+      tick(v);
+      if (b.is_ours(v) && b.d[v] < much * wanted[v])
+        m_squares[square(b.x[v] - m_x) + side * square(b.y[v] - m_y)].add(b.d[v] / wanted[v], b.point(v));
+    }
   }
 
   /// those with most of them, none beside another one that is told
@@ -306,6 +307,7 @@ inline Mesh_quality_2<double> quality_of(const Bubble_mesh_2& mesh, const Sizes_
       },
       1);
     add_vertices(mesh, all);
+    all.make_room_for(blocks);
     for (const Mesh_quality_accumulator_2& block : blocks) {
       tick();
       all.add(block);

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_ACTIVE_BUBBLES_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
@@ -49,8 +50,10 @@ public:
   void rouse_all(const Bubbles_2& bubbles)
   {
     make_room(bubbles);
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      tick(i);
       m_is_active[i] = is_movable(bubbles, i);
+    }
     m_indices = marked(m_is_active);
     m_is_roused = true;
   }

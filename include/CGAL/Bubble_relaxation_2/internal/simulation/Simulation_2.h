@@ -35,8 +35,12 @@ class Size_update
 {
 public:
   Size_update(const Bubbles_2& b, const Sizes_2& sizing, double tolerance)
-    : m_sizing(sizing), m_tolerance(tolerance), m_x(b.x), m_y(b.y)
-  {}
+    : m_sizing(sizing), m_tolerance(tolerance)
+  {
+    const std::size_t n = b.size() + b.size() / 8; // with those that will be added
+    copy_in_turn(b.x, m_x, n);
+    copy_in_turn(b.y, m_y, n);
+  }
 
   void operator()(Bubbles_2& b, std::size_t i)
   {
@@ -100,10 +104,8 @@ struct Step_flags
 
   void start_step(std::size_t n)
   {
-    rests.resize(n);
-    is_moving.resize(n);
-    returned.resize(n);
-    is_outrun.resize(n);
+    for (std::vector<char>* flags : {&rests, &is_moving, &returned, &is_outrun})
+      resize_in_turn(*flags, n);
   }
 };
 
@@ -264,6 +266,7 @@ public:
     m_update_size.make_room_for(in.size());
     const Index first = static_cast<Index>(m_bubbles.size());
     for (std::size_t k = 0; k < in.size(); ++k) {
+      tick(k);
       const Index i = static_cast<Index>(m_bubbles.size());
       m_bubbles.add(in, k);
       if (!in.id.empty()) {

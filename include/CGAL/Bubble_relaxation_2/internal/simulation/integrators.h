@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIMULATION_INTEGRATORS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
@@ -70,8 +71,8 @@ struct Displacements
 
   void start_step(std::size_t n)
   {
-    x.resize(n);
-    y.resize(n);
+    resize_in_turn(x, n);
+    resize_in_turn(y, n);
   }
 };
 
@@ -160,13 +161,16 @@ public:
     displacements.start_step(n);
     std::fill(displacements.x.begin(), displacements.x.end(), 0.);
     std::fill(displacements.y.begin(), displacements.y.end(), 0.);
-    m_sum_vx.assign(n, 0);
-    m_sum_vy.assign(n, 0);
-    m_x = m_next_x = b.x;
-    m_y = m_next_y = b.y;
-    m_vx.resize(n);
-    m_vy.resize(n);
+    assign_in_turn(m_sum_vx, n, 0.);
+    assign_in_turn(m_sum_vy, n, 0.);
+    for (std::vector<double>* x : {&m_x, &m_next_x})
+      copy_in_turn(b.x, *x, b.size());
+    for (std::vector<double>* y : {&m_y, &m_next_y})
+      copy_in_turn(b.y, *y, b.size());
+    resize_in_turn(m_vx, n);
+    resize_in_turn(m_vy, n);
     for (std::size_t k = 0; k < n; ++k) {
+      tick(k);
       m_vx[k] = b.vx[active[k]];
       m_vy[k] = b.vy[active[k]];
     }
@@ -185,6 +189,7 @@ public:
       }
     }
     for (std::size_t k = 0; k < n; ++k) {
+      tick(k);
       b.vx[active[k]] += m_sum_vx[k];
       b.vy[active[k]] += m_sum_vy[k];
     }

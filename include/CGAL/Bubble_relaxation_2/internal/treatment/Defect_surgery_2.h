@@ -185,6 +185,7 @@ private:
   {
     ++number_of_insertions;
     has_changed_outline = has_changed_outline || b.is_on_edge(k);
+    m_mesh.bubbles.make_room_for(1);
     m_mesh.bubbles.add(b, k);
     return static_cast<Index>(m_mesh.bubbles.size() - 1);
   }

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_SMOOTHING_SWEEPS_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
@@ -35,7 +36,8 @@ inline double quality(const Bubble_mesh_2& mesh, Index t)
 /// q of each triangle of the domain, 1 outside
 inline std::vector<double> qualities(const Bubble_mesh_2& mesh, const Threads& threads)
 {
-  std::vector<double> result(mesh.triangles.number_of_triangles());
+  std::vector<double> result;
+  resize_in_turn(result, mesh.triangles.number_of_triangles());
   parallel_for(threads, result.size(), [&](std::size_t t) {
     const Index i = static_cast<Index>(t);
     result[t] = mesh.triangles.inside[t] != 0 ? quality(mesh, i) : 1.;
@@ -167,7 +169,9 @@ private:
       is_candidate[v] = 1;
     m_team.share(is_candidate);
     m_choice.start(m_bubbles.size());
+    std::size_t number = 0;
     for (Index v : candidates) {
+      tick(number++);
       Greedy_choice::Rivals& rivals = m_choice.rivals(m_choice.add(v));
       for (const Corner_2& c : mesh.star(v))
         for (Index w : mesh.vertices(c.triangle))
@@ -180,11 +184,14 @@ private:
                                   const std::vector<Index>& moved) const
   {
     std::vector<char> marks(m_bubbles.size(), 0);
-    for (Index v : moved)
+    std::size_t number = 0;
+    for (Index v : moved) {
+      tick(number++);
       for (const Corner_2& c : mesh.star(v))
         if (mesh.is_inside(c.triangle))
           for (Index w : mesh.vertices(c.triangle))
             marks[w] = may_be_moved(w);
+    }
     std::vector<Index> result = marked(marks);
     m_team.add_neighbors_of_others(mesh, result);
     std::sort(result.begin(), result.end());

@@ -123,7 +123,8 @@ private:
   {
     const Marked_triangles_2& tr = m_mesh;
     const Vertex_handle infinite = m_cdt.infinite_vertex();
-    std::vector<void*> hull, ending_at(m_bubbles.size()); // hull sides run clockwise, seen from outside
+    std::vector<void*> hull, ending_at; // hull sides run clockwise, seen from outside
+    resize_in_turn(ending_at, m_bubbles.size());
     std::vector<Index> sources;
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
       tick(t);
