@@ -174,6 +174,28 @@ TEST(Degenerate_input, size_that_falls_below_all_roundings)
   }
 }
 
+// by the thousands the bubbles would push all others, in each step
+TEST(Degenerate_input, given_mesh_far_finer_than_the_size)
+{
+  CDT mesh = domains::make({domains::square(0, 0, 1)});
+  CGAL::npbs_relax(mesh, size(0.02));
+  const std::size_t number = mesh.number_of_vertices();
+  for (auto population : {CGAL::Bubble_population::NONE, CGAL::Bubble_population::DELAUNAY}) {
+    const auto keep = [&](double d) {
+      CDT cdt = mesh;
+      const auto report =
+        CGAL::npbs_relax(cdt, size(d).initial_placement(CGAL::Bubble_placement::KEEP).population_control(population)
+                                .number_of_rounds(2).number_of_iterations(5));
+      validation::expect_valid_mesh(cdt);
+      return report.number_of_initial_bubbles;
+    };
+    EXPECT_EQ(keep(0.02), number);
+    EXPECT_GT(keep(0.08), number - 200); // on the outline there are fewer
+    EXPECT_GT(keep(0.5), 100u);
+    EXPECT_LT(keep(0.5), 400u);
+  }
+}
+
 class Scaled_and_shifted : public testing::TestWithParam<std::pair<double, double>>
 {};
 

@@ -43,7 +43,7 @@ struct Limits_of_outline_2
 };
 
 /// Counts the bubbles that `wanted` sizes ask for, and makes sizes smaller and cuts corners off where the outline asks
-/// for it, if it may; then `given` becomes what is given for the domain that is left.
+/// for it, if it may; then `given` becomes what is given for the domain that is left, without crowds.
 /// \throws std::length_error if sizes ask for too many bubbles
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Interpolated_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
@@ -35,9 +36,8 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
   return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox(), growth));
 }
 
-CGAL_BUBBLE_RELAXATION_2_INLINE
-Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
-                                     const Relaxation_options& options, bool may_limit)
+inline Limits_of_outline_2 find_limits_of_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
+                                                  const Relaxation_options& options, bool may_limit)
 {
   constexpr int turns = 1, turns_beyond_circles = 2;
   const std::size_t maximum = options.maximum_number_of_bubbles;
@@ -56,6 +56,16 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   if (limited.is_limited())
     count_bubbles(rest, maximum, sizes_and_outline, sizes);
   return {sizes, cut, cut ? &rest : nullptr};
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
+                                     const Relaxation_options& options, bool may_limit)
+{
+  const Limits_of_outline_2 limits = find_limits_of_outline(domain, given, wanted, options, may_limit);
+  if (keeps_given_bubbles(options) && options.number_of_rounds != 0) // else they only lie there
+    thin_out_crowds(limits.domain != nullptr ? *limits.domain : domain, limits.sizes, given);
+  return limits;
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

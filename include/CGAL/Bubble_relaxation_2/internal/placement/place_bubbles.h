@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_BUBBLES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_frontal.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_rhombic.h>
 
@@ -121,7 +123,38 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
   return options.placement_is_given && options.placement == Bubble_placement::KEEP;
 }
 
-/// The bubbles that the user gives, all of them, whatever d asks for.
+/// Thins out free vertices of an existing mesh that are far finer than d: as bubbles each of them would push hundreds
+/// of others in each step, and population control would need many rounds to get rid of them. Of smaller bubbles there
+/// may be many around a large one, so they do not count.
+inline void thin_out_crowds(const Domain_2& domain, const Sizes_2& sizing, Given_mesh_2& given)
+{
+  constexpr double near = 0.5;
+  constexpr std::size_t many = 25; // within so many d of a bubble; one in the hexagonal lattice
+  Bubbles_2 b;
+  keep_in_faces(domain, given, sizing, b);
+  const std::size_t n = b.size();
+  Bubble_buckets_2 kept(near, n == 0 ? 1. : b.d[0], domain.bbox().xmin(), domain.bbox().ymin(), n);
+  std::vector<char> is_kept(n);
+  std::size_t step = 1;
+  while (2 * step <= n)
+    step *= 2;
+  for (; step > 0; step /= 2) // along the curve, in the middle between those that came before: what is left is even
+    for (std::size_t k = step - 1; k < n; k += 2 * step) {
+      tick(k);
+      std::size_t others = 0;
+      is_kept[k] = kept.for_each_near(b.x[k], b.y[k], b.d[k], [&](Index, double, double d) {
+        others += 2 * d >= b.d[k];
+        return others < many;
+      });
+      if (is_kept[k])
+        kept.insert(static_cast<Index>(k), b.x[k], b.y[k], b.d[k]);
+    }
+  given.free.clear();
+  for (Index k : marked(is_kept))
+    given.free.push_back(b.point(k));
+}
+
+/// The bubbles that the user gives, whatever d asks for.
 inline Bubbles_2 given_bubbles(const Problem_2& p, Team& team)
 {
   Bubbles_2 bubbles = place_on_outline(p.domain, p.given, On_edges::KEEP, p.sizes);

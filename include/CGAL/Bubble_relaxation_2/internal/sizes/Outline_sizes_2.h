@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,14 +37,24 @@ inline double extent(const Domain_2& domain)
   return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
 }
 
-/// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent.
-constexpr double smallest_size = 1e-12;
+/// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent, nor
+/// less than the steps of coordinates, since bubbles that are smaller would round to one place by the thousands.
+inline double smallest_size(const Domain_2& domain)
+{
+  constexpr double smallest_share = 1e-12;
+  const Bbox_2& box = domain.bbox();
+  const double farthest =
+    (std::max)({std::abs(box.xmin()), std::abs(box.xmax()), std::abs(box.ymin()), std::abs(box.ymax())});
+  const double least_step = 0.5 * std::numeric_limits<double>::epsilon() * farthest;
+  return (std::max)(smallest_share * extent(domain), least_step);
+}
 
 /// At each vertex of a constraint the length of the shorter constraint beside it. `splits`: what counts as vertices of
 /// edges between their ends, if anything
 inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
                                                   const std::vector<std::vector<Point>>* splits = nullptr)
 {
+  const double smallest = smallest_size(domain);
   std::vector<Size_source_2> result;
   for (const Point& p : domain.corners())
     result.push_back(Size_source_2{p, extent(domain)});
@@ -53,7 +64,7 @@ inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
     const auto add_piece_to = [&](std::size_t next) {
       const double length = std::sqrt(CGAL::squared_distance(result[last].point, result[next].point));
       for (std::size_t end : {last, next})
-        result[end].d = (std::min)(result[end].d, (std::max)(length, smallest_size * extent(domain)));
+        result[end].d = (std::min)(result[end].d, (std::max)(length, smallest));
       last = next;
     };
     if (splits != nullptr)
@@ -151,7 +162,7 @@ private:
   {
     const double d = tolerated * distance;
     if (d < notable * m_limited.sizes()(p))
-      m_found.push_back(Size_source_2{p, (std::max)(d, smallest_size * extent(m_domain))});
+      m_found.push_back(Size_source_2{p, (std::max)(d, smallest_size(m_domain))});
   }
 
   /// divides the constraints by the sizes found so far, and measures across the triangles between them
