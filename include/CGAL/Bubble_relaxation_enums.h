@@ -27,11 +27,11 @@ enum class Bubble_integrator
 enum class Bubble_placement
 {
   /// the free vertices that exist, but for those in circles around sharp corners, are the bubbles: in the faces
-  /// whatever d asks, but of a crowd, about five times as fine as d, only some; on an edge if it has as many as the
-  /// integral of ds/d asks, rounded, else the edge is cut anew; both also with `Bubble_population::NONE`. Then population
-  /// control inserts and deletes where d has changed. The mesh that was given, treated, is the result if its smallest q
-  /// is larger than that of the simulated bubbles, unless a larger share of its triangles does not fit d, since their
-  /// area is more than twice that of an equilateral triangle with the side d, or less than half of it
+  /// whatever d asks, on an edge if it has as many as the integral of ds/d asks, rounded; else the edge is cut anew,
+  /// also with `Bubble_population::NONE`. Otherwise only some are taken of a crowd, about five times as fine as d, and
+  /// population control inserts and deletes where d has changed. The mesh that was given, treated, is the result if its
+  /// smallest q is larger than that of the simulated bubbles, unless a larger share of its triangles does not fit d,
+  /// since their area is more than twice that of an equilateral triangle with the side d, or less than half of it
   KEEP,
   RHOMBIC,  ///< the paper's: recursive subdivision in rhombic cells with angles of 60 and 120 degrees
   FRONTAL   ///< the default: a front of hexagonally aligned candidates

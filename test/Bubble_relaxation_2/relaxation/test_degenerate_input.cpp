@@ -180,7 +180,7 @@ TEST(Degenerate_input, given_mesh_far_finer_than_the_size)
   CDT mesh = domains::make({domains::square(0, 0, 1)});
   CGAL::npbs_relax(mesh, size(0.02));
   const std::size_t number = mesh.number_of_vertices();
-  for (auto population : {CGAL::Bubble_population::NONE, CGAL::Bubble_population::DELAUNAY}) {
+  for (auto population : {CGAL::Bubble_population::OVERLAP_RATIO, CGAL::Bubble_population::DELAUNAY}) {
     const auto keep = [&](double d) {
       CDT cdt = mesh;
       const auto report =

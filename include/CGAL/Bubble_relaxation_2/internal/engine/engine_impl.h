@@ -63,7 +63,8 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
                                      const Relaxation_options& options, bool may_limit)
 {
   const Limits_of_outline_2 limits = find_limits_of_outline(domain, given, wanted, options, may_limit);
-  if (keeps_given_bubbles(options) && options.number_of_rounds != 0) // else they only lie there
+  // without population control none of them go, and without rounds they only lie there
+  if (keeps_given_bubbles(options) && options.population != Bubble_population::NONE && options.number_of_rounds != 0)
     thin_out_crowds(limits.domain != nullptr ? *limits.domain : domain, limits.sizes, given);
   return limits;
 }

@@ -37,8 +37,8 @@ inline double extent(const Domain_2& domain)
   return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
 }
 
-/// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent, nor
-/// less than the steps of coordinates, since bubbles that are smaller would round to one place by the thousands.
+/// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent,
+/// nor less than the steps of coordinates, since bubbles that are smaller would round to one place by the thousands.
 inline double smallest_size(const Domain_2& domain)
 {
   constexpr double smallest_share = 1e-12;
