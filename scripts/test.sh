@@ -25,9 +25,9 @@ build_and_test() { # NAME OPTION...
 # meshes of another machine, which is emulated, have the same bits; scripts/same_bits.sh alone has more of them. This
 # keeps one core busy for minutes, where others would wait for it
 mkdir -p build
-scripts/same_bits.sh aarch64 > build/same_bits.log 2>&1 &
+setsid scripts/same_bits.sh aarch64 > build/same_bits.log 2>&1 &
 same_bits=$!
-trap 'kill "$same_bits" 2> /dev/null || true' EXIT
+trap 'kill -- "-$same_bits" 2> /dev/null || true' EXIT # with all that it runs
 
 # All tests, with CGAL's assertions: little optimisation, since most of the time goes into compiling. CGAL's exact numbers
 # are GMP's own here, not those of Boost as in all builds below: what Boost's instantiate in each file takes seconds.
@@ -35,6 +35,7 @@ build_and_test test -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -D
 
 status=0
 wait "$same_bits" || status=$?
+trap - EXIT
 cat build/same_bits.log
 [ "$status" -eq 0 ] || exit "$status"
 

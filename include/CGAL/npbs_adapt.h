@@ -164,7 +164,7 @@ as `npbs_relax()` does.
 \param np a sequence of \ref bgl_namedparameters "Named Parameters": `sizing_function`, which must be given;
 `vertex_is_constrained_map`, `limit_by_outline`, `size_growth` and `maximum_number_of_bubbles` of `npbs_relax()`;
 `seeds` and `seeds_are_in_domain` if faces have no marks; `callback`, which is told the progress of `npbs_adapt()`, of
-which this is the first twentieth; and
+which this is the beginning; and
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{longest_edge}

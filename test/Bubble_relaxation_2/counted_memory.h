@@ -15,7 +15,7 @@
 #include <new>
 
 // Replaces `new` and `delete` of the whole program, so that memory is counted and can be let end. One translation unit
-// of a program can include this.
+// of a program can include this, whose threads, if it has any, take turns.
 
 namespace counted_memory {
 
@@ -31,7 +31,8 @@ constexpr std::size_t head = alignof(std::max_align_t); // before each allocatio
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
   using namespace counted_memory;
-  char* p = allocations_left == 0 ? nullptr : static_cast<char*>(std::malloc(size + head));
+  const bool is_possible = allocations_left != 0 && size + head > size;
+  char* p = is_possible ? static_cast<char*>(std::malloc(size + head)) : nullptr;
   if (p == nullptr)
     throw std::bad_alloc();
   if (allocations_left > 0)

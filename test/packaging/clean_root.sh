@@ -19,20 +19,24 @@ mkdir -p "$root"/{usr,tmp} "$root"/var/lib/dpkg/{info,updates,triggers}
 for folder in bin lib lib64 sbin; do # on a merged system these are links, and the dynamic linker is found by one
   [ ! -L "/$folder" ] || { mkdir -p "$root/usr/$folder" && ln -s "usr/$folder" "$root/$folder"; }
 done
-touch "$root/var/lib/dpkg/status"
-# what is installed here depends on, and the names of its lists of files: dpkg is asked once, since it reads all of its
-# database each time
+# what is installed here depends on (never nothing: there is a comma at least), and the names of its lists of files:
+# dpkg is asked once for all, since it reads all of its database each time
 declare -A depends list_of is_visited
-while IFS=$'\t' read -r name list status dependencies; do
-  [ "$status" != installed ] || { depends[$name]=$dependencies && list_of[$name]=$list.list; }
-done < <(dpkg-query -W -f='${Package}\t${binary:Package}\t${db:Status-Status}\t${Pre-Depends}, ${Depends}\n')
+native=$(dpkg --print-architecture)
+while IFS=$'\t' read -r name list status architecture dependencies; do
+  if [ "$status" = installed ] && { [ "$architecture" = all ] || [ "$architecture" = "$native" ]; }; then
+    depends[$name]=$dependencies
+    list_of[$name]=$list
+  fi
+done < <(dpkg-query -W \
+  -f='${Package}\t${binary:Package}\t${db:Status-Status}\t${Architecture}\t${Pre-Depends}, ${Depends}\n')
 
 # the packages of a list of dependencies: of alternatives the one that is here, nothing virtual
 names_in() {
-  local list alternatives alternative name
+  local list needed alternatives alternative name
   IFS=',' read -r -a list <<< "$1"
-  for alternatives in "${list[@]}"; do
-    IFS='|' read -r -a alternatives <<< "$alternatives"
+  for needed in "${list[@]}"; do
+    IFS='|' read -r -a alternatives <<< "$needed"
     for alternative in "${alternatives[@]}"; do
       name=${alternative%%(*}
       name=${name//[[:space:]]/}
@@ -66,7 +70,7 @@ done
 mapfile -t registered < <(printf '%s\n' "${is_visited[@]}" | sort -u)
 mapfile -t copied < <(for key in "${!is_visited[@]}"; do echo "$key"; done | sed -n 's/ with_files$//p' | sort)
 for name in "${registered[@]}"; do
-  cp "/var/lib/dpkg/info/${list_of[$name]}" "$root/var/lib/dpkg/info/"
+  cp "/var/lib/dpkg/info/${list_of[$name]}.list" "$root/var/lib/dpkg/info/"
 done
 dpkg-query -s "${registered[@]}" > "$root/var/lib/dpkg/status"
 dpkg-query -L "${copied[@]}" | sort -u | while read -r file; do

@@ -16,6 +16,8 @@
 #include "validation.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Default_adaptation_visitor_2.h>
+#include <CGAL/Mesh_quality_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_relax.h>
@@ -286,6 +288,45 @@ TYPED_TEST(Adapt_writing, a_stop_without_restoring_leaves_the_whole_part)
   EXPECT_EQ(this->calls.size(), 3u); // it is not called again
   CGAL::npbs_remesh_faces(other, faces_near(other, 0.5, 0.1, 0.3), size(0.03));
   EXPECT_EQ(validation::triangles(this->cdt), validation::triangles(other));
+}
+
+/// a user who looks at the mesh, for long, when it can no more be given back
+template <class Cdt>
+struct Late_looker : CGAL::Default_adaptation_visitor_2<Cdt>
+{
+  using Base = CGAL::Default_adaptation_visitor_2<Cdt>;
+
+  const Cdt& cdt;
+  explicit Late_looker(const Cdt& t) : cdt(t) {}
+
+  void look() const
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(45));
+    EXPECT_GT(CGAL::mesh_quality_2(cdt).mean_quality(), 0.5);
+  }
+
+  void while_both_exist(const typename Base::Faces&, const typename Base::Vertices&, const typename Base::Faces&,
+                        const typename Base::Vertices&)
+  {
+    look();
+  }
+
+  void after_change(const typename Base::Faces&, const typename Base::Vertices&) { look(); }
+};
+
+TYPED_TEST(Adapt_writing, nothing_is_told_when_all_is_done)
+{
+  std::size_t calls_at_end = 0;
+  const auto callback = [&](double progress) {
+    calls_at_end += progress == 1;
+    return calls_at_end < 2; // which would leave half of the work done
+  };
+  const auto report = CGAL::npbs_remesh_faces(
+    this->cdt, this->part,
+    size(0.03).callback(callback).restore_when_stopped(true).visitor(Late_looker<TypeParam>(this->cdt)));
+  EXPECT_EQ(calls_at_end, 1u);
+  EXPECT_EQ(report.stop_reason, CGAL::Bubble_stop_reason::CONVERGED);
+  validation::expect_valid_mesh(this->cdt);
 }
 
 TEST(Adapt_errors, nothing_is_left_behind_where_memory_ends)

@@ -53,14 +53,16 @@ public:
   std::vector<Index> find_unwritable()
   {
     std::vector<Index> those = build_outside();
-    m_is_delaunay = those.empty() && is_delaunay();
-    return m_is_delaunay || !those.empty() ? those : build_inside();
+    if (!those.empty())
+      return those;
+    m_is_delaunay = is_delaunay();
+    return m_is_delaunay ? those : build_inside();
   }
 
   /// whether `find_unwritable()` saw that no edge of the triangles is to be flipped
   bool needs_no_flips() const { return m_is_delaunay; }
 
-  /// Makes the new faces of a mesh that can be written. `needs_no_flips`: that is known
+  /// Makes the new faces of a mesh of which no bubble has to go. `needs_no_flips`: that is known
   void build(bool needs_no_flips)
   {
     m_is_delaunay = needs_no_flips;
@@ -126,8 +128,8 @@ private:
     return unbearable();
   }
 
-  /// Whether the triangles are counterclockwise as the user's vertices, and of a constrained Delaunay triangulation
-  /// with the faces beyond the rim.
+  /// Whether the triangles are counterclockwise where the user's vertices are, which may be rounded, and of a
+  /// constrained Delaunay triangulation with the faces beyond the rim.
   bool is_delaunay()
   {
     const Marked_triangles_2& tr = m_mesh.triangles;
@@ -144,7 +146,7 @@ private:
       if (!tr.inside[t])
         continue;
       const auto& v = tr.vertices[t];
-      const Vertex_handle a = m_vertices(v[0]), b = m_vertices(v[1]), c = m_vertices(v[2]); // made in this order
+      const Vertex_handle a = m_vertices(v[0]), b = m_vertices(v[1]), c = m_vertices(v[2]);
       if (!is_counterclockwise<Cdt>(a, b, c) || !is_legal(t, 0) || !is_legal(t, 1) || !is_legal(t, 2))
         return false;
     }
@@ -226,7 +228,8 @@ private:
       if (!tr.inside[t])
         continue;
       const auto& v = tr.vertices[t];
-      m_faces[t] = m_exchange.add_face(m_vertices(v[0]), m_vertices(v[1]), m_vertices(v[2]));
+      const Vertex_handle a = m_vertices(v[0]), b = m_vertices(v[1]), c = m_vertices(v[2]); // made in this order
+      m_faces[t] = m_exchange.add_face(a, b, c);
       if constexpr (Has_domain_mark<typename Cdt::Face>::value)
         m_faces[t]->set_in_domain(true);
     }

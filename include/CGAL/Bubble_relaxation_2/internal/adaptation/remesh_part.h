@@ -122,7 +122,7 @@ void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename 
   write.build(needs_no_flips);
   const std::vector<typename Cdt::Vertex_handle> new_vertices = write.new_vertices();
   const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
-  progress.report(1);
+  progress.finish();
   write.exchange();
   visitor.while_both_exist(part, removed, new_faces, new_vertices);
   tags.forget_part(input.reading(), part);

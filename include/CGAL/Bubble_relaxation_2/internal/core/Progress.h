@@ -153,6 +153,13 @@ public:
     tick();
   }
 
+  /// Tells that all is done, and nothing after that: what users do then may tick as well.
+  void finish()
+  {
+    report(1);
+    m_is_over = true;
+  }
+
   bool is_stopped() const { return m_is_stopped; }
 
   /// From here on a stop is not thrown, but remembered for those who ask.
@@ -164,7 +171,8 @@ private:
 
   bool is_due() const
   {
-    return m_callback && !m_is_calling && !m_is_stopped && Clock::now() - m_last >= std::chrono::milliseconds(25);
+    return m_callback && !m_is_calling && !m_is_stopped && !m_is_over &&
+           Clock::now() - m_last >= std::chrono::milliseconds(25);
   }
 
   /// How much of the phase is over if it goes on at the pace so far; from the half on less and less, since it may take
@@ -183,7 +191,7 @@ private:
   std::unique_ptr<Observer> m_observer;
   Clock::time_point m_start, m_last, m_start_of_phase;
   double m_begin = 0, m_end = 0, m_fraction = 0;
-  bool m_is_measured = false, m_is_stopped = false, m_throws = true;
+  bool m_is_measured = false, m_is_stopped = false, m_is_over = false, m_throws = true;
   bool m_is_calling = false; // loops of what the callback calls tell nobody
 };
 
@@ -228,7 +236,7 @@ inline void tick(std::size_t done, std::size_t all)
 /// is touched for the first time, takes tenths of a second
 constexpr std::size_t elements_at_once = 1 << 16;
 
-/// the same as `array.resize(n, value)` where there is no room for more
+/// the same as `array.resize(n, value)`, with no more memory than that needs
 template <class T>
 void resize_in_turn(std::vector<T>& array, std::size_t n, const T& value = T())
 {

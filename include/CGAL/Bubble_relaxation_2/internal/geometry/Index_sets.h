@@ -50,8 +50,8 @@ public:
   {
     const std::uint32_t size = static_cast<std::uint32_t>(n);
     const std::uint32_t capacity = size + 1; // few sets get more than one more
-    m_sets.push_back(Set{m_pool.size(), size, capacity});
     internal::make_room_for(capacity, m_pool);
+    m_sets.push_back(Set{m_pool.size(), size, capacity});
     m_pool.insert(m_pool.end(), set, set + n);
     m_pool.resize(m_pool.size() + capacity - size);
   }
@@ -107,10 +107,10 @@ private:
     Set& s = m_sets[i];
     if (size <= s.capacity)
       return;
-    s.capacity = static_cast<std::uint32_t>(size + size / 2 + 1);
-    const std::size_t first = m_pool.size();
-    internal::make_room_for(s.capacity, m_pool);
-    m_pool.resize(first + s.capacity);
+    const std::size_t first = m_pool.size(), capacity = size + size / 2 + 1;
+    internal::make_room_for(capacity, m_pool);
+    m_pool.resize(first + capacity);
+    s.capacity = static_cast<std::uint32_t>(capacity);
     std::copy_n(m_pool.begin() + static_cast<std::ptrdiff_t>(s.first), s.size,
                 m_pool.begin() + static_cast<std::ptrdiff_t>(first));
     s.first = first;

@@ -70,6 +70,7 @@ void keep_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Size
 {
   Index hint = 0;
   for (std::size_t k = 0; k < given.free.size(); ++k) {
+    tick(k);
     const Point& p = given.free[k];
     const Index triangle = domain.host_of(p, hint);
     if (triangle == no_index) // rounded out of the domain
@@ -128,19 +129,19 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
 /// may be many around a large one, so they do not count.
 inline void thin_out_crowds(const Domain_2& domain, const Sizes_2& sizing, Given_mesh_2& given)
 {
-  constexpr double near = 0.5;
-  constexpr std::size_t many = 25; // within so many d of a bubble; one in the hexagonal lattice
+  constexpr double near = 0.5;     // in units of d
+  constexpr std::size_t many = 25; // so near to a bubble; in the hexagonal lattice there is none but itself
   Bubbles_2 b;
   keep_in_faces(domain, given, sizing, b);
   const std::size_t n = b.size();
   Bubble_buckets_2 kept(near, n == 0 ? 1. : b.d[0], domain.bbox().xmin(), domain.bbox().ymin(), n);
   std::vector<char> is_kept(n);
-  std::size_t step = 1;
+  std::size_t step = 1, number = 0;
   while (2 * step <= n)
     step *= 2;
   for (; step > 0; step /= 2) // along the curve, in the middle between those that came before: what is left is even
     for (std::size_t k = step - 1; k < n; k += 2 * step) {
-      tick(k);
+      tick(number++);
       std::size_t others = 0;
       is_kept[k] = kept.for_each_near(b.x[k], b.y[k], b.d[k], [&](Index, double, double d) {
         others += 2 * d >= b.d[k];

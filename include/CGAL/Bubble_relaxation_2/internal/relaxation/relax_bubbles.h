@@ -106,9 +106,9 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Repo
     }
     if (is_last)
       break; // what is inserted now would not be relaxed
-    change_population(change, problem.options, simulation, bubbles, team);
     report.number_of_insertions += change.inserted.size();
     report.number_of_deletions += count_ours(bubbles, change.deleted);
+    change_population(change, problem.options, simulation, bubbles, team);
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;
 }

@@ -38,7 +38,7 @@ inline double extent(const Domain_2& domain)
 }
 
 /// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent,
-/// nor less than the steps of coordinates, since bubbles that are smaller would round to one place by the thousands.
+/// nor less than about a step of coordinates, since bubbles that are smaller would round to one place by the thousands.
 inline double smallest_size(const Domain_2& domain)
 {
   constexpr double smallest_share = 1e-12;
