@@ -64,6 +64,7 @@ class Adaptive_cycles
 {
 public:
   using Mesh = Triangle_arrays<CDT>;
+  using Vertex_handle = typename CDT::Vertex_handle;
   using Field = CGAL::Interpolated_sizing_field_2<CDT>;
   using Exact = Corner_singularity<typename CDT::Geom_traits>;
 
@@ -153,7 +154,9 @@ private:
     start = seconds();
     m_carried.number_of_new_vertices = 0;
     m_carried.seconds = 0;
-    CGAL::npbs_adapt(m_cdt, CGAL::parameters::sizing_function(*m_field).visitor(std::ref(m_carried)));
+    CGAL::npbs_adapt(m_cdt, CGAL::parameters::sizing_function(*m_field)
+                              .faces_to_check(faces_around(m_changed))
+                              .visitor(std::ref(m_carried)));
     m_cycle.carrying = m_carried.seconds;
     m_cycle.meshing = seconds() - start - m_cycle.carrying;
     m_cycle.new_vertices = m_carried.number_of_new_vertices;
@@ -168,11 +171,14 @@ private:
       Size_from_error<CDT>(mesh, estimate.of_triangles(), Equal_error::GRADIENT).sizes(m_options.nodes, least, most);
     std::unordered_map<typename CDT::Vertex_handle, double> sizes;
     std::vector<char> is_changed(wanted.size(), 0);
+    m_changed.clear();
     for (std::size_t v = 0; v < wanted.size(); ++v) {
       double& d = sizes[mesh.vertices[v]] = m_field ? (*m_field)(mesh.points[v]) : m_options.first_size;
       is_changed[v] = wanted[v] < worthwhile * d;
-      if (is_changed[v])
-        d = (std::min)((std::max)(wanted[v], d / at_once), least_step * d);
+      if (!is_changed[v])
+        continue;
+      d = (std::min)((std::max)(wanted[v], d / at_once), least_step * d);
+      m_changed.push_back(mesh.vertices[v]);
     }
     double changed = 0, all = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -188,9 +194,23 @@ private:
     return true;
   }
 
+  std::vector<typename CDT::Face_handle> faces_around(const std::vector<Vertex_handle>& vertices) const
+  {
+    std::vector<typename CDT::Face_handle> faces;
+    for (const Vertex_handle v : vertices) {
+      auto f = m_cdt.incident_faces(v), first = f;
+      do
+        if (f->is_in_domain())
+          faces.push_back(f);
+      while (++f != first);
+    }
+    return faces;
+  }
+
   Cycle_options m_options;
   CDT m_cdt;
   Carried_values<CDT> m_carried{m_cdt};
+  std::vector<Vertex_handle> m_changed; ///< those where d became smaller
   std::optional<Field> m_field; ///< d, after the first mesh
   Adaptive_cycle m_cycle;       ///< the one that is under way
 };

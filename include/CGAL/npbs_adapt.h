@@ -121,7 +121,7 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     const Progress_scope scope(*options.progress);
     const Is_in_domain<CDT> is_in_domain{cdt};
     const std::optional<Sizes_2> sizes = given_sizes<CDT>(pack);
-    const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt)(faces, is_in_domain);
+    const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt, "faces").some_of(faces, is_in_domain);
     const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
@@ -154,7 +154,8 @@ together with them and are off by the cube root of these factors, so that nothin
 and then by `number_of_rings`.
 
 It takes one sweep over the faces, with a call of the sizing function for each, and the time to read the outline; and
-the memory for what is found, and for the outline. If faces have no marks, all of them are copied to find the domain
+the memory for what is found, and for the outline. A caller who knows where sizes have changed gives the faces there,
+`faces_to_check`, and then the sizing function is called for these only, beside misfits, and along the outline. If faces have no marks, all of them are copied to find the domain
 as `npbs_relax()` does.
 
 \tparam CDT as in `npbs_remesh_faces()`
@@ -188,6 +189,12 @@ which this is the beginning; and
     \cgalParamType{a number, 0 to 0.9}
     \cgalParamDefault{0}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_check}
+    \cgalParamDescription{where misfits are looked for: faces of the domain. The part grows from those that are found, to
+    others too. If there are none, all fits}
+    \cgalParamType{a range of `CDT::Face_handle`; one that comes twice counts once}
+    \cgalParamDefault{all faces of the domain}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_rings}
     \cgalParamDescription{how many times all faces around the vertices that are reached are added. With fewer rings
     meshes get worse by many changes, since too little around each can move}
@@ -198,8 +205,8 @@ which this is the beginning; and
 
 \returns the faces, each once, in no particular order; none if all fit, or if the callback has returned `false`
 
-\throws std::invalid_argument if a parameter is out of its range, if faces have marks and none is marked as one of the
-domain, or as `npbs_relax()` does for sizes and outlines
+\throws std::invalid_argument if a parameter is out of its range, if `faces_to_check` has a face that
+`npbs_remesh_faces()` would refuse, if faces have marks and none is marked as one of the domain, or as `npbs_relax()` does for sizes and outlines
 
 \sa `npbs_adapt()`
 */

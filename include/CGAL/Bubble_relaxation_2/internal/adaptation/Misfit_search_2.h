@@ -62,9 +62,11 @@ public:
       m_star_numbers(sizeof(typename Cdt::Vertex))
   {}
 
-  std::vector<Face_handle> operator()()
+  /// Looks for misfits among these faces, and beside those that it finds.
+  template <class Face_range>
+  std::vector<Face_handle> operator()(const Face_range& faces)
   {
-    for (auto f = m_cdt.finite_faces_begin(); f != m_cdt.finite_faces_end(); ++f) {
+    for (Face_handle f : faces) {
       tick(); // asking for a size may take long
       if (m_is_in_domain(f) && is_misfit(f) && !is_forced(f))
         add(f);

@@ -36,18 +36,31 @@ struct Is_in_domain
   }
 };
 
-/// Checks that faces can be meshed anew.
+/// Checks faces that a parameter of this name gives: they shall be of the domain.
 template <class Cdt>
 class Part_check_2
 {
   using Face_handle = typename Cdt::Face_handle;
 
 public:
-  explicit Part_check_2(const Cdt& cdt) : m_cdt(cdt), m_faces(sizeof(typename Cdt::Face)) {}
+  Part_check_2(const Cdt& cdt, std::string parameter)
+    : m_cdt(cdt), m_parameter(std::move(parameter)), m_faces(sizeof(typename Cdt::Face))
+  {}
 
-  /// \throws std::invalid_argument if a face cannot be
+  /// Each face once.
+  /// \throws std::invalid_argument if one is not, or if there is none
   template <class Face_range, class Is_inside>
-  std::vector<Face_handle> operator()(const Face_range& range, const Is_inside& is_in_domain)
+  std::vector<Face_handle> some_of(const Face_range& range, const Is_inside& is_in_domain)
+  {
+    std::vector<Face_handle> result = any_of(range, is_in_domain);
+    if (result.empty())
+      throw_faces("is empty");
+    return result;
+  }
+
+  /// The same; there may be none.
+  template <class Face_range, class Is_inside>
+  std::vector<Face_handle> any_of(const Face_range& range, const Is_inside& is_in_domain)
   {
     if (m_cdt.dimension() < 2)
       throw_faces("cannot be of this triangulation, whose dimension is " + std::to_string(m_cdt.dimension()));
@@ -59,8 +72,6 @@ public:
         m_part.push_back(f);
       }
     }
-    if (m_part.empty())
-      throw_faces("is empty");
     check_owner();
     for (Face_handle f : m_part)
       check(f, is_in_domain);
@@ -68,9 +79,9 @@ public:
   }
 
 private:
-  [[noreturn]] static void throw_faces(const std::string& what)
+  [[noreturn]] void throw_faces(const std::string& what) const
   {
-    throw std::invalid_argument("Bubble_relaxation_2: parameter faces " + what);
+    throw std::invalid_argument("Bubble_relaxation_2: parameter " + m_parameter + ' ' + what);
   }
 
   template <class Is_inside>
@@ -112,6 +123,7 @@ private:
   }
 
   const Cdt& m_cdt;
+  std::string m_parameter;
   Address_numbers m_faces;
   std::vector<Face_handle> m_part;
 };

@@ -58,6 +58,18 @@ void check_has_domain(const Cdt& cdt, const Is_inside& is_in_domain)
                                 "npbs_relax() marks them");
 }
 
+/// the faces among which the user has misfits looked for: all, or those that are given
+template <class Cdt, class Is_inside, class NamedParameters>
+auto faces_to_check(const Cdt& cdt, [[maybe_unused]] const Is_inside& is_in_domain,
+                    [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::faces_to_check_t>::value)
+    return Part_check_2<Cdt>(cdt, "faces_to_check")
+      .any_of(parameters::get_parameter_reference(np, internal_np::faces_to_check), is_in_domain);
+  else
+    return cdt.finite_face_handles();
+}
+
 template <class Cdt, class Is_inside, class NamedParameters>
 Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_options& options,
                             const NamedParameters& np)
@@ -66,9 +78,10 @@ Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const
                 "sizing_function is needed to find out where a mesh does not fit it");
   const Misfit_criteria criteria = read_misfit_criteria(np);
   check_has_domain(cdt, is_in_domain);
+  const auto faces = faces_to_check(cdt, is_in_domain, np);
   const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, np, *given_sizes<Cdt>(np), options);
   Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
-  return Misfits_2<Cdt>{search(), outline.sizes()};
+  return Misfits_2<Cdt>{search(faces), outline.sizes()};
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -68,6 +68,7 @@ CGAL_add_named_parameter(shortest_edge_t, shortest_edge, shortest_edge)
 CGAL_add_named_parameter(misfit_angle_t, misfit_angle, misfit_angle)
 CGAL_add_named_parameter(misfit_quality_t, misfit_quality, misfit_quality)
 CGAL_add_named_parameter(number_of_rings_t, number_of_rings, number_of_rings)
+CGAL_add_named_parameter(faces_to_check_t, faces_to_check, faces_to_check)
 
 // names that newer versions of CGAL have
 #if CGAL_VERSION_NR < 1050600000
