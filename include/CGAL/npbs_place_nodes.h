@@ -61,7 +61,7 @@ auto npbs_place_nodes(const CDT& cdt, const NamedParameters& np = parameters::de
       write_nodes<CDT>(bubbles, find_elevations(cdt, input.reading, bubbles, input.elevation),
                        input.options.neighbor_radius, input.options.threads, nodes);
       nodes.report.number_of_vertices = nodes.size();
-      progress->report(1);
+      progress->finish();
     });
     return nodes;
   });

@@ -310,7 +310,7 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       // is to stay as it is, goes through the guard
       Restore_on_throw<CDT> guard(cdt);
       write_mesh(cdt, input.reading, mesh, elevations, tags, report);
-      progress->report(1);
+      progress->finish();
       guard.all_went_well();
     });
     return Bubble_relaxation_report_2<FT>(report);

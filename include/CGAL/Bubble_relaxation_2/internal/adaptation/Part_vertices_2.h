@@ -37,8 +37,9 @@ public:
       m_of_bubble(bubbles.size()), m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
   {
     std::map<Place, Index> old;
+    std::size_t number = 0;
     for (Index v : reading.free) {
-      tick(old.size());
+      tick(number++);
       old[place(v)] = v;
     }
     for (const auto& chain : reading.graph->chains())

@@ -59,6 +59,7 @@ private:
       m_limits(limit_by_outline(m_reading.domain, m_reading.given, m_wanted, o, o.limit_by_outline && sizes))
   {
     m_reading.given.largest_misfit = little;
+    thin_out(m_reading.domain, m_limits, m_options, m_reading.given);
     if (!m_options.placement_is_given) // then what fits of a mesh is kept
       m_reading.look_around(copy);
   }

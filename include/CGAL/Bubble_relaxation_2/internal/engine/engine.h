@@ -43,11 +43,17 @@ struct Limits_of_outline_2
 };
 
 /// Counts the bubbles that `wanted` sizes ask for, and makes sizes smaller and cuts corners off where the outline asks
-/// for it, if it may; then `given` becomes what is given for the domain that is left, without crowds.
+/// for it, if it may; then `given` becomes what is given for the domain that is left.
 /// \throws std::length_error if sizes ask for too many bubbles
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
                                      const Relaxation_options& options, bool may_limit);
+
+/// Takes only some vertices of a given mesh where it is far finer than sizes ask for, if its vertices are to be kept and
+/// may go at all.
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void thin_out(const Domain_2& domain, const Limits_of_outline_2& limits, const Relaxation_options& options,
+              Given_mesh_2& given);
 
 /// the bubbles after placement, simulation and treatment
 CGAL_BUBBLE_RELAXATION_2_INLINE

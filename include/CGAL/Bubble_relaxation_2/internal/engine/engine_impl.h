@@ -36,8 +36,9 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
   return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox(), growth));
 }
 
-inline Limits_of_outline_2 find_limits_of_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
-                                                  const Relaxation_options& options, bool may_limit)
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
+                                     const Relaxation_options& options, bool may_limit)
 {
   constexpr int turns = 1, turns_beyond_circles = 2;
   const std::size_t maximum = options.maximum_number_of_bubbles;
@@ -59,14 +60,12 @@ inline Limits_of_outline_2 find_limits_of_outline(const Domain_2& domain, Given_
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
-                                     const Relaxation_options& options, bool may_limit)
+void thin_out(const Domain_2& domain, const Limits_of_outline_2& limits, const Relaxation_options& options,
+              Given_mesh_2& given)
 {
-  const Limits_of_outline_2 limits = find_limits_of_outline(domain, given, wanted, options, may_limit);
   // without population control none of them go, and without rounds they only lie there
   if (keeps_given_bubbles(options) && options.population != Bubble_population::NONE && options.number_of_rounds != 0)
     thin_out_crowds(limits.domain != nullptr ? *limits.domain : domain, limits.sizes, given);
-  return limits;
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

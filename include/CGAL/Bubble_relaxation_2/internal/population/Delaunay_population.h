@@ -89,8 +89,9 @@ private:
   {
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles().size());
+    std::size_t number = 0;
     for (const Triangle& t : mesh.triangles()) {
-      tick(triangles.size());
+      tick(number++);
       if (is_inside(b, t))
         triangles.push_back(t);
     }

@@ -96,7 +96,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
       bubbles = own_bubbles(mesh, ranks.rank());
     });
     write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->reading, report);
-    ranks.agree_after([&] { input->options.progress->report(1); });
+    ranks.agree_after([&] { input->options.progress->finish(); });
     write_bubbles(bubbles, points); // nothing of the user's can fail on any rank from here on
   }
   find_slowest(ranks, report.seconds);

@@ -61,7 +61,7 @@ std::vector<double> solve_galerkin(const Galerkin_discretization_2& d, const Gal
   report.residual = solution.residual;
   report.condition_number = solution.condition_number;
   solution_time.stop();
-  progress.report(1);
+  progress.finish();
   return {solution.x.data(), solution.x.data() + d.nodes.number()};
 }
 
