@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_CHECK_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_CHECK_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -64,7 +65,9 @@ public:
   {
     if (m_cdt.dimension() < 2)
       throw_faces("cannot be of this triangulation, whose dimension is " + std::to_string(m_cdt.dimension()));
+    std::size_t number = 0;
     for (Face_handle f : range) {
+      tick(number++);
       if (f == Face_handle())
         throw_faces("has an empty handle");
       if (m_faces(&*f) == no_index) {
@@ -109,6 +112,7 @@ private:
       is_reached[k] = 1;
       reached.assign(1, static_cast<Index>(k));
       while (!reached.empty()) {
+        tick();
         const Face_handle f = m_part[reached.back()];
         reached.pop_back();
         for (int i = 0; i < 3; ++i) {

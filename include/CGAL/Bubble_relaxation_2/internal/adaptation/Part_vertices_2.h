@@ -14,8 +14,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <map>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -36,15 +37,7 @@ public:
     : m_reading(reading), m_bubbles(bubbles), m_elevations(elevations), m_exchange(exchange),
       m_of_bubble(bubbles.size()), m_bubble_numbers(sizeof(typename Cdt::Vertex)), m_is_known(bubbles.size(), 0)
   {
-    std::map<Place, Index> old;
-    std::size_t number = 0;
-    for (Index v : reading.free) {
-      tick(number++);
-      old[place(v)] = v;
-    }
-    for (const auto& chain : reading.graph->chains())
-      for (Index v : chain.splits)
-        old[place(v)] = v;
+    std::vector<Old_vertex> old = vertices_in_order();
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
       tick(i);
       if (bubbles.is_corner(i))
@@ -52,8 +45,9 @@ public:
       else
         keep(i, old);
     }
-    for (const auto& [where, v] : old)
-      m_removed.push_back(reading.vertex(v));
+    for (const Old_vertex& v : old)
+      if (!v.stays)
+        m_removed.push_back(reading.vertex(v.vertex));
   }
 
   /// of a bubble; it is made if there is none
@@ -75,12 +69,35 @@ public:
   const std::vector<Vertex_handle>& removed() const { return m_removed; }
 
 private:
-  using Place = std::pair<double, double>;
+  /// one that goes unless a bubble lies there
+  struct Old_vertex
+  {
+    std::pair<double, double> place;
+    Index vertex;
+    bool stays = false;
 
-  Place place(Index v) const
+    bool operator<(const Old_vertex& v) const { return std::tie(place, vertex) < std::tie(v.place, v.vertex); }
+  };
+
+  Old_vertex old_vertex(Index v) const
   {
     const Point p = point_in_double<Cdt>(m_reading.vertex(v)->point());
-    return {p.x(), p.y()};
+    return {{p.x(), p.y()}, v};
+  }
+
+  /// all that may go, in the order of their places
+  std::vector<Old_vertex> vertices_in_order() const
+  {
+    std::vector<Old_vertex> old;
+    for (Index v : m_reading.free) {
+      tick(old.size());
+      old.push_back(old_vertex(v));
+    }
+    for (const auto& chain : m_reading.graph->chains())
+      for (Index v : chain.splits)
+        old.push_back(old_vertex(v));
+    std::sort(old.begin(), old.end());
+    return old;
   }
 
   void set(std::size_t i, Vertex_handle v)
@@ -92,17 +109,18 @@ private:
   }
 
   /// Takes the vertex that is there already. What was free must be free, what split a constraint must be on it.
-  void keep(std::size_t i, std::map<Place, Index>& old)
+  void keep(std::size_t i, std::vector<Old_vertex>& old)
   {
-    const auto found = old.find({m_bubbles.x[i], m_bubbles.y[i]});
-    if (found == old.end())
+    const Old_vertex here{{m_bubbles.x[i], m_bubbles.y[i]}, no_index};
+    const auto found = std::lower_bound(old.begin(), old.end(), here);
+    if (found == old.end() || found->place != here.place || found->stays)
       return;
-    const Vertex_handle v = m_reading.vertex(found->second);
-    if (m_bubbles.is_on_edge(i) != m_reading.graph->contains(found->second) ||
+    const Vertex_handle v = m_reading.vertex(found->vertex);
+    if (m_bubbles.is_on_edge(i) != m_reading.graph->contains(found->vertex) ||
         (m_bubbles.is_in_face(i) && Plane::place(v->point()) != Place_2<Cdt>(m_bubbles.x[i], m_bubbles.y[i])))
       return; // in an exact kernel it is near by
     set(i, v);
-    old.erase(found);
+    found->stays = true;
   }
 
   const Part_reading_2<Cdt>& m_reading;

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DOMAIN_DOMAIN_MARKS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
@@ -56,6 +57,7 @@ protected:
     tr.inside.assign(tr.number_of_triangles(), 0);
     m_constrained.reserve(tr.number_of_triangles());
     for (void* f : faces.addresses()) {
+      tick(m_constrained.size());
       const auto& face = *static_cast<typename Cdt::Face*>(f);
       add_constraints(face.is_constrained(0), face.is_constrained(1), face.is_constrained(2));
     }
@@ -72,6 +74,7 @@ protected:
     tr.inside.assign(tr.number_of_triangles(), 1);
     m_number_of_faces = tr.number_of_triangles();
     for (std::size_t t = 0; t < m_number_of_faces; ++t) {
+      tick(t);
       const auto f = Handles<Cdt>::face(faces.addresses()[t]);
       int rim = 0;
       for (int i = 0; i < 3; ++i)

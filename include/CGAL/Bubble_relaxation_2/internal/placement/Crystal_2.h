@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_CRYSTAL_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -55,8 +56,10 @@ public:
       m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 4 * bubbles.size())
   {
     m_direction.assign(bubbles.size(), Direction{1, 0});
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
+    for (std::size_t i = 0; i < bubbles.size(); ++i) {
+      tick(i);
       insert_in_buckets(i);
+    }
   }
 
   /// makes room for `n` more bubbles
@@ -109,10 +112,12 @@ public:
     m_links.resize(m_bubbles.size());
     parallel_for(
       m_threads, m_bubbles.size() - first, [this, first](std::size_t k) { find_links(first + k); }, grain);
-    for (std::size_t i = first; i < m_bubbles.size(); ++i)
+    for (std::size_t i = first; i < m_bubbles.size(); ++i) {
+      tick(i);
       for (Index j : m_links[i])
         if (static_cast<std::size_t>(j) < first)
           insert_link(m_links[j], static_cast<Index>(i));
+    }
   }
 
   /// where a bubble settles among those that it is linked to

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_GROWTH_PROPOSALS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -84,8 +85,10 @@ public:
   void take_generation(double smallest, std::vector<Growth_proposer>& generation)
   {
     generation.clear();
-    for (; !m_queue.empty() && m_queue.top().key <= band * smallest; m_queue.pop())
+    for (; !m_queue.empty() && m_queue.top().key <= band * smallest; m_queue.pop()) {
+      tick(generation.size());
       generation.push_back(m_queue.top());
+    }
   }
 
 private:
@@ -131,19 +134,10 @@ public:
     m_proposes.resize(m_crystal.size(), 0);
     for (const Growth_proposer& p : generation)
       m_proposes[p.index] = !m_bubbles.is_corner(p.index);
-    m_lists.resize((std::max)(m_lists.size(), generation.size()));
-    parallel_for(
-      m_threads, generation.size(),
-      [&](std::size_t k) {
-        m_lists[k].size = 0;
-        if (m_team.owns(generation[k].index))
-          propose_from(generation[k], m_lists[k]);
-      },
-      m_crystal.grain);
-    for (std::size_t k = 0; k < generation.size(); ++k) {
-      result.insert(result.end(), m_lists[k].list.begin(), m_lists[k].list.begin() + m_lists[k].size);
-      m_proposes[generation[k].index] = 0;
-    }
+    for (std::size_t first = 0; first < generation.size(); first += most_at_once)
+      propose(generation, first, (std::min)(generation.size() - first, most_at_once), result);
+    for (const Growth_proposer& p : generation)
+      m_proposes[p.index] = 0;
   }
 
 private:
@@ -153,9 +147,29 @@ private:
     int size;
   };
 
+  /// All bubbles of a mesh that is given may be one generation, and each has room for six proposals here.
+  static constexpr std::size_t most_at_once = 8192;
+
   /// how far the neighbours of a proposal are looked for
   static constexpr double surroundings_reach = 1.7;
   static constexpr int proposal_steps = 3;
+
+  /// what `number` bubbles of a generation propose
+  void propose(const std::vector<Growth_proposer>& generation, std::size_t first, std::size_t number,
+               std::vector<Growth_proposal_2>& result)
+  {
+    m_lists.resize((std::max)(m_lists.size(), number));
+    parallel_for(
+      m_threads, number,
+      [&](std::size_t k) {
+        m_lists[k].size = 0;
+        if (m_team.owns(generation[first + k].index))
+          propose_from(generation[first + k], m_lists[k]);
+      },
+      m_crystal.grain);
+    for (std::size_t k = 0; k < number; ++k)
+      result.insert(result.end(), m_lists[k].list.begin(), m_lists[k].list.begin() + m_lists[k].size);
+  }
 
   void propose_from(const Growth_proposer& from, List& proposals) const
   {
@@ -285,7 +299,7 @@ private:
   const Growth_front_2& m_front;
   const Lattice_direction m_lattice;
   std::vector<char> m_proposes; // whether a bubble is one of the generation
-  std::vector<List> m_lists;    // of each of them
+  std::vector<List> m_lists;    // of each of some of them
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

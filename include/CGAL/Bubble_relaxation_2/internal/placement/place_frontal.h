@@ -66,6 +66,7 @@ public:
   void add_to_front(std::size_t i)
   {
     const Bubbles_2& b = m_crystal.bubbles();
+    tick(i);
     if (!b.is_in_face(i)) {
       if (!m_speakers.is_free(b.x[i], b.y[i], b.d[i]))
         return;

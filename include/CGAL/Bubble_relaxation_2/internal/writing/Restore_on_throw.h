@@ -9,12 +9,15 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
 #include <CGAL/Unique_hash_map.h>
 
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -60,6 +63,40 @@ void copy_input_flags(const Cdt& cdt, Cdt& copy)
   }
 }
 
+/// Copies a triangulation of dimension 2 as `copy_triangulation()` does, but ticks meanwhile: with millions of vertices
+/// that takes a second.
+template <class Cdt>
+void copy_in_turn(Cdt& from, Cdt& to)
+{
+  Address_numbers vertex_numbers(sizeof(typename Cdt::Vertex)), face_numbers(sizeof(typename Cdt::Face));
+  std::vector<typename Cdt::Vertex_handle> vertices;
+  std::vector<typename Cdt::Face_handle> faces;
+  to.tds().clear();
+  to.tds().set_dimension(2);
+  for (auto& v : from.tds().vertices()) {
+    tick(vertices.size());
+    vertex_numbers.add(&v);
+    vertices.push_back(to.tds().create_vertex(v));
+  }
+  for (auto& f : from.tds().faces()) {
+    tick(faces.size());
+    face_numbers.add(&f);
+    faces.push_back(to.tds().create_face(f));
+  }
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    tick(k);
+    vertices[k]->set_face(faces[face_numbers(&*vertices[k]->face())]);
+  }
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    tick(k);
+    for (int i = 0; i < 3; ++i) {
+      faces[k]->set_vertex(i, vertices[vertex_numbers(&*faces[k]->vertex(i))]);
+      faces[k]->set_neighbor(i, faces[face_numbers(&*faces[k]->neighbor(i))]);
+    }
+  }
+  to.set_infinite_vertex(vertices[vertex_numbers(&*from.infinite_vertex())]);
+}
+
 /// Gives a triangulation its former content back unless it is told that all went well. The content is
 /// that of a copy, so handles and identifiers of constraints do not outlive it.
 template <class Cdt>
@@ -70,11 +107,12 @@ public:
   {
     // swap() takes along what orders the map of the constraints' pieces, and that refers to a
     // triangulation: it must be the one that lives on
-    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+    if constexpr (Has_constraint_hierarchy<Cdt>::value) {
       m_backup.hierarchy_ref() = std::decay_t<decltype(m_backup.hierarchy_ref())>(&cdt);
-    m_backup.copy_triangulation(cdt);
-    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      m_backup.copy_triangulation(cdt);
       copy_input_flags(cdt, m_backup);
+    } else
+      copy_in_turn(cdt, m_backup);
   }
 
   Restore_on_throw(const Restore_on_throw&) = delete;
