@@ -40,7 +40,7 @@ room(distributed/mesh Distributed_mesh_2.h distributed_triangulate.h)
 room(distributed/placement place_distributed.h)
 room(distributed/simulation simulate_distributed.h)
 room(distributed/treatment treat_distributed.h)
-room(distributed/writing relax_by_all.h write_neighbors.h write_pvtu.h)
+room(distributed/writing relax_by_all.h write_pvtu.h)
 
 # what several ranks do together is made of the parts of what one does alone
 set(behind_of_distributed/placement placement)

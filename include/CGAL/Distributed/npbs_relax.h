@@ -15,7 +15,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/writing/relax_by_all.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/writing/write_neighbors.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 

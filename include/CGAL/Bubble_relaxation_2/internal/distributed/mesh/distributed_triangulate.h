@@ -9,11 +9,13 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Query_answers_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Query_answers_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 
 #include <array>
@@ -202,6 +204,26 @@ inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const 
                                                   Communicator& comm, double reach = 3, double stray = 0)
 {
   return Distributed_triangulation_2(domain, own, partition, comm, reach, stray)();
+}
+
+/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all
+/// have smaller ones
+inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, const Hilbert_partition_2& partition,
+                                                    Communicator& comm, std::int64_t end, Bubbles_2 bubbles)
+{
+  remove_confusing_of_ours(comm, domain, bubbles);
+  const Bubbles_2 own = bring_home_and_number(comm, partition, end, std::move(bubbles));
+  return distributed_triangulate(domain, own, partition, comm);
+}
+
+/// Collective. `Cut_domain_2::join()` by ranks.
+inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
+                                           const Hilbert_partition_2& partition, Communicator& comm)
+{
+  Bubbles_2 own = own_bubbles(mesh, comm.rank());
+  cut.join(own);
+  const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
+  return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -236,21 +236,15 @@ private:
   std::mutex m_mutex;
 };
 
-/// each of so many elements counts for one
-struct Count_each
-{
-  std::int64_t operator()(std::int64_t number) const { return number; }
-};
-
 /// Collective. What sorting the elements of all ranks would bring to some positions. All are searched at once by
 /// halving: 64 times each rank counts its elements before each. No rank gets elements of others.
 /// \param sorted this rank's
 /// \param bits the number in whose order an element is
 /// \param count for how many so many of the first elements of `sorted` count
 /// \returns these numbers; the largest one that there is, for positions where there is no element
-template <class T, class Bits, class Count = Count_each>
+template <class T, class Bits, class Count>
 std::vector<std::uint64_t> find_sorted(const Communicator& comm, const std::vector<T>& sorted, const Bits& bits,
-                                       const std::vector<std::int64_t>& positions, const Count& count = {})
+                                       const std::vector<std::int64_t>& positions, const Count& count)
 {
   std::vector<std::uint64_t> found(positions.size(), 0); // the largest that are known to be small enough
   std::vector<std::int64_t> counts(positions.size());

@@ -48,7 +48,8 @@ public:
     std::sort(values.begin(), values.end());
     std::vector<double> result;
     for (std::uint64_t found :
-         find_sorted(m_comm, values, bits, std::vector<std::int64_t>(positions.begin(), positions.end())))
+         find_sorted(m_comm, values, bits, std::vector<std::int64_t>(positions.begin(), positions.end()),
+                     [](std::int64_t count) { return count; }))
       result.push_back(number(found));
     return result;
   }

@@ -152,9 +152,9 @@ inline bool add_once(Hilbert_partition_2::Ranks& ranks, int rank)
 /// \param sorted this rank's
 /// \param key where on the curve an element is
 /// \param count see `find_sorted()`
-template <class T, class Key_of, class Count = Count_each>
+template <class T, class Key_of, class Count>
 Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve, const std::vector<T>& sorted,
-                                   const Key_of& key, const Count& count = {})
+                                   const Key_of& key, const Count& count)
 {
   const std::int64_t all = comm.sum(count(static_cast<std::int64_t>(sorted.size())));
   std::vector<std::int64_t> cuts;

@@ -91,7 +91,8 @@ inline Placed_part_2 send_home_evenly(Communicator& comm, const Hilbert_curve_2&
                                       const std::vector<Bubble_record_2>& bubbles)
 {
   const auto places = places_on(curve, bubbles);
-  Placed_part_2 result{{}, even_partition(comm, curve, places, [](const auto& p) { return p.first; })};
+  Placed_part_2 result{{}, even_partition(comm, curve, places, [](const auto& p) { return p.first; },
+                                          [](std::int64_t number) { return number; })};
   std::vector<Bubble_record_2> home;
   home.reserve(bubbles.size() + bubbles.size() / 8);
   Messages<Bubble_record_2> out;

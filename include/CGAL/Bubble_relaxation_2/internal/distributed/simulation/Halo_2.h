@@ -14,6 +14,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Boundary_2.h>
 
 #include <algorithm>
@@ -296,15 +298,10 @@ private:
   /// whether all ranks of which we have bubbles have this one of ours
   bool is_known_to_all_around(Index i) const
   {
-    return std::all_of(received().begin(), received().end(),
-                       [&](const Messages<Index>::value_type& list) { return has(list.first, i); });
-  }
-
-  /// whether another rank has a bubble of ours
-  bool has(int rank, Index i) const
-  {
     const auto holders = m_holders.find(i);
-    return holders != m_holders.end() && is_among(holders->second, rank);
+    return std::all_of(received().begin(), received().end(), [&](const Messages<Index>::value_type& list) {
+      return holders != m_holders.end() && is_among(holders->second, list.first);
+    });
   }
 
   /// tells the owner of another's bubble of ours that this one reaches
@@ -338,6 +335,37 @@ private:
   bool m_has_gone_far = false;
   Shared_lists m_lists;
 };
+
+/// where a bubble is that asks for others around it, by its reference, and as how large
+struct Wide_hole_side_2
+{
+  double x, y, d;
+};
+
+/// Those of our bubbles among `touched` that lie beside wide holes, by the other ranks that may own bubbles across:
+/// those are farther away than others ever look.
+inline Messages<Wide_hole_side_2> wide_hole_sides(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
+                                                  const std::vector<Index>& touched, const Halo_2& halo,
+                                                  const Hilbert_partition_2& partition, int our_rank)
+{
+  using Triangulation = Local_triangulation_2;
+  constexpr double largest_ratio = 4;
+  Messages<Wide_hole_side_2> asked;
+  for (Index i : touched) {
+    // one that is asked for, and not known anyway, is not much larger; it may have left the part of its owner
+    const double size = neighbors.reference_d(i);
+    const double most = (0.5 * neighbors.radius() * (Triangulation::far + largest_ratio) +
+                         largest_ratio * Halo_2::away_from_part) * size;
+    if (!bubbles.is_ours(i) || bubbles.is_gone(i) || halo.is_ours_within(bubbles, i, most) ||
+        !Triangulation::is_beside_wide_hole(bubbles, neighbors, i))
+      continue;
+    const Wide_hole_side_2 side{neighbors.reference_x(i), neighbors.reference_y(i), Triangulation::far * size};
+    for (int rank : partition.owners_in_disc(side.x, side.y, most))
+      if (rank != our_rank)
+        asked[rank].push_back(side);
+  }
+  return asked;
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

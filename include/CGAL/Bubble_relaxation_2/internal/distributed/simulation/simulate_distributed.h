@@ -20,7 +20,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
@@ -34,37 +33,6 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// where a bubble is that asks for others around it, by its reference, and as how large
-struct Wide_hole_side_2
-{
-  double x, y, d;
-};
-
-/// Those of our bubbles among `touched` that lie beside wide holes, by the other ranks that may own bubbles across:
-/// those are farther away than others ever look.
-inline Messages<Wide_hole_side_2> wide_hole_sides(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors,
-                                                  const std::vector<Index>& touched, const Halo_2& halo,
-                                                  const Hilbert_partition_2& partition, int our_rank)
-{
-  using Triangulation = Local_triangulation_2;
-  constexpr double largest_ratio = 4;
-  Messages<Wide_hole_side_2> asked;
-  for (Index i : touched) {
-    // one that is asked for, and not known anyway, is not much larger; it may have left the part of its owner
-    const double size = neighbors.reference_d(i);
-    const double most = (0.5 * neighbors.radius() * (Triangulation::far + largest_ratio) +
-                         largest_ratio * Halo_2::away_from_part) * size;
-    if (!bubbles.is_ours(i) || bubbles.is_gone(i) || halo.is_ours_within(bubbles, i, most) ||
-        !Triangulation::is_beside_wide_hole(bubbles, neighbors, i))
-      continue;
-    const Wide_hole_side_2 side{neighbors.reference_x(i), neighbors.reference_y(i), Triangulation::far * size};
-    for (int rank : partition.owners_in_disc(side.x, side.y, most))
-      if (rank != our_rank)
-        asked[rank].push_back(side);
-  }
-  return asked;
-}
 
 /// The ranks that simulate bubbles together: each moves its own, and is told of others' before the next step. Of the
 /// population each deletes its own bubbles, and inserts in its own part.

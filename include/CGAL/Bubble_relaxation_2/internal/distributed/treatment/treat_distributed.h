@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
@@ -165,26 +164,6 @@ private:
   std::vector<char> m_was_moved; // of others' bubbles, in this sweep
   std::vector<Index> m_moved;    // those
 };
-
-/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all
-/// have smaller ones
-inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, const Hilbert_partition_2& partition,
-                                                    Communicator& comm, std::int64_t end, Bubbles_2 bubbles)
-{
-  remove_confusing_of_ours(comm, domain, bubbles);
-  const Bubbles_2 own = bring_home_and_number(comm, partition, end, std::move(bubbles));
-  return distributed_triangulate(domain, own, partition, comm);
-}
-
-/// Collective. `Cut_domain_2::join()` by ranks.
-inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
-                                           const Hilbert_partition_2& partition, Communicator& comm)
-{
-  Bubbles_2 own = own_bubbles(mesh, comm.rank());
-  cut.join(own);
-  const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
-  return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
-}
 
 /// `Whole_treatment_2` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the
 /// mesh that is wider than its own triangles and gets narrower with what is done; when nothing wider is left, the

@@ -9,17 +9,22 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_RELAX_BY_ALL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_WRITING_RELAX_BY_ALL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
 #include <CGAL/Bubble_relaxation_enums.h>
@@ -28,8 +33,10 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -101,6 +108,54 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   }
   find_slowest(ranks, report.seconds);
   return Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type>(report);
+}
+
+/// Collective. The bubbles of this rank, and after them those of others that are neighbours of one of them, and perhaps
+/// some more: nearer than `radius` times the mean of both sizes, so nearer than that times the larger one.
+/// \pre the numbers of `own` ascend
+inline Bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
+                                Communicator& comm)
+{
+  std::vector<Bubble_record_2> records;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    records.push_back(record(own, i));
+  const Shared_lists lists = share_around(comm, partition, radius, farthest_stray(comm, partition, own), records);
+  Bubbles_2 known = with_owner(own, comm.rank());
+  for (const auto& list : lists.received)
+    for (Index i : list.second)
+      add(known, records[i], list.first);
+  return known;
+}
+
+/// Writes the neighbour sets of the bubbles of a rank into a `Relaxation_2`, and what it has to know of neighbours
+/// that others own, in the order of their numbers. `known`: see `with_neighbors()`
+template <class Relaxation>
+void write_neighbors(const Bubbles_2& known, double radius, Relaxation& relaxation)
+{
+  constexpr std::size_t usual_number = 7;
+  const std::size_t n = static_cast<std::size_t>(std::count(known.owner.begin(), known.owner.end(), known.rank));
+  relaxation.neighbor_radius = radius;
+  relaxation.neighbors.reserve(usual_number * n);
+  relaxation.neighbor_offsets.reserve(n + 1);
+  relaxation.neighbor_offsets.push_back(0);
+  Neighbor_sets_2 sets(radius);
+  sets.build(known);
+  std::vector<char> is_ghost(known.size(), 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const Index *j = sets.begin(i), *end = sets.end(i); j != end; ++j) {
+      relaxation.neighbors.push_back(known.id[*j]);
+      is_ghost[*j] = !known.is_ours(*j);
+    }
+    relaxation.neighbor_offsets.push_back(relaxation.neighbors.size());
+  }
+  std::vector<Index> ghosts = marked(is_ghost);
+  std::sort(ghosts.begin(), ghosts.end(), [&](Index i, Index j) { return known.id[i] < known.id[j]; });
+  for (Index i : ghosts) {
+    relaxation.ghost_ids.push_back(known.id[i]);
+    relaxation.ghost_points.push_back(typename Relaxation::Point_2(known.x[i], known.y[i]));
+    relaxation.ghost_sizes.push_back(known.d[i]);
+    relaxation.ghost_owners.push_back(known.owner[i]);
+  }
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal
