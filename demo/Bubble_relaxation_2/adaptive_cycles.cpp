@@ -62,16 +62,18 @@ try {
   const Adaptive_cycle once = loop.at_once();
   print("at once", once);
 
-  double meshing = 0, carrying = 0;
+  double meshing = 0, carrying = 0, sizing = 0;
   std::size_t vertices = 0;
   for (const Adaptive_cycle& c : cycles) {
     meshing += c.meshing;
     carrying += c.carrying;
+    sizing += c.sizing;
     vertices += c.new_vertices;
   }
   const Adaptive_cycle& last = cycles.back();
   std::cout << std::setprecision(2) << "all meshes over the last one at once: time " << meshing / once.meshing
-            << ", with values carried over " << (meshing + carrying) / once.meshing << ", new vertices "
+            << ", with values carried over " << (meshing + carrying) / once.meshing << ", and with the choice of d "
+            << (meshing + carrying + sizing) / once.meshing << "; new vertices "
             << double(vertices) / double(once.vertices)
             << "\nthe last mesh over the one at once: error H1 " << last.error.h1 / once.error.h1 << ", error L2 "
             << last.error.l2 / once.error.l2 << '\n';

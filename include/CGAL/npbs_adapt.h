@@ -38,7 +38,8 @@ namespace CGAL {
 \brief meshes some faces of a mesh anew, and does not touch the others.
 
 The part is meshed as `npbs_relax()` does the whole: vertices inside of it are the bubbles to start with. What it
-costs depends on the part alone, in time and in memory, however large the rest is.
+costs depends on the part alone, in time and in memory, however large the rest is; only whether the faces belong to the
+triangulation is asked once for each connected piece of the part, in a time like the square root of all faces.
 
 \cgalHeading{What Stays}
 
@@ -92,7 +93,8 @@ constraints. One that comes twice counts once
 \returns what was done, and the statistics of the part's mesh
 
 \throws std::invalid_argument as `npbs_relax()` does, and if `faces` is empty, if one of them is infinite, an empty
-handle, not marked as one of the domain, or of another triangulation
+handle, not marked as one of the domain, or of another triangulation, or if a face of the domain beside the part has
+no constraint where the domain ends
 \throws std::length_error if more bubbles are expected in the part than `maximum_number_of_bubbles`
 \throws std::runtime_error if edges lie nearer to each other than the rounding of the bubbles on them, or if the
 triangulation beside a constraint is too flat to change it there
@@ -121,12 +123,13 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     const Progress_scope scope(*options.progress);
     const Is_in_domain<CDT> is_in_domain{cdt};
     const std::optional<Sizes_2> sizes = given_sizes<CDT>(pack);
-    const std::vector<typename CDT::Face_handle> part = Part_check_2<CDT>(cdt, "faces").some_of(faces, is_in_domain);
     const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;
     do_unless_stopped(report, [&] {
       options.progress->start_phase(Bubble_phase::READING);
+      const std::vector<typename CDT::Face_handle> part =
+        Part_check_2<CDT>(cdt, "faces")(faces, is_in_domain, /* may_be_none = */ false);
       using Task = Part_task_2<CDT, Is_in_domain<CDT>, std::decay_t<decltype(pack)>>;
       Task{cdt, is_in_domain, pack, options, sizes, elevation}.remesh(part, unwrapped(visitor), report);
     });
@@ -153,10 +156,11 @@ more than a factor of 2.5; now and then a defect is found. From misfits the part
 together with them and are off by the cube root of these factors, so that nothing is left where a change fades out,
 and then by `number_of_rings`.
 
-It takes one sweep over the faces, with a call of the sizing function for each, and the time to read the outline; and
-the memory for what is found, and for the outline. A caller who knows where sizes have changed gives the faces there,
-`faces_to_check`, and then the sizing function is called for these only, beside misfits, and along the outline. If faces have no marks, all of them are copied to find the domain
-as `npbs_relax()` does.
+It takes a sweep over the faces, with a call of the sizing function for each, and sweeps over faces and vertices that
+read the outline, without such calls; and the memory for what is found, and for the outline. A caller who knows where
+sizes have changed gives the faces there, `faces_to_check`, and then the sizing function is called for these only,
+beside misfits, and along the outline. If faces have no marks, all of them are copied to find the domain as
+`npbs_relax()` does.
 
 \tparam CDT as in `npbs_remesh_faces()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -190,9 +194,10 @@ which this is the beginning; and
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{faces_to_check}
-    \cgalParamDescription{where misfits are looked for: faces of the domain. The part grows from those that are found, to
-    others too. If there are none, all fits}
-    \cgalParamType{a range of `CDT::Face_handle`; one that comes twice counts once}
+    \cgalParamDescription{where misfits are looked for: faces of the domain. The part grows from those that are found,
+    to others too. If there are none, all fits}
+    \cgalParamType{a range of `CDT::Face_handle`, which is copied, or a `std::reference_wrapper` of one; a face that
+    comes twice counts once}
     \cgalParamDefault{all faces of the domain}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_rings}
@@ -205,8 +210,9 @@ which this is the beginning; and
 
 \returns the faces, each once, in no particular order; none if all fit, or if the callback has returned `false`
 
-\throws std::invalid_argument if a parameter is out of its range, if `faces_to_check` has a face that
-`npbs_remesh_faces()` would refuse, if faces have marks and none is marked as one of the domain, or as `npbs_relax()` does for sizes and outlines
+\throws std::invalid_argument if a parameter is out of its range, if `faces_to_check` has a face that is not in the
+domain, an infinite one, an empty handle, or a face of another triangulation, if faces have marks and none is marked as
+one of the domain, or as `npbs_relax()` does for sizes and outlines
 
 \sa `npbs_adapt()`
 */

@@ -11,10 +11,12 @@
 \cgalConcept
 
 The concept `BubbleAdaptationVisitor_2` describes what is told of a part of a mesh that is meshed anew, so that data at
-vertices and faces can go along. Each function is called once, in this order, if anything changes at all.
+vertices and faces can go along. Each function is called once, in this order, if anything changes at all. `CDT` is the
+type of the triangulation. A visitor is copied, unless a `std::reference_wrapper` of it is given.
 
-Faces are those of the domain. Removed vertices were inside of the part, or on its constraints; all others of the old
-faces stay.
+Faces are those of the domain; faces out of the domain that are replaced beside a constraint are not told. Removed
+vertices were inside of the part, or on its constraints; all others of the old faces stay. New faces and vertices carry
+what their bases are made with, and the mark of the domain.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_adaptation_visitor_2<CDT>}
@@ -35,7 +37,8 @@ public:
 
   /// is called when the new faces are in the place of the old ones, which still exist: both have their vertices, so
   /// data can be transferred from one to the other. Walks and circulators see the new ones only; iterators over all
-  /// faces or vertices, and their numbers, have old and new ones. The triangulation must not be changed. If it
+  /// faces or vertices, and their numbers, have old and new ones; constraints of a
+  /// `Constrained_triangulation_plus_2` have their old vertices still. The triangulation must not be changed. If it
   /// throws, the new faces and vertices go, and all is as it was.
   void while_both_exist(const std::vector<CDT::Face_handle>& old_faces,
                         const std::vector<CDT::Vertex_handle>& removed_vertices,

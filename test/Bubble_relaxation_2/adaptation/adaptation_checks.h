@@ -60,7 +60,7 @@ struct Content
   };
 
   std::map<typename Cdt::Face_handle, Face> faces;
-  std::map<typename Cdt::Vertex_handle, typename Cdt::Point> vertices;
+  std::map<typename Cdt::Vertex_handle, std::pair<typename Cdt::Point, typename Cdt::Face_handle>> vertices;
   std::size_t number_of_vertices, number_of_faces;
 
   explicit Content(const Cdt& cdt)
@@ -76,7 +76,7 @@ struct Content
       c.flags.push_back(f->is_in_domain());
     }
     for (auto v : cdt.finite_vertex_handles())
-      vertices[v] = v->point();
+      vertices[v] = {v->point(), v->face()};
   }
 
   bool operator==(const Content& c) const

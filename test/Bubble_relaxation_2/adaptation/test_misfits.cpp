@@ -210,6 +210,14 @@ TEST(Misfits, bad_faces_to_check_are_told)
   expect_invalid(check(cdt.locate(Point(0.52, 0.5))), {"faces_to_check", "not marked"});
   expect_invalid(check(faces_near(other, 0.5, 0.2, 0.2)[0]), {"faces_to_check", "none of this triangulation"});
   EXPECT_TRUE(Content<CDT>(cdt) == before);
+
+  using Bare = CGAL::Constrained_Delaunay_triangulation_2<domains::K>; // no marks
+  Bare bare = domains::make<Bare>({slanted, hole});
+  CGAL::npbs_relax(bare, size(0.05));
+  const std::vector<Bare::Face_handle> inside{bare.locate(Point(0.2, 0.2))}, outside{bare.locate(Point(0.52, 0.5))};
+  EXPECT_FALSE(CGAL::npbs_misfit_faces(bare, size(0.02).faces_to_check(inside)).empty());
+  expect_invalid([&] { CGAL::npbs_misfit_faces(bare, size(0.02).faces_to_check(outside)); },
+                 {"faces_to_check", "not in the domain"});
 }
 
 TEST(Misfits, small_angles_count)

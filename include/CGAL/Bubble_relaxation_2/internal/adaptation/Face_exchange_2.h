@@ -9,12 +9,15 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FACE_EXCHANGE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FACE_EXCHANGE_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <array>
 #include <cstddef>
 #include <map>
+#include <stdexcept>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -102,6 +105,7 @@ public:
     const Index known = m_old_numbers(&*old);
     if (known != no_index)
       return m_copies[known];
+    check_is_outside(*old);
     make_room_for(1, m_new);
     const Face_handle f = enter(m_cdt.tds().create_face());
     copy_content(*old, *f);
@@ -188,15 +192,22 @@ public:
   const std::vector<Vertex_handle>& new_vertices() const { return m_new_vertices; }
 
   /// Puts the new faces into the place of the old ones.
-  void exchange() noexcept
+  void exchange()
   {
+    note_homes(); // it may throw; what follows does not
+    for (const auto& [v, f] : m_homes)
+      v->set_face(Face_handle());
     for (const auto& [old, front] : m_front)
       for (int j = 0; j < 3; ++j)
         if (front[j].face != Face_handle())
           static_cast<typename Cdt::Face*>(old)->set_neighbor(j, front[j].face);
     for (Face_handle f : m_new)
       for (int i = 0; i < 3 && !is_dropped(f); ++i)
-        f->vertex(i)->set_face(f);
+        if (f->vertex(i)->face() == Face_handle())
+          f->vertex(i)->set_face(f);
+    for (const auto& [v, f] : m_homes)
+      if (v->face() == Face_handle()) // it goes
+        v->set_face(f);
     m_is_exchanged = true;
   }
 
@@ -245,19 +256,41 @@ private:
     }
   }
 
+  /// \throws std::invalid_argument if a face beside the part that is to change is one of the domain
+  static void check_is_outside(const typename Cdt::Face& f)
+  {
+    if constexpr (Has_domain_mark<typename Cdt::Face>::value)
+      if (f.is_in_domain()) {
+        const Point p = point_in_double<Cdt>(f.vertex(0)->point());
+        throw std::invalid_argument("Bubble_relaxation_2: the face with a vertex at " + in_words(p.x(), p.y()) +
+                                    " is one of the domain, but has no constraint where that ends");
+      }
+  }
+
   /// of the side `i` of a face in the face behind it, which need not know that it is there
   static int mirror_index(Face_handle f, int i)
   {
     return Cdt::cw(f->neighbor(i)->index(f->vertex(Cdt::cw(i))));
   }
 
+  /// the vertices that refer to an old face, which is to be theirs again if there is a way back
+  void note_homes()
+  {
+    for (Face_handle f : m_old)
+      for (int i = 0; i < 3; ++i)
+        if (f->vertex(i)->face() == f) {
+          make_room_for(1, m_homes);
+          m_homes.emplace_back(f->vertex(i), f);
+        }
+  }
+
   void undo() noexcept
   {
     for (Face_handle f : m_old)
-      for (int i = 0; i < 3; ++i) {
-        f->vertex(i)->set_face(f);
+      for (int i = 0; i < 3; ++i)
         f->neighbor(i)->set_neighbor(mirror_index(f, i), f);
-      }
+    for (const auto& [v, f] : m_homes)
+      v->set_face(f);
   }
 
   Cdt& m_cdt;
@@ -266,6 +299,7 @@ private:
   std::vector<char> m_is_dropped;    // of each new face
   Address_numbers m_new_numbers, m_old_numbers;
   std::vector<Vertex_handle> m_new_vertices;
+  std::vector<std::pair<Vertex_handle, Face_handle>> m_homes;
   std::map<Ends, Front> m_open;
   std::unordered_map<void*, std::array<Front, 3>> m_front; // what old faces that stay have on their sides
   bool m_is_exchanged = false, m_is_finished = false;

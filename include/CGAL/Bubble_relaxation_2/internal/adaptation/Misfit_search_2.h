@@ -98,10 +98,28 @@ private:
   /// \pre called for misfits only, of which there are few
   bool is_forced(Face_handle f) const
   {
-    const Point p = point_in_double<Cdt>(f->vertex(0)->point());
-    return std::any_of(m_forced.begin(), m_forced.end(), [&p](const Forced_place_2& forced) {
-      return CGAL::squared_distance(p, forced.center) < forced.radius * forced.radius;
+    const std::array<Point, 3> corners = corners_of(f).points;
+    return std::any_of(m_forced.begin(), m_forced.end(), [&corners](const Forced_place_2& forced) {
+      return std::any_of(corners.begin(), corners.end(), [&forced](const Point& p) {
+        return CGAL::squared_distance(p, forced.center) < forced.radius * forced.radius;
+      });
     });
+  }
+
+  /// The corners of a face, counterclockwise from the least on: nothing may depend on how faces number them.
+  struct Corners
+  {
+    std::array<Point, 3> points;
+    int first; ///< its number in the face
+  };
+
+  static Corners corners_of(Face_handle f)
+  {
+    Corners c{{point_of(f->vertex(0)), point_of(f->vertex(1)), point_of(f->vertex(2))}, 0};
+    const auto least = std::min_element(c.points.begin(), c.points.end());
+    c.first = static_cast<int>(least - c.points.begin());
+    std::rotate(c.points.begin(), least, c.points.end());
+    return c;
   }
 
   bool is_misfit(Face_handle f)
@@ -215,16 +233,14 @@ private:
 
   static Point centroid(Face_handle f)
   {
-    return CGAL::centroid(point_in_double<Cdt>(f->vertex(0)->point()), point_in_double<Cdt>(f->vertex(1)->point()),
-                          point_in_double<Cdt>(f->vertex(2)->point()));
+    const std::array<Point, 3> p = corners_of(f).points;
+    return CGAL::centroid(p[0], p[1], p[2]);
   }
 
   Measures measure(Face_handle f) const
   {
-    std::array<Point, 3> p;
+    const auto [p, first_corner] = corners_of(f);
     std::array<double, 3> length; // of the sides opposite to the corners
-    for (int i = 0; i < 3; ++i)
-      p[i] = point_in_double<Cdt>(f->vertex(i)->point());
     for (int i = 0; i < 3; ++i)
       length[i] = std::sqrt(CGAL::squared_distance(p[ccw(i)], p[cw(i)]));
     const double twice_area = std::abs((p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) -
@@ -232,7 +248,7 @@ private:
     Measures result{(length[0] + length[1] + length[2]) / 3};
     bool is_forced = false;
     for (int i = 0; i < 3; ++i)
-      if (f->is_constrained(ccw(i)) && f->is_constrained(cw(i)))
+      if (f->is_constrained((first_corner + i + 1) % 3) && f->is_constrained((first_corner + i + 2) % 3))
         is_forced = true;
       else if (length[i] <= length[ccw(i)] || length[i] <= length[cw(i)]) // else it may be obtuse
         result.sine = (std::min)(result.sine, twice_area / (length[ccw(i)] * length[cw(i)]));

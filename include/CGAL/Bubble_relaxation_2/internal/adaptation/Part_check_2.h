@@ -48,20 +48,10 @@ public:
     : m_cdt(cdt), m_parameter(std::move(parameter)), m_faces(sizeof(typename Cdt::Face))
   {}
 
-  /// Each face once.
-  /// \throws std::invalid_argument if one is not, or if there is none
+  /// Each face once. It may be called once.
+  /// \throws std::invalid_argument if one is not, or if there is none and there shall be some
   template <class Face_range, class Is_inside>
-  std::vector<Face_handle> some_of(const Face_range& range, const Is_inside& is_in_domain)
-  {
-    std::vector<Face_handle> result = any_of(range, is_in_domain);
-    if (result.empty())
-      throw_faces("is empty");
-    return result;
-  }
-
-  /// The same; there may be none.
-  template <class Face_range, class Is_inside>
-  std::vector<Face_handle> any_of(const Face_range& range, const Is_inside& is_in_domain)
+  std::vector<Face_handle> operator()(const Face_range& range, const Is_inside& is_in_domain, bool may_be_none)
   {
     if (m_cdt.dimension() < 2)
       throw_faces("cannot be of this triangulation, whose dimension is " + std::to_string(m_cdt.dimension()));
@@ -75,6 +65,8 @@ public:
         m_part.push_back(f);
       }
     }
+    if (m_part.empty() && !may_be_none)
+      throw_faces("is empty");
     check_owner();
     for (Face_handle f : m_part)
       check(f, is_in_domain);
@@ -95,7 +87,9 @@ private:
     if (is_in_domain(f))
       return;
     const Point p = point_in_double<Cdt>(f->vertex(0)->point());
-    throw_faces("has a face that is not marked as one of the domain, with a vertex at " + in_words(p.x(), p.y()));
+    constexpr bool has_mark = Has_domain_mark<typename Cdt::Face>::value;
+    constexpr const char* what = has_mark ? "marked as one of the domain" : "in the domain";
+    throw_faces(std::string("has a face that is not ") + what + ", with a vertex at " + in_words(p.x(), p.y()));
   }
 
   /// Of faces that hang together one tells of all whether they are this triangulation's: asking the triangulation takes
@@ -107,7 +101,7 @@ private:
     for (std::size_t k = 0; k < m_part.size(); ++k) {
       if (is_reached[k])
         continue;
-      if (!m_cdt.tds().faces().owns(m_part[k]))
+      if (!m_cdt.tds().faces().owns_dereferencable(m_part[k]))
         throw_faces("has a face that is none of this triangulation");
       is_reached[k] = 1;
       reached.assign(1, static_cast<Index>(k));

@@ -73,10 +73,7 @@ private:
       if (!e.takes_bubbles)
         continue;
       const Vertex_handle u = vertex(e.source), v = vertex(e.target);
-      if (!is_of_constraint(cdt, u, v)) {
-        e.is_of_one_constraint = false;
-        continue;
-      }
+      check_is_of_constraint(cdt, u, v);
       e.is_of_one_constraint = cdt.number_of_enclosing_constraints(u, v) == 1;
       const auto context = *cdt.contexts_begin(u, v);
       auto first = context.current(), second = first;

@@ -79,7 +79,7 @@ public:
     return {m_exchange.new_faces().begin() + static_cast<std::ptrdiff_t>(m_first_inside), m_exchange.new_faces().end()};
   }
 
-  void exchange() noexcept { m_exchange.exchange(); }
+  void exchange() { m_exchange.exchange(); }
 
   /// there is no way back then
   void finish()
@@ -190,7 +190,7 @@ private:
     if (paths.before == paths.after || (chain.inside_left && chain.inside_right))
       return;
     Path before = paths.before, after = paths.after;
-    if (chain.inside_right == false) { // what is out of the domain is to be on the left
+    if (!chain.inside_right) { // what is out of the domain is to be on the left
       std::reverse(before.begin(), before.end());
       std::reverse(after.begin(), after.end());
     }
@@ -265,6 +265,7 @@ private:
   }
 
   /// the vertices opposite to edges of the rim that are in the circle of the face behind it
+  /// \throws std::runtime_error if none of them can go
   std::vector<Index> unbearable() const
   {
     std::vector<Index> result;
@@ -275,7 +276,11 @@ private:
         if (!m_exchange.is_new(f->neighbor(i)) && !f->is_constrained(i) && m_repair.is_illegal(f, i))
           result.push_back(m_vertices.bubble(f->vertex(i)));
     }
-    return only_movable(std::move(result));
+    const bool are_some = !result.empty();
+    result = only_movable(std::move(result));
+    if (result.empty() && are_some)
+      throw_too_flat();
+    return result;
   }
 
   /// those of faces that can go

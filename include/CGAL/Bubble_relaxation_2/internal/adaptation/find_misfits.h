@@ -10,8 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FIND_MISFITS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/Sizes_of_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_check_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Sizes_of_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/read_adaptation.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
@@ -64,8 +64,8 @@ auto faces_to_check(const Cdt& cdt, [[maybe_unused]] const Is_inside& is_in_doma
                     [[maybe_unused]] const NamedParameters& np)
 {
   if constexpr (Is_given<NamedParameters, internal_np::faces_to_check_t>::value)
-    return Part_check_2<Cdt>(cdt, "faces_to_check")
-      .any_of(parameters::get_parameter_reference(np, internal_np::faces_to_check), is_in_domain);
+    return Part_check_2<Cdt>(cdt, "faces_to_check")(
+      parameters::get_parameter_reference(np, internal_np::faces_to_check), is_in_domain, /* may_be_none = */ true);
   else
     return cdt.finite_face_handles();
 }

@@ -62,8 +62,9 @@ public:
         do {
           if (m_cdt.is_infinite(f) || !m_is_in_domain(f))
             continue;
-          if (is_steep(f->vertex(0), f->vertex(1)) || is_steep(f->vertex(1), f->vertex(2)))
-            return true;
+          for (int i = 0; i < 3; ++i)
+            if (is_steep(f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i))))
+              return true;
           for (int i = 0; i < 3; ++i)
             if (seen.insert(f->vertex(i)).second)
               next.push_back(f->vertex(i));
