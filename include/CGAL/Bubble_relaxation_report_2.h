@@ -79,11 +79,12 @@ struct Bubble_relaxation_report_2
                           FT(other.forced_places[k].y)};
   }
 
-  std::size_t number_of_vertices = 0;          ///< vertices of the mesh of the domain
+  std::size_t number_of_vertices = 0;          ///< vertices of the mesh of the domain; 0 if no mesh was made
   std::size_t number_of_triangles = 0;         ///< triangles of the mesh of the domain
   /// About as many vertices as d alone asks for: the integral of 2 / (sqrt(3) d<sup>2</sup>) over the domain, half of
   /// that of 1/d along its boundary, and one. Corners nearer to each other than d, narrows and the growth of sizes from
-  /// there (`limit_by_outline`) force all others.
+  /// there (`limit_by_outline`) force all others. Of a part that is meshed anew d is what its rim leaves of it, see
+  /// `npbs_remesh_faces()`.
   std::size_t number_of_wanted_vertices = 0;
 
   /// A part of the domain in which the outline forces vertices.

@@ -120,7 +120,8 @@ public:
 
   /// \name Edge Lengths
   /// The length of each edge over the wanted length d in its midpoint; not a number if no sizing
-  /// function was given.
+  /// function was given. In a report d is what the mesh follows: smaller where the outline asks for it, and as large as
+  /// the rim of a part makes it.
   /// @{
   bool has_length_ratios() const { return m.has_lengths; }      ///< whether a sizing function was given
   FT mean_length_ratio() const { return FT(m.mean_length); }    ///< the mean of all edges

@@ -194,8 +194,8 @@ which this is the beginning; and
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{faces_to_check}
-    \cgalParamDescription{where misfits are looked for: faces of the domain. The part grows from those that are found,
-    to others too. If there are none, all fits}
+    \cgalParamDescription{where misfits are looked for: faces of the domain, at best all in which the size is, or was,
+    another one. The part grows from those that are found, to others too. If there are none, all fits}
     \cgalParamType{a range of `CDT::Face_handle`, which is copied, or a `std::reference_wrapper` of one; a face that
     comes twice counts once}
     \cgalParamDefault{all faces of the domain}

@@ -241,7 +241,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           ten times a second or more often, and at each step. When it returns `false` all stops:
                           before there are bubbles `cdt` stays as it is, later it becomes the mesh of the bubbles as
                           they are, without what is left of simulation and treatment; while `cdt` is written it is not
-                          called again, and the writing goes on. The last call, with 1, comes when all is done}
+                          called again, and the writing goes on. The last call, with 1, comes when all is done; after a stop
+                          there is none}
     \cgalParamType{an object that converts to `std::function<bool(double)>`}
     \cgalParamDefault{none}
   \cgalParamNEnd

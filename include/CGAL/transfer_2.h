@@ -53,7 +53,8 @@ common, and of the continued values over the rest: `Transfer_report_2` tells the
 
 With `source_faces` and `target_faces` values are transferred between the old and the new faces of a part that has been
 meshed anew, and nothing depends on the size of the rest. Vertices on the rim of the part belong to the rest too, so
-they should keep their values: they are named by `vertex_is_constrained_map`. The others then make up the integral.
+they should keep their values: they are named by `vertex_is_constrained_map`. The others then make up the integral. To a
+visitor of `npbs_adapt()` they are the vertices of new faces that are none of the new vertices.
 
 The result is determined by the points, triangles and values: it has the same bits for any order in which triangulations
 store them and for any number of threads, and the same up to the scale for points or values in other units, by powers of

@@ -24,7 +24,7 @@ the triangulation is as it was.
 class BubbleRelaxationVisitor_2
 {
 public:
-  /// is called when a phase begins. Phases come in the order of `CGAL::Bubble_phase`, each once.
+  /// is called when a phase begins. Phases come in the order of `CGAL::Bubble_phase`, each once, if nothing stops them.
   void phase_begins(CGAL::Bubble_phase phase);
 
   /// is called after each step of the simulation.

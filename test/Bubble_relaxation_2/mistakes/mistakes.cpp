@@ -16,6 +16,7 @@
 #include <CGAL/Face_region_map_2.h>
 #include <CGAL/Projection_traits_3.h>
 #include <CGAL/Projection_traits_xy_3.h>
+#include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_relax.h>
 #include <CGAL/simplify_outline_2.h>
 
@@ -26,6 +27,11 @@ using CDT = CGAL::Constrained_Delaunay_triangulation_2<K>;
 using Terrain = CGAL::Constrained_Delaunay_triangulation_2<CGAL::Projection_traits_xy_3<K>>;
 namespace P = CGAL::parameters;
 
+double size_at(const K::Point_2& p)
+{
+  return 0.1 + p.x();
+}
+
 void right(CDT& cdt, Terrain& terrain)
 {
   CGAL::npbs_relax(cdt);
@@ -33,6 +39,7 @@ void right(CDT& cdt, Terrain& terrain)
   CGAL::npbs_relax(cdt, 0.1);
   CGAL::npbs_relax(cdt, [](const K::Point_2& p) { return 0.1 + p.x(); });
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback([](double) { return true; }));
+  CGAL::npbs_relax(cdt, size_at);
   CGAL::npbs_relax(terrain, [](const K::Point_2& p) { return 0.1 + p.x(); });
   CGAL::npbs_relax(terrain, P::elevation_function([](const K::Point_2&) { return 1; }));
   CGAL::npbs_relax(terrain, P::edge_marker_map(CGAL::Constraint_marker_map_2<Terrain>()));
@@ -83,6 +90,13 @@ void wrong(CDT& cdt, Terrain& terrain)
   CGAL::simplify_outline_2(cdt, [](const K::Point_2&) { return std::string("fine"); });
   // wrong: sizing_function must be callable
   CGAL::simplify_outline_2(cdt, "fine");
+#elif MISTAKES == 3
+  // wrong: faces must be a range
+  CGAL::npbs_remesh_faces(cdt, cdt.infinite_face(), 0.1);
+  // wrong: visitor must be a model of BubbleRelaxationVisitor_2
+  CGAL::npbs_relax(cdt, P::sizing_function(0.1).visitor(CGAL::Default_adaptation_visitor_2<CDT>()));
+  // wrong: visitor must be a model of BubbleAdaptationVisitor_2
+  CGAL::npbs_adapt(cdt, P::sizing_function(0.1).visitor(CGAL::Default_relaxation_visitor_2()));
 #endif
 }
 #endif

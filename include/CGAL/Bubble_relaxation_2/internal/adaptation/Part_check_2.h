@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_CHECK_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -53,6 +54,20 @@ public:
   template <class Face_range, class Is_inside>
   std::vector<Face_handle> operator()(const Face_range& range, const Is_inside& is_in_domain, bool may_be_none)
   {
+    if constexpr (check_faces<Face_range>())
+      take(range);
+    if (m_part.empty() && !may_be_none)
+      throw_faces("is empty");
+    check_owner();
+    for (Face_handle f : m_part)
+      check(f, is_in_domain);
+    return std::move(m_part);
+  }
+
+private:
+  template <class Face_range>
+  void take(const Face_range& range)
+  {
     if (m_cdt.dimension() < 2)
       throw_faces("cannot be of this triangulation, whose dimension is " + std::to_string(m_cdt.dimension()));
     std::size_t number = 0;
@@ -65,15 +80,8 @@ public:
         m_part.push_back(f);
       }
     }
-    if (m_part.empty() && !may_be_none)
-      throw_faces("is empty");
-    check_owner();
-    for (Face_handle f : m_part)
-      check(f, is_in_domain);
-    return std::move(m_part);
   }
 
-private:
   [[noreturn]] void throw_faces(const std::string& what) const
   {
     throw std::invalid_argument("Bubble_relaxation_2: parameter " + m_parameter + ' ' + what);
@@ -102,7 +110,7 @@ private:
       if (is_reached[k])
         continue;
       if (!m_cdt.tds().faces().owns_dereferencable(m_part[k]))
-        throw_faces("has a face that is none of this triangulation");
+        throw_faces("has a face that is none of this triangulation; a change may have replaced it");
       is_reached[k] = 1;
       reached.assign(1, static_cast<Index>(k));
       while (!reached.empty()) {

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
@@ -21,6 +22,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -66,11 +70,25 @@ std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
     return std::nullopt;
 }
 
+/// whether a visitor can be told of parts that are meshed anew
+template <class Visitor, class Cdt, class = void>
+struct Is_told_of_parts : std::false_type {};
+
+template <class Visitor, class Cdt>
+struct Is_told_of_parts<Visitor, Cdt, std::void_t<decltype(std::declval<Visitor&>().before_change(
+                                        std::declval<const std::vector<typename Cdt::Face_handle>&>(),
+                                        std::declval<const std::vector<typename Cdt::Vertex_handle>&>()))>>
+  : std::true_type
+{};
+
 /// a copy of the user's visitor, or a reference to it if that was given
 template <class Cdt, class NamedParameters>
 decltype(auto) visitor_of([[maybe_unused]] const NamedParameters& np)
 {
-  if constexpr (Is_given<NamedParameters, internal_np::visitor_t>::value)
+  using Visitor = Value_of<NamedParameters, internal_np::visitor_t>;
+  static_assert(is_missing<Visitor> || Is_told_of_parts<Visitor, Cdt>::value,
+                "visitor must be a model of BubbleAdaptationVisitor_2 here, such as Default_adaptation_visitor_2");
+  if constexpr (Is_told_of_parts<Visitor, Cdt>::value)
     return parameters::get_parameter(np, internal_np::visitor);
   else
     return Default_adaptation_visitor_2<Cdt>();

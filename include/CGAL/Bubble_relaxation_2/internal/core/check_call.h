@@ -34,7 +34,7 @@ struct Pack_test
 };
 
 template <class T>
-struct Is_pack : decltype(Pack_test::test(static_cast<const T*>(nullptr)))
+struct Is_pack : decltype(Pack_test::test(static_cast<const std::decay_t<T>*>(nullptr)))
 {};
 
 /// whether a triangulation knows which of its edges are constrained
@@ -107,6 +107,14 @@ constexpr bool check_triangulation()
     return has_plane && !std::is_const<Cdt>::value;
   }
   return false;
+}
+
+/// Whether what is given as faces can be some.
+template <class Faces>
+constexpr bool check_faces()
+{
+  static_assert(Is_range<Faces>::value, "faces must be a range of Face_handle; one face alone is none");
+  return Is_range<Faces>::value;
 }
 
 /// Whether points lie in the plane; for what has no use for elevations.
@@ -182,7 +190,8 @@ template <class Cdt, class Result, class NamedParameters, class Body>
 auto call_checked(const NamedParameters& np, const Body& body)
 {
   if constexpr (!Is_pack<NamedParameters>::value)
-    return call_checked<Cdt, Result>(Bubble_relaxation_parameters::sizing_function(np), body);
+    return call_checked<Cdt, Result>(
+      Bubble_relaxation_parameters::sizing_function(std::decay_t<NamedParameters>(np)), body);
   else if constexpr (!check_triangulation<Cdt>())
     return Result();
   else if constexpr (!check_values<Cdt, NamedParameters>())

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
@@ -26,6 +27,7 @@
 #include <CGAL/property_map.h>
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -74,12 +76,24 @@ private:
   Visitor m_visitor;
 };
 
+/// whether a visitor can be told of phases
+template <class Visitor, class = void>
+struct Is_told_of_phases : std::false_type {};
+
+template <class Visitor>
+struct Is_told_of_phases<Visitor, std::void_t<decltype(std::declval<Visitor&>().phase_begins(Bubble_phase()))>>
+  : std::true_type
+{};
+
 /// whom a relaxation tells how far it is: the user's callback and visitor
 template <class NamedParameters>
 std::shared_ptr<Progress> read_progress(const NamedParameters& np)
 {
+  using Visitor = Value_of<NamedParameters, internal_np::visitor_t>;
+  static_assert(is_missing<Visitor> || Is_told_of_phases<Visitor>::value,
+                "visitor must be a model of BubbleRelaxationVisitor_2 here, such as Default_relaxation_visitor_2");
   std::unique_ptr<Observer> observer;
-  if constexpr (Is_given<NamedParameters, internal_np::visitor_t>::value) {
+  if constexpr (Is_told_of_phases<Visitor>::value) {
     auto visitor = parameters::get_parameter(np, internal_np::visitor); // a copy of it, or of a reference to it
     observer = std::make_unique<Observer_of<decltype(visitor)>>(visitor);
   }

@@ -153,7 +153,7 @@ private:
 {
   std::ostringstream message;
   message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum << ": " << asking
-          << " ask for more, at least " << expected;
+          << " ask for more, at least " << std::ceil(expected);
   throw std::length_error(message.str());
 }
 
