@@ -60,7 +60,8 @@ struct Content
   };
 
   std::map<typename Cdt::Face_handle, Face> faces;
-  std::map<typename Cdt::Vertex_handle, std::pair<typename Cdt::Point, typename Cdt::Face_handle>> vertices;
+  std::map<typename Cdt::Vertex_handle, typename Cdt::Point> vertices;
+  std::map<typename Cdt::Vertex_handle, typename Cdt::Face_handle> faces_of_vertices;
   std::size_t number_of_vertices, number_of_faces;
 
   explicit Content(const Cdt& cdt)
@@ -75,13 +76,15 @@ struct Content
       }
       c.flags.push_back(f->is_in_domain());
     }
-    for (auto v : cdt.finite_vertex_handles())
-      vertices[v] = {v->point(), v->face()};
+    for (auto v : cdt.finite_vertex_handles()) {
+      vertices[v] = v->point();
+      faces_of_vertices[v] = v->face();
+    }
   }
 
   bool operator==(const Content& c) const
   {
-    return faces == c.faces && vertices == c.vertices && number_of_vertices == c.number_of_vertices &&
+    return faces == c.faces && vertices == c.vertices && faces_of_vertices == c.faces_of_vertices && number_of_vertices == c.number_of_vertices &&
            number_of_faces == c.number_of_faces;
   }
 };

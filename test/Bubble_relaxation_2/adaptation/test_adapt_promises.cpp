@@ -476,7 +476,7 @@ TEST(Adapt_visitor, is_told_all)
     for (const auto& [v, p] : before.vertices)
       if (removed.count(v) == 0) {
         ASSERT_EQ(after.vertices.count(v), 1u);
-        EXPECT_EQ(after.vertices.at(v).first, p.first);
+        EXPECT_EQ(after.vertices.at(v), p);
       }
   }
 }
