@@ -84,8 +84,8 @@ struct Content
 
   bool operator==(const Content& c) const
   {
-    return faces == c.faces && vertices == c.vertices && faces_of_vertices == c.faces_of_vertices && number_of_vertices == c.number_of_vertices &&
-           number_of_faces == c.number_of_faces;
+    return faces == c.faces && vertices == c.vertices && faces_of_vertices == c.faces_of_vertices &&
+           number_of_vertices == c.number_of_vertices && number_of_faces == c.number_of_faces;
   }
 };
 
