@@ -26,11 +26,11 @@ cp bubbles.svg "$figures"
 ../release/demo/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
 ../release/examples/Bubble_relaxation_2/finite_volumes | head -n 5 | tee "$figures/finite_volumes.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
-../release/benchmark/Bubble_relaxation_2/local 1e4 1e5 1e6 | tee "$figures/local.txt"
+../release/benchmark/Bubble_relaxation_2/local 1e4 1e5 1e6 3e6 | tee "$figures/local.txt"
 for seed in 1 2 3; do
   ../release/benchmark/Bubble_relaxation_2/local drift 1000 $seed
 done | tee "$figures/local_drift.txt"
-../release/benchmark/Bubble_relaxation_2/progress "$here/demo/Bubble_relaxation_2/data/lake.poly" 2e6 |
+../release/benchmark/Bubble_relaxation_2/progress "$here/demo/Bubble_relaxation_2/data/lake.poly" 1e6 |
   tee "$figures/progress.txt"
 ../release/benchmark/Bubble_relaxation_2/transfer | tee "$figures/transfer.txt"
 "$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja' | tee "$figures/compare_meshers.txt"

@@ -8,7 +8,7 @@
 
 // What it costs to mesh a part of a mesh anew, in comparison to meshing that part alone, and how that grows with the
 // whole: CPU time, and the most memory beyond what there was. `adapt` finds the part by one sweep over all faces,
-// which is a column of its own.
+// which is a column of its own; `given` is told where to look (`faces_to_check`).
 //
 //   local [number of vertices ...]
 //
@@ -31,6 +31,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -134,21 +135,22 @@ paper::Outline outline(const std::vector<CDT::Face_handle>& part)
 }
 
 void print(double whole, std::size_t vertices, const Cost& faces, const Cost& alone, const Cost& sweep,
-           const Cost& adapt)
+           const Cost& adapt, const Cost& given)
 {
   std::cout << std::setw(9) << whole << std::setw(9) << vertices << std::fixed << std::setprecision(2) << std::setw(9)
             << 1e3 * faces.seconds << std::setw(9) << 1e3 * alone.seconds << std::setw(8)
             << faces.seconds / alone.seconds << std::setw(9) << faces.megabytes << std::setw(9) << alone.megabytes
             << std::setw(9) << 1e3 * sweep.seconds << std::setw(9) << 1e3 * adapt.seconds << std::setw(9)
-            << adapt.megabytes << std::defaultfloat << std::endl;
+            << 1e3 * given.seconds << std::setw(9) << adapt.megabytes << std::defaultfloat << std::endl;
 }
 
-void measure(double number_of_vertices)
+/// `lengths`: the radius of the part, in edges
+void measure(double number_of_vertices, double lengths)
 {
-  const double d = std::sqrt(1.15 / number_of_vertices), radius = 22 * d;
+  const double d = std::sqrt(1.15 / number_of_vertices), radius = lengths * d;
   CDT cdt = mesh(square, d);
   const auto fine = [=](const Point& p) { // half as large in the middle
-    return (std::max)(0.5 * d, (std::min)(d, 0.5 * d + 0.1 * (paper::distance(p, 0.5, 0.5) - 12 * d)));
+    return (std::max)(0.5 * d, (std::min)(d, 0.5 * d + 0.1 * (paper::distance(p, 0.5, 0.5) - radius + 10 * d)));
   };
   const auto refine = P::sizing_function(fine);
   std::size_t vertices = 0;
@@ -164,7 +166,8 @@ void measure(double number_of_vertices)
   const Cost alone = cost([] {}, [&] { mesh(rim, fine); });
   const Cost sweep = cost(coarsen, [&] { CGAL::npbs_misfit_faces(cdt, refine); });
   const Cost adapt = cost(coarsen, [&] { CGAL::npbs_adapt(cdt, refine); });
-  print(number_of_vertices, vertices, of_faces, alone, sweep, adapt);
+  const Cost given = cost(coarsen, [&] { CGAL::npbs_adapt(cdt, refine.faces_to_check(std::cref(faces))); });
+  print(number_of_vertices, vertices, of_faces, alone, sweep, adapt, given);
 }
 
 /// A size, and places where it is smaller.
@@ -403,8 +406,9 @@ int main(int argc, char** argv)
     numbers.clear();
   for (int k = 1; k < argc; ++k)
     numbers.push_back(std::atof(argv[k]));
-  std::cout << "                     milliseconds         ratio  megabytes         milliseconds   megabytes\n"
-               "    whole     part    faces    alone            faces    alone    sweep    adapt    adapt\n";
-  for (double n : numbers)
-    measure(n);
+  std::cout << "                     milliseconds         ratio  megabytes         milliseconds              megabytes\n"
+               "    whole     part    faces    alone            faces    alone    sweep    adapt    given    adapt\n";
+  for (double lengths : {11., 22.})
+    for (double n : numbers)
+      measure(n, lengths);
 }

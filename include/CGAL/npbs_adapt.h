@@ -276,9 +276,10 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
       Misfits_2<CDT> misfits = find_misfits(cdt, is_in_domain, options, pack);
       reading_time.stop();
       using Task = Part_task_2<CDT, std::decay_t<decltype(is_in_domain)>, std::decay_t<decltype(pack)>>;
-      if (misfits.faces.empty())
+      if (misfits.faces.empty()) {
         tell_that_all_fits(report);
-      else
+        options.progress->finish();
+      } else
         Task{cdt, is_in_domain, pack, options, misfits.sizes, elevation}.adapt(std::move(misfits.faces),
                                                                                unwrapped(visitor), report);
     });

@@ -352,8 +352,10 @@ TEST(Adapt_errors, nothing_is_left_behind_where_memory_ends)
 TEST(Adapt_errors, a_stop_before_all_faces_are_known)
 {
   CDT cdt = mesh();
+  const CDT other = mesh();
   const Content<CDT> before(cdt);
   Faces part = faces_near(cdt, 0.5, 0.2, 0.2);
+  part.push_back(other.infinite_face()); // which is an error, if it is reached
   const auto slowly = part | boost::adaptors::transformed([](CDT::Face_handle f) {
                         std::this_thread::sleep_for(std::chrono::milliseconds(1));
                         return f;

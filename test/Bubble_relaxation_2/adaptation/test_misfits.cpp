@@ -80,7 +80,12 @@ TEST(Misfits, are_none_where_sizes_did_not_change)
     CDT cdt = at_once(d);
     const Content<CDT> before(cdt);
     EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(d)).empty());
-    const auto report = CGAL::npbs_adapt(cdt, size(d));
+    double last = 0;
+    const auto report = CGAL::npbs_adapt(cdt, size(d).callback([&last](double progress) {
+      last = progress;
+      return true;
+    }));
+    EXPECT_EQ(last, 1);
     EXPECT_EQ(report.number_of_triangles, 0u);
     EXPECT_TRUE(report.converged);
     EXPECT_TRUE(Content<CDT>(cdt) == before);
@@ -102,6 +107,17 @@ TEST(Misfits, outlines_are_known)
     EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, size(0.1).limit_by_outline(false)).empty());
     EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, size(0.02)).empty());
   }
+}
+
+/// but they do not ask for large ones
+TEST(Misfits, are_large_faces_at_sharp_corners)
+{
+  CDT cdt = domains::make({Outline{{0, 0}, {1, 0}, {1, 0.8}}});
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    f->set_in_domain(true);
+  EXPECT_EQ(CGAL::npbs_misfit_faces(cdt, size(0.1)).size(), 1u);
+  EXPECT_GT(CGAL::npbs_adapt(cdt, size(0.1)).number_of_triangles, 50u);
+  validation::expect_valid_mesh(cdt);
 }
 
 /// No mesh follows a jump, so what a relaxation makes of it fits: it is not meshed again and again, but when it moves.

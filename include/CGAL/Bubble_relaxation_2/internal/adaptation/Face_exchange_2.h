@@ -191,10 +191,21 @@ public:
   const std::vector<Face_handle>& new_faces() const { return m_new; } ///< with dropped ones
   const std::vector<Vertex_handle>& new_vertices() const { return m_new_vertices; }
 
-  /// Puts the new faces into the place of the old ones.
-  void exchange()
+  /// When all new faces are made: notes which vertices refer to an old face, which is to be theirs again if there is a
+  /// way back.
+  void prepare()
   {
-    note_homes(); // it may throw; what follows does not
+    for (Face_handle f : m_old)
+      for (int i = 0; i < 3; ++i)
+        if (f->vertex(i)->face() == f) {
+          make_room_for(1, m_homes);
+          m_homes.emplace_back(f->vertex(i), f);
+        }
+  }
+
+  /// Puts the new faces into the place of the old ones. \pre it is prepared
+  void exchange() noexcept
+  {
     for (const auto& [v, f] : m_homes)
       v->set_face(Face_handle());
     for (const auto& [old, front] : m_front)
@@ -271,17 +282,6 @@ private:
   static int mirror_index(Face_handle f, int i)
   {
     return Cdt::cw(f->neighbor(i)->index(f->vertex(Cdt::cw(i))));
-  }
-
-  /// the vertices that refer to an old face, which is to be theirs again if there is a way back
-  void note_homes()
-  {
-    for (Face_handle f : m_old)
-      for (int i = 0; i < 3; ++i)
-        if (f->vertex(i)->face() == f) {
-          make_room_for(1, m_homes);
-          m_homes.emplace_back(f->vertex(i), f);
-        }
   }
 
   void undo() noexcept

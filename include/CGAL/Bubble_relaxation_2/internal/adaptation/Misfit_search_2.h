@@ -41,7 +41,7 @@ struct Misfit_criteria
 struct Forced_place_2
 {
   Point center;
-  double radius;
+  double size; ///< that is wanted there
 };
 
 /// Finds the faces of a mesh that do not fit sizes. In a good mesh the mean length of a face's edges differs from the
@@ -95,14 +95,19 @@ private:
     return m_numbers(&*f) == no_index && !m_cdt.is_infinite(f) && m_is_in_domain(f);
   }
 
+  /// A sharp corner makes edges short and angles small, never edges long.
   /// \pre called for misfits only, of which there are few
   bool is_forced(Face_handle f) const
   {
+    constexpr double reach = 0.5; // of circles, in sizes, with what is refined around them
     const std::array<Point, 3> corners = corners_of(f).points;
-    return std::any_of(m_forced.begin(), m_forced.end(), [&corners](const Forced_place_2& forced) {
-      return std::any_of(corners.begin(), corners.end(), [&forced](const Point& p) {
-        return CGAL::squared_distance(p, forced.center) < forced.radius * forced.radius;
-      });
+    const double length = measure(f).length;
+    return std::any_of(m_forced.begin(), m_forced.end(), [&](const Forced_place_2& forced) {
+      const double radius = reach * forced.size;
+      return length <= m_criteria.longest_edge * forced.size &&
+             std::any_of(corners.begin(), corners.end(), [&](const Point& p) {
+               return CGAL::squared_distance(p, forced.center) < radius * radius;
+             });
     });
   }
 

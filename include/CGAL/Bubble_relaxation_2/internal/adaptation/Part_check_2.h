@@ -70,9 +70,8 @@ private:
   {
     if (m_cdt.dimension() < 2)
       throw_faces("cannot be of this triangulation, whose dimension is " + std::to_string(m_cdt.dimension()));
-    std::size_t number = 0;
     for (Face_handle f : range) {
-      tick(number++);
+      tick(); // the user's range may be slow
       if (f == Face_handle())
         throw_faces("has an empty handle");
       if (m_faces(&*f) == no_index) {

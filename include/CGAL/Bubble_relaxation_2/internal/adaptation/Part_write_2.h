@@ -68,6 +68,7 @@ public:
     m_is_delaunay = needs_no_flips;
     build_outside();
     build_inside();
+    m_exchange.prepare();
   }
 
   const Path& removed_vertices() const { return m_vertices.removed(); }
@@ -79,7 +80,7 @@ public:
     return {m_exchange.new_faces().begin() + static_cast<std::ptrdiff_t>(m_first_inside), m_exchange.new_faces().end()};
   }
 
-  void exchange() { m_exchange.exchange(); }
+  void exchange() noexcept { m_exchange.exchange(); }
 
   /// there is no way back then
   void finish()
@@ -264,8 +265,8 @@ private:
     return open;
   }
 
-  /// the vertices opposite to edges of the rim that are in the circle of the face behind it
-  /// \throws std::runtime_error if none of them can go
+  /// The vertices opposite to edges of the rim that are in the circle of the face behind it. One that cannot go has been
+  /// there before: then it is not this mesh that is not Delaunay, but what lies beyond the rim.
   std::vector<Index> unbearable() const
   {
     std::vector<Index> result;
@@ -276,11 +277,7 @@ private:
         if (!m_exchange.is_new(f->neighbor(i)) && !f->is_constrained(i) && m_repair.is_illegal(f, i))
           result.push_back(m_vertices.bubble(f->vertex(i)));
     }
-    const bool are_some = !result.empty();
-    result = only_movable(std::move(result));
-    if (result.empty() && are_some)
-      throw_too_flat();
-    return result;
+    return only_movable(std::move(result));
   }
 
   /// those of faces that can go

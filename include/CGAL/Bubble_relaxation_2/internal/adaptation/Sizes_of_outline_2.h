@@ -57,10 +57,9 @@ public:
   {
     add_pins(cdt, is_in_domain, is_pinned<Cdt>(np));
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
-    constexpr double reach = 0.5; // of circles, in sizes, with what is refined around them
     for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth)) {
       const Point& p = m_reading.domain.corners()[c.corner];
-      m_forced.push_back(Forced_place_2{p, reach * m_wanted(p)});
+      m_forced.push_back(Forced_place_2{p, m_wanted(p)});
     }
   }
 
