@@ -15,6 +15,7 @@
 
 #include <CGAL/Unique_hash_map.h>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,8 +64,8 @@ void copy_input_flags(const Cdt& cdt, Cdt& copy)
   }
 }
 
-/// Copies a triangulation of dimension 2 as `copy_triangulation()` does, but ticks meanwhile: with millions of vertices
-/// that takes a second.
+/// Copies a triangulation as `copy_triangulation()` does, but ticks meanwhile: with millions of vertices that takes a
+/// second. \pre it has dimension 2, and each vertex a face
 template <class Cdt>
 void copy_in_turn(Cdt& from, Cdt& to)
 {
