@@ -118,6 +118,23 @@ TEST(Misfits, are_large_faces_at_sharp_corners)
   EXPECT_EQ(CGAL::npbs_misfit_faces(cdt, size(0.1)).size(), 1u);
   EXPECT_GT(CGAL::npbs_adapt(cdt, size(0.1)).number_of_triangles, 50u);
   validation::expect_valid_mesh(cdt);
+  EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(0.1)).empty());
+}
+
+/// and what is meshed anew around them is no finer than if all was made at once
+TEST(Misfits, are_none_at_sharp_corners_of_adapted_meshes)
+{
+  for (double height : {0.7, 0.8, 0.97})
+    for (double d : {0.025, 0.1}) {
+      SCOPED_TRACE(testing::Message() << height << ' ' << d);
+      const Outline outline{{0, 0}, {1, 0}, {1, height}};
+      CDT cdt = domains::make({outline}), once = domains::make({outline});
+      CGAL::npbs_relax(cdt, size(0.05));
+      EXPECT_GT(CGAL::npbs_adapt(cdt, size(d)).number_of_triangles, 0u);
+      EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(d)).empty());
+      CGAL::npbs_relax(once, size(d));
+      EXPECT_NEAR(double(cdt.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.1);
+    }
 }
 
 /// No mesh follows a jump, so what a relaxation makes of it fits: it is not meshed again and again, but when it moves.

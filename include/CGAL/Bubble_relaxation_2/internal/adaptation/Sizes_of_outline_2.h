@@ -65,6 +65,9 @@ public:
 
   const Sizes_2& sizes() const { return m_limits.sizes; }
 
+  /// The same without those beyond circles around sharp corners: a part that has such a corner cuts it off by them.
+  const Sizes_2& sizes_of_parts() const { return m_limits.before_cut; }
+
   /// around corners in which two edges of the domain meet in less than 45 degrees
   const std::vector<Forced_place_2>& forced_places() const { return m_forced; }
 
@@ -82,7 +85,7 @@ private:
 
   Part_reading_2<Cdt> m_reading;
   Sizes_2 m_wanted;
-  Limits_of_outline_2 m_limits{m_wanted, nullptr, nullptr};
+  Limits_of_outline_2 m_limits{m_wanted, nullptr, nullptr, m_wanted};
   std::vector<Forced_place_2> m_forced;
 };
 

@@ -28,7 +28,7 @@ template <class Cdt>
 struct Misfits_2
 {
   std::vector<typename Cdt::Face_handle> faces;
-  std::optional<Sizes_2> sizes; ///< that a relaxation of the whole would follow
+  std::optional<Sizes_2> sizes; ///< by which a relaxation of the whole would cut its corners off
 };
 
 /// The domain of a triangulation whose faces have no marks is found as by a relaxation, in a copy.
@@ -81,7 +81,7 @@ Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const
   const auto faces = faces_to_check(cdt, is_in_domain, np);
   const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, np, *given_sizes<Cdt>(np), options);
   Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
-  return Misfits_2<Cdt>{search(faces), outline.sizes()};
+  return Misfits_2<Cdt>{search(faces), outline.sizes_of_parts()};
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -40,6 +40,7 @@ struct Limits_of_outline_2
   Sizes_2 sizes;                           ///< the wanted ones, and smaller ones where the outline asks for it
   std::shared_ptr<const Cut_domain_2> cut; ///< what is cut off, if any corner is sharp
   const Domain_2* domain;                  ///< what is left of the domain then
+  Sizes_2 before_cut;                      ///< those by which it was cut, of the whole domain
 };
 
 /// Counts the bubbles that `wanted` sizes ask for, and makes sizes smaller and cuts corners off where the outline asks

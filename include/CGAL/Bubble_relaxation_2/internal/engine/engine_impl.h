@@ -45,10 +45,11 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   const double growth = options.size_growth;
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
   if (!may_limit)
-    return {wanted, nullptr, nullptr};
+    return {wanted, nullptr, nullptr, wanted};
   Limited_sizes_2 limited(wanted, domain.bbox(), growth);
   Outline_sizes_2(domain, given, maximum, limited)(turns);
-  const auto cut = cut_corners(domain, limited.sizes(), growth, given.pinned);
+  const Sizes_2 before_cut = limited.sizes();
+  const auto cut = cut_corners(domain, before_cut, growth, given.pinned);
   if (cut != nullptr)
     cut->cut(given);
   const Domain_2& rest = cut ? cut->domain() : domain;
@@ -56,7 +57,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   Sizes_2 sizes = limited.sizes();
   if (limited.is_limited())
     count_bubbles(rest, maximum, sizes_and_outline, sizes);
-  return {sizes, cut, cut ? &rest : nullptr};
+  return {sizes, cut, cut ? &rest : nullptr, before_cut};
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
