@@ -169,7 +169,7 @@ private:
     constexpr double least = 1e-4, most = 1, at_once = 4;
     const std::vector<double> wanted =
       Size_from_error<CDT>(mesh, estimate.of_triangles(), Equal_error::GRADIENT).sizes(m_options.nodes, least, most);
-    std::unordered_map<typename CDT::Vertex_handle, double> sizes;
+    std::unordered_map<Vertex_handle, double> sizes;
     std::vector<char> is_changed(wanted.size(), 0);
     m_changed.clear();
     for (std::size_t v = 0; v < wanted.size(); ++v) {
@@ -194,6 +194,7 @@ private:
     return true;
   }
 
+  /// those of the domain; some come twice
   std::vector<typename CDT::Face_handle> faces_around(const std::vector<Vertex_handle>& vertices) const
   {
     std::vector<typename CDT::Face_handle> faces;
@@ -211,8 +212,8 @@ private:
   CDT m_cdt;
   Carried_values<CDT> m_carried{m_cdt};
   std::vector<Vertex_handle> m_changed; ///< those where d became smaller
-  std::optional<Field> m_field; ///< d, after the first mesh
-  Adaptive_cycle m_cycle;       ///< the one that is under way
+  std::optional<Field> m_field;         ///< d, after the first mesh
+  Adaptive_cycle m_cycle;               ///< the one that is under way
 };
 
 #endif // BUBBLE_RELAXATION_2_DEMO_ADAPTIVE_CYCLES_H

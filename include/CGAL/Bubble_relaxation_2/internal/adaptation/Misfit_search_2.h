@@ -142,16 +142,17 @@ private:
   bool is_misfit(Face_handle f, double smallest_q, double smallest_sine, double longest, double shortest)
   {
     const Measures m = measure(f);
-    const double size = m_sizes(centroid(f));
+    const double size = m_sizes(m.center);
     if (m.length <= longest * size && m.length >= shortest * size && m.sine >= smallest_sine && m.q >= smallest_q)
       return false;
-    const Size_range range = sizes_around(f, size);
+    const Size_range range = sizes_around(f, m.center, size);
     return m.length > longest * range.largest || m.length < shortest * range.smallest ||
            m.sine < smallest_sine * range.flattening() || m.q < smallest_q * range.flattening();
   }
 
   struct Measures
   {
+    Point center;    ///< the centroid
     double length;   ///< the mean of the edges
     double sine = 1; ///< of the smallest angle that is not between two constraints
     double q = 1;    ///< if no angle is
@@ -171,7 +172,7 @@ private:
 
   /// The size in the middle of a face. No mesh follows sizes that are too steep: where they are, all is meant that is
   /// wanted at the corners and beside them, since more cannot be told of what triangles should be like.
-  Size_range sizes_around(Face_handle f, double size)
+  Size_range sizes_around(Face_handle f, const Point& center, double size)
   {
     Size_range range{size, size};
     bool is_steep = false;
@@ -179,7 +180,7 @@ private:
       const Star& s = star(f->vertex(i));
       range.smallest = (std::min)(range.smallest, s.range.smallest);
       range.largest = (std::max)(range.largest, s.range.largest);
-      is_steep = is_steep || s.is_steep || is_too_steep(size, centroid(f), s.size, point_of(f->vertex(i)));
+      is_steep = is_steep || s.is_steep || is_too_steep(size, center, s.size, point_of(f->vertex(i)));
     }
     return is_steep ? range : Size_range{size, size};
   }
@@ -236,12 +237,6 @@ private:
     return m_stars[number] = s;
   }
 
-  static Point centroid(Face_handle f)
-  {
-    const std::array<Point, 3> p = corners_of(f).points;
-    return CGAL::centroid(p[0], p[1], p[2]);
-  }
-
   Measures measure(Face_handle f) const
   {
     const auto [p, first_corner] = corners_of(f);
@@ -250,7 +245,7 @@ private:
       length[i] = std::sqrt(CGAL::squared_distance(p[ccw(i)], p[cw(i)]));
     const double twice_area = std::abs((p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) -
                                        (p[2].x() - p[0].x()) * (p[1].y() - p[0].y()));
-    Measures result{(length[0] + length[1] + length[2]) / 3};
+    Measures result{CGAL::centroid(p[0], p[1], p[2]), (length[0] + length[1] + length[2]) / 3};
     bool is_forced = false;
     for (int i = 0; i < 3; ++i)
       if (f->is_constrained((first_corner + i + 1) % 3) && f->is_constrained((first_corner + i + 2) % 3))
