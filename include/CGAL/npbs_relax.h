@@ -154,7 +154,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{30; the paper: 250}
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
-    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default four times
+    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default six times
                           as much is rest enough while bubbles are still inserted, and a bubble sleeps while it
                           and its neighbours move no more}
     \cgalParamType{`double`, not negative}

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// Parts of the treatment of defects that cannot be seen from outside: that it can be undone, and the energy it
-// descends.
+// Parts of the treatment of defects that cannot be seen from outside: that it can be undone, the energy it descends, and
+// that vertices inserted one by one make the triangulation of all.
 
 #include "distributed/bubbles.h"
 #include "random_seeds.h"
@@ -15,6 +15,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
 
 namespace test_treatment_parts {
 
@@ -93,6 +97,111 @@ TEST(Defects, a_triangle_outside_that_is_turned_over_may_have_a_neighbor_twice)
       for (Index v : {m.vertices[t][internal::ccw(i)], m.vertices[t][internal::cw(i)]})
         EXPECT_EQ(std::count(m.vertices[n].begin(), m.vertices[n].end(), v), 1) << t << ' ' << i;
     }
+}
+
+/// what a triangle is, wherever it begins: its vertices, the smallest first, and the label and the vertex beyond of each side
+using Described_triangle = std::array<Index, 9>;
+
+std::vector<Described_triangle> triangles_of_domain(const internal::Bubble_mesh_2& mesh)
+{
+  const internal::Marked_triangles_2& m = mesh.triangles;
+  std::vector<Described_triangle> result;
+  for (std::size_t t = 0; t < m.inside.size(); ++t) {
+    if (!m.inside[t])
+      continue;
+    const std::array<int, 3> corners = internal::corners_in_order(m, static_cast<Index>(t));
+    Described_triangle d;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int i = corners[k];
+      const Index n = m.neighbors[t][i];
+      d[k] = m.vertices[t][i];
+      d[3 + k] = m.edges[t][i];
+      d[6 + k] = n == internal::no_index || !m.inside[n]
+                   ? internal::no_index
+                   : m.vertices[n][m.index_of_neighbor(n, static_cast<Index>(t))];
+    }
+    result.push_back(d);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// In each seventh triangle its centroid, and the middle of a side of each eighth, unless another one of its triangles or of
+/// those at its vertices has one.
+std::vector<internal::Steiner_point_2> points_to_insert(const bubbles::Case& c, const internal::Bubble_mesh_2& mesh)
+{
+  const internal::Marked_triangles_2& m = mesh.triangles;
+  const internal::Bubbles_2& b = mesh.bubbles;
+  std::vector<char> is_taken(b.size(), 0);
+  std::vector<internal::Steiner_point_2> result;
+  for (std::size_t k = 0; k < m.inside.size(); ++k) {
+    const Index t = static_cast<Index>(k);
+    const auto& v = m.vertices[k];
+    if (!m.inside[k] || (k % 7 != 0 && k % 8 != 0) || is_taken[v[0]] || is_taken[v[1]] || is_taken[v[2]])
+      continue;
+    const int i = static_cast<int>(k % 3), after = internal::ccw(i), before = internal::cw(i);
+    const internal::Point middle = CGAL::midpoint(mesh.point(t, after), mesh.point(t, before)),
+                          centroid = CGAL::centroid(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2));
+    Index hint = 0;
+    internal::Steiner_point_2 p{0, centroid.x(), centroid.y(), 0, 0, c.domain().host_of(centroid, hint),
+                                internal::Bubbles_2::FACE, t};
+    if (k % 7 != 0 && m.edges[k][i] == internal::no_index) {
+      p.x = middle.x();
+      p.y = middle.y();
+      p.host = c.domain().host_of(middle, hint);
+    } else if (k % 7 != 0) {
+      p.host = internal::edge_of_piece(c.domain(), b, v[after], v[before]);
+      p.s = 0.5 * (internal::position_on(c.domain(), b, p.host, v[after]) +
+                   internal::position_on(c.domain(), b, p.host, v[before]));
+      p.x = c.domain().point_on_edge(p.host, p.s).x();
+      p.y = c.domain().point_on_edge(p.host, p.s).y();
+      p.dimension = internal::Bubbles_2::EDGE;
+    }
+    for (Index w : v)
+      is_taken[w] = 1;
+    result.push_back(p);
+  }
+  return result;
+}
+
+/// inserts them into the mesh of a case, and returns how many of them are on edges
+std::size_t expect_the_triangulation_of_all(const bubbles::Case& c)
+{
+  internal::Bubble_mesh_2 mesh = bubbles::mesh_of(c);
+  const std::vector<internal::Steiner_point_2> points = points_to_insert(c, mesh);
+  EXPECT_GT(points.size(), c.bubbles.size() / 20);
+  EXPECT_TRUE(internal::insert_points(c.domain(), c.input->problem().sizes, points, mesh));
+  EXPECT_EQ(mesh.bubbles.size(), c.bubbles.size() + points.size());
+  internal::Bubble_mesh_2 anew{mesh.bubbles, {}};
+  internal::triangulate(c.domain(), anew);
+  internal::label_edges(anew.triangles);
+  EXPECT_EQ(triangles_of_domain(mesh), triangles_of_domain(anew));
+  EXPECT_EQ(mesh.triangles.inside.size(), anew.triangles.inside.size());
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [](const internal::Steiner_point_2& p) {
+    return p.dimension == internal::Bubbles_2::EDGE;
+  }));
+}
+
+TEST(Defects, inserted_vertices_make_the_triangulation_of_all)
+{
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    EXPECT_GT(expect_the_triangulation_of_all(bubbles::random(paper::square_with_hole(1), 600, seed)), 0u);
+  }
+  expect_the_triangulation_of_all(bubbles::lattice(20)); // on sides, on circles of other vertices, on inner edges
+}
+
+TEST(Defects, no_vertex_is_inserted_where_one_is)
+{
+  const bubbles::Case c = bubbles::lattice(8);
+  const internal::Bubble_mesh_2 mesh = bubbles::mesh_of(c);
+  const auto begin = mesh.triangles.inside.begin();
+  const Index t = static_cast<Index>(std::find(begin, mesh.triangles.inside.end(), 1) - begin);
+  for (const internal::Point& p : {mesh.point(t, 0), internal::Point(-1, 4)}) {
+    internal::Bubble_mesh_2 copy = mesh;
+    EXPECT_FALSE(internal::insert_points(c.domain(), c.input->problem().sizes,
+                                         {{0, p.x(), p.y(), 0, 0, 0, internal::Bubbles_2::FACE, t}}, copy));
+  }
 }
 
 TEST(Defects, star_gradient_is_that_of_the_energy)

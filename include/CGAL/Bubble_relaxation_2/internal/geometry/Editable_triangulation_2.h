@@ -89,7 +89,7 @@ struct Corner_2
 
 using Star_2 = boost::container::small_vector<Corner_2, 10>;
 
-/// A mesh of bubbles whose edges are flipped, as far as it is inside of the domain.
+/// A mesh of bubbles whose edges are flipped, and into which vertices are inserted, as far as it is inside of the domain.
 class Editable_triangulation_2
 {
 public:
@@ -162,6 +162,36 @@ public:
     return flip_doubtful();
   }
 
+  /// Splits triangle `t` at bubble `v`, which lies in it and is not in the mesh yet, and flips edges. \pre there is no log
+  void insert_in_triangle(Index v, Index t)
+  {
+    const std::array<Index, 3> corners = m_triangles.vertices[t], beyond = m_triangles.neighbors[t],
+                               edges = m_triangles.edges[t], parts = {t, append(), append()};
+    for (int i = 0; i < 3; ++i) {
+      put(parts[i], {v, corners[ccw(i)], corners[cw(i)]}, {beyond[i], parts[ccw(i)], parts[cw(i)]},
+          {edges[i], no_index, no_index});
+      set_neighbor(beyond[i], corners[ccw(i)], corners[cw(i)], parts[i]);
+    }
+    flip_doubtful();
+  }
+
+  /// The same for a bubble on side `i` of `t`. A triangle outside of the domain is cut off: it is to be made anew.
+  void insert_on_side(Index v, Index t, int i)
+  {
+    const Index n = m_triangles.neighbors[t][i], t2 = append();
+    const int j = n == no_index ? 0 : m_triangles.index_of_neighbor(n, t);
+    if (n != no_index && is_inside(n)) {
+      const Index n2 = append();
+      split_side(v, t, i, t2, {n2, n});
+      split_side(v, n, j, n2, {t2, t});
+    } else {
+      split_side(v, t, i, t2, {no_index, no_index});
+      if (n != no_index)
+        m_triangles.neighbors[n][j] = no_index;
+    }
+    flip_doubtful();
+  }
+
   /// makes an end of the mesh beside a triangle, which is not in the domain any more
   void cut_off(Index t)
   {
@@ -178,6 +208,40 @@ public:
   std::vector<Index> take_flipped() { return std::exchange(m_flipped, {}); }
 
 private:
+  /// a triangle of the domain after the last, which is still to be put there
+  Index append()
+  {
+    for (auto* corners : {&m_triangles.vertices, &m_triangles.neighbors, &m_triangles.edges})
+      corners->emplace_back();
+    m_triangles.inside.push_back(1);
+    return static_cast<Index>(m_triangles.inside.size() - 1);
+  }
+
+  /// puts a triangle in the place of another one; its sides may have to be flipped
+  void put(Index t, const std::array<Index, 3>& vertices, const std::array<Index, 3>& neighbors,
+           const std::array<Index, 3>& edges)
+  {
+    m_triangles.vertices[t] = vertices;
+    m_triangles.neighbors[t] = neighbors;
+    m_triangles.edges[t] = edges;
+    m_triangle_of.resize(m_mesh.bubbles.size(), no_index);
+    for (int i = 0; i < 3; ++i) {
+      m_triangle_of[vertices[i]] = t;
+      m_doubtful.push_back(Corner_2{t, i});
+    }
+  }
+
+  /// makes two triangles of one, the second in the place of `t2`; `beyond`: what is beyond the parts of side `i`
+  void split_side(Index v, Index t, int i, Index t2, const std::array<Index, 2>& beyond)
+  {
+    const std::array<Index, 3> corners = m_triangles.vertices[t], neighbors = m_triangles.neighbors[t],
+                               edges = m_triangles.edges[t];
+    const Index a = corners[i], b = corners[ccw(i)], c = corners[cw(i)];
+    put(t, {a, b, v}, {beyond[0], t2, neighbors[cw(i)]}, {edges[i], no_index, edges[cw(i)]});
+    put(t2, {a, v, c}, {beyond[1], neighbors[ccw(i)], t}, {edges[i], edges[ccw(i)], no_index});
+    set_neighbor(neighbors[ccw(i)], c, a, t2);
+  }
+
   std::size_t flip_doubtful()
   {
     std::size_t number_of_flips = 0;

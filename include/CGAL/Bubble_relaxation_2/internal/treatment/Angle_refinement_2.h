@@ -16,7 +16,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 
@@ -46,6 +45,7 @@ struct Steiner_point_2
   double x, y, s, radius;
   Index host;
   Bubbles_2::Dimension dimension;
+  Index triangle; ///< that asks for it, on its rank
 
   bool operator<(const Steiner_point_2& p) const
   {
@@ -126,7 +126,7 @@ private:
       return std::nullopt;
     const Walk_end end = m_domain.walk(start, centroid, center);
     Steiner_point_2 result{Smallest_angle_2(m_mesh, t).sine, center.x(), center.y(), 0,
-                           std::sqrt(CGAL::squared_distance(center, p)), end.triangle, Bubbles_2::FACE};
+                           std::sqrt(CGAL::squared_distance(center, p)), end.triangle, Bubbles_2::FACE, t};
     if (end.is_blocked())
       return split(m_domain.edge(end.triangle, end.edge), crossing(end, centroid, center), result);
     for (std::size_t e = 0; e < m_on_edge.size(); ++e)
@@ -254,16 +254,6 @@ inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, cons
 inline bool is_endless(std::size_t number_of_new_vertices, std::size_t number_of_vertices)
 {
   return number_of_new_vertices > 100 + number_of_vertices / 50;
-}
-
-/// Inserts vertices and triangulates; returns whether coordinates can tell the result from what there was.
-inline bool insert_points(const Problem_2& problem, const std::vector<Steiner_point_2>& points, Bubble_mesh_2& mesh)
-{
-  const std::size_t number = mesh.bubbles.size() + points.size();
-  for (const Steiner_point_2& p : points)
-    mesh.bubbles.add(Point(p.x, p.y), problem.sizes(p.x, p.y), p.dimension, p.host, p.s);
-  remove_coincident(problem.domain, mesh.bubbles);
-  return mesh.bubbles.size() == number && try_to_triangulate(cut_edges(problem.domain, mesh.bubbles), mesh);
 }
 
 /// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so; none if that is endless, or has made

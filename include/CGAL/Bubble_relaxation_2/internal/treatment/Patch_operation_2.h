@@ -193,10 +193,10 @@ private:
       return;
     }
     const Index u = m_triangles.vertices[t][ccw(i)], v = m_triangles.vertices[t][cw(i)];
-    const Index e = common_edge(u, v);
+    const Index e = edge_of_piece(m_domain, m_bubbles, u, v);
     if (e == no_index || !m_domain.edges()[e].takes_bubbles)
       return;
-    const double s = 0.5 * (position(u, e) + position(v, e));
+    const double s = 0.5 * (position_on(m_domain, m_bubbles, e, u) + position_on(m_domain, m_bubbles, e, v));
     Bubbles_2 bubbles = m_patch.bubbles();
     const Index middle = static_cast<Index>(bubbles.size());
     bubbles.add(m_domain.point_on_edge(e, s), m_mean_size, Bubbles_2::EDGE, e, s);
@@ -210,23 +210,6 @@ private:
         break;
       }
     try_patch(std::move(bubbles), std::move(edges));
-  }
-
-  /// the edge of the domain that two bubbles lie on
-  Index common_edge(Index u, Index v) const
-  {
-    const Bubbles_2& b = m_bubbles;
-    if (b.is_on_edge(u))
-      return b.host[u];
-    if (b.is_on_edge(v))
-      return b.host[v];
-    return m_domain.edge_between(b.host[u], b.host[v]);
-  }
-
-  double position(Index i, Index e) const
-  {
-    const Bubbles_2& b = m_bubbles;
-    return b.is_on_edge(i) ? b.s[i] : b.host[i] == m_domain.edges()[e].source ? 0. : 1.;
   }
 
   /// A bubble that comes to an edge, or goes from it, may put a pinned vertex beside the edge out of the domain.

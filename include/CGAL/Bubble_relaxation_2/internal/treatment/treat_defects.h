@@ -19,6 +19,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Angle_refinement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_insertion_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/rebuild_outside.h>
 
 #include <CGAL/Bubble_relaxation_report_2.h>
 
@@ -26,78 +28,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// Makes the triangulation of the bubbles on the outline of a domain, whose vertices are numbered as the bubbles
-/// are; returns whether it can be made.
-inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Marked_triangles_2& outline)
-{
-  std::vector<Index> number(b.size(), no_index), vertices;
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index)) {
-      number[i] = static_cast<Index>(points.size());
-      points.push_back(b.point(i));
-      vertices.push_back(static_cast<Index>(i));
-    }
-  std::vector<Domain_edge_2> edges = cut_edges(domain, b);
-  for (Domain_edge_2& e : edges) {
-    e.source = number[e.source];
-    e.target = number[e.target];
-  }
-  if (mark_triangulation(points, edges, outline) != Marking_error::NONE)
-    return false;
-  for (auto& triangle : outline.vertices)
-    for (Index& v : triangle)
-      v = vertices[v];
-  return true;
-}
-
-/// Makes triangles neighbours that have the same constrained side and do not know of each other.
-inline void link_across_edges(Marked_triangles_2& m)
-{
-  std::map<std::pair<Index, Index>, std::pair<Index, int>> sides; // from vertex to vertex
-  for (std::size_t t = 0; t < m.inside.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const auto& v = m.vertices[t];
-      if (m.edges[t][i] == no_index || m.neighbors[t][i] != no_index)
-        continue;
-      const auto other = sides.find({v[cw(i)], v[ccw(i)]});
-      if (other == sides.end()) {
-        sides[{v[ccw(i)], v[cw(i)]}] = {static_cast<Index>(t), i};
-        continue;
-      }
-      m.neighbors[t][i] = other->second.first;
-      m.neighbors[other->second.first][other->second.second] = static_cast<Index>(t);
-    }
-}
-
-/// Makes the triangles outside of the domain anew. They depend on its outline only, since nothing sees through
-/// the edges; so they need not be looked at while vertices move, which they would forbid where roundings alone
-/// make a bend of a slanted edge. Returns whether they could be made; if not, the mesh is as it was.
-inline bool rebuild_outside(const Domain_2& domain, Bubble_mesh_2& mesh)
-{
-  Marked_triangles_2 outside;
-  if (!triangulate_outline(domain, mesh.bubbles, outside))
-    return false;
-  Marked_triangles_2& m = mesh.triangles;
-  keep_triangles(m, [&m](std::size_t t) { return m.inside[t] != 0; });
-  keep_triangles(outside, [&outside](std::size_t t) { return outside.inside[t] == 0; });
-  const Index first = static_cast<Index>(m.number_of_triangles());
-  for (auto& neighbors : outside.neighbors)
-    for (Index& n : neighbors)
-      n = n == no_index ? no_index : first + n;
-  m.vertices.insert(m.vertices.end(), outside.vertices.begin(), outside.vertices.end());
-  m.neighbors.insert(m.neighbors.end(), outside.neighbors.begin(), outside.neighbors.end());
-  m.edges.insert(m.edges.end(), outside.edges.begin(), outside.edges.end());
-  m.inside.insert(m.inside.end(), outside.inside.begin(), outside.inside.end());
-  link_across_edges(m);
-  return true;
-}
 
 /// What the treatment of defects did to a mesh: vertices that were moved, inserted and deleted.
 struct Treatment_counts
@@ -254,15 +188,15 @@ public:
   /// returns whether that can be done; if not, the mesh is as it was
   bool insert(const std::vector<Steiner_point_2>& points, Mesh& mesh) const
   {
-    Mesh next{mesh.bubbles, {}};
-    if (!insert_points(m_problem, points, next))
+    Mesh next = mesh;
+    if (!insert_points(m_problem.domain, m_problem.sizes, points, next))
       return false;
     mesh = std::move(next);
     return true;
   }
 
   double smallest_free_sine(const Mesh& mesh) const { return internal::smallest_free_sine(mesh, mesh.triangles.inside); }
-  Mesh to_be_treated_again(const Mesh& mesh) const { return mesh; }
+  Mesh to_be_smoothed(const Mesh& mesh) const { return mesh; }
 
   std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
   {
@@ -313,20 +247,31 @@ void keep_the_better(const Treatment& treatment, typename Treatment::Mesh& mesh,
   mesh = std::move(given);
 }
 
-/// Refines, and treats what has come of it: new vertices stand where angles ask for them, not where they fit in best.
+/// Moves the vertices of bad triangles; returns how many were moved.
 template <class Treatment>
-void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
+std::size_t smooth(const Treatment& treatment, typename Treatment::Mesh& mesh)
+{
+  double smallest = treatment.smallest_quality(mesh);
+  typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
+  const std::size_t moved = treatment.smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps);
+  mesh = treatment.mesh_of(std::move(piece));
+  return moved;
+}
+
+/// Refines, and moves vertices once more: new ones stand where angles ask for them, not where they fit in best.
+template <class Treatment>
+void refine_and_smooth(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
 {
   const std::size_t inserted = refine_small_angles(treatment, mesh);
   if (inserted == 0)
     return;
   counts.inserted += inserted;
-  typename Treatment::Mesh treated = treatment.to_be_treated_again(mesh);
-  const Treatment_counts more = treat_defects(treatment, treated);
-  if (treatment.left_to_refine(mesh) < treatment.left_to_refine(treated))
+  typename Treatment::Mesh smoothed = treatment.to_be_smoothed(mesh);
+  const std::size_t moved = smooth(treatment, smoothed);
+  if (treatment.left_to_refine(mesh) < treatment.left_to_refine(smoothed))
     return;
-  mesh = std::move(treated);
-  counts += more;
+  mesh = std::move(smoothed);
+  counts.treated += moved;
 }
 
 /// whether there is a result of a simulation to be treated
@@ -346,7 +291,7 @@ void treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Report& r
     if (keeps_given_bubbles(options))
       keep_the_better(treatment, mesh, counts);
     if (options.population != Bubble_population::NONE)
-      refine_and_treat(treatment, mesh, counts);
+      refine_and_smooth(treatment, mesh, counts);
     counts.add_to(report);
   }
   if (treatment.is_stop_wanted()) // what was left of it was not done

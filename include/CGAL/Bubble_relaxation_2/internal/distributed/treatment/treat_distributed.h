@@ -313,7 +313,7 @@ public:
   }
 
   /// what refinement triangulates is no wider than it needs
-  Mesh to_be_treated_again(const Mesh& mesh) const { return triangulate(own_bubbles(mesh, m_comm.rank())); }
+  Mesh to_be_smoothed(const Mesh& mesh) const { return triangulate(own_bubbles(mesh, m_comm.rank())); }
 
   std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
   {
