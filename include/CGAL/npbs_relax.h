@@ -154,11 +154,11 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{30; the paper: 250}
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
-    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default six times
+    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default 3.3 times
                           as much is rest enough while bubbles are still inserted, and a bubble sleeps while it
                           and its neighbours move no more}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{0.007; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
+    \cgalParamDefault{0.0085; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
   \cgalParamNBegin{integrator}
     \cgalParamDescription{how the equation of motion (eq. 3 of the paper) is integrated}

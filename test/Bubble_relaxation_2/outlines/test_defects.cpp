@@ -92,7 +92,7 @@ CDT::Vertex_handle inner_vertex(const CDT& cdt, const Point& p) { return cdt.loc
 const domains::Outline l_shape{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}};
 
 /// the smallest q of each domain at these scales is hardly better
-constexpr double least_quality[] = {0.893, 0.882, 0.89, 0.85, 0.9, 0.92, 0.915, 0.883, 0.925};
+constexpr double least_quality[] = {0.89, 0.886, 0.886, 0.854, 0.926, 0.933, 0.915, 0.892, 0.927};
 
 class Treated_domain : public testing::TestWithParam<int>
 {};
@@ -225,7 +225,7 @@ TEST(Defects, a_given_mesh_is_never_kept_where_d_asks_for_another)
           sum += std::sqrt(s.squared_length()) / d(m);
           ++number;
         }
-        EXPECT_NEAR(sum / number, 1, 0.2);
+        EXPECT_NEAR(sum / number, 1, 0.25); // in the given mesh it is a half or two
       }
     }
 }

@@ -75,7 +75,7 @@ TEST(Named_parameters, defaults_depend_on_the_integrator)
   EXPECT_EQ(euler.integrator, CGAL::Bubble_integrator::SEMI_IMPLICIT_EULER);
   EXPECT_EQ(euler.time_step, 0.6);
   EXPECT_EQ(euler.damping, 0.6);
-  EXPECT_EQ(euler.displacement_tolerance, 0.007);
+  EXPECT_EQ(euler.displacement_tolerance, 0.0085);
   EXPECT_FALSE(euler.placement_is_given);
   const auto rk = read_options(P::integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4));
   EXPECT_EQ(rk.time_step, 0.02);

@@ -26,7 +26,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 constexpr std::size_t default_number_of_iterations = 30;
 constexpr std::size_t default_number_of_rounds = 10;
 constexpr std::size_t default_maximum_number_of_bubbles = 100000000;
-constexpr double default_displacement_tolerance = 0.007;
+constexpr double default_displacement_tolerance = 0.0085;
 constexpr double default_size_growth = 0.2;
 constexpr double default_minimum_angle = 30; // degrees
 constexpr double largest_neighbor_radius = 100; // sets have 4 times the square of it as members

@@ -289,7 +289,7 @@ public:
   }
 
 private:
-  static constexpr double coarse_tolerance = 6; // times that of the end
+  static constexpr double coarse_tolerance = 3.3; // times that of the end
 
   /// Tells which share of the simulation is over. Bubbles that may sleep need 3 to 30 moves, as the sizes have it: each
   /// counts less than the one before.

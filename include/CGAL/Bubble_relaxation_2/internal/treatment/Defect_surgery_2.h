@@ -65,23 +65,21 @@ inline double best_quality(const Bubble_mesh_2& mesh, Index t)
   return best;
 }
 
-/// The triangles with q less than `bad_quality`, unless the input does not allow for more; the worst first.
-inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, double bad_quality)
+/// The triangles with q less than `bad_quality` and a vertex from `first` on, see `number_of()`, unless the input does not
+/// allow for more; the worst first.
+inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, double bad_quality, std::int64_t first)
 {
-  const Bubbles_2& b = mesh.bubbles;
   const Marked_triangles_2& m = mesh.triangles;
   std::vector<Bad_triangle_2> result;
   for (std::size_t k = 0; k < m.inside.size(); ++k) {
     tick(k);
     const Index t = static_cast<Index>(k);
-    const double q = m.inside[k] ? quality(mesh, t) : 1.;
+    const double q = m.inside[k] && has_vertex_from(first, mesh, t) ? quality(mesh, t) : 1.;
     if (!(q < bad_quality && q < 0.9 * best_quality(mesh, t)))
       continue;
     Bad_triangle_2 bad{q, {}, t};
-    for (int i = 0; i < 3; ++i) {
-      const Index v = m.vertices[k][i];
-      bad.vertices[i] = b.id.empty() ? v : b.id[v];
-    }
+    for (int i = 0; i < 3; ++i)
+      bad.vertices[i] = number_of(mesh.bubbles, m.vertices[k][i]);
     std::sort(bad.vertices.begin(), bad.vertices.end());
     result.push_back(bad);
   }
@@ -94,10 +92,14 @@ inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, doub
 class Defect_surgery_2
 {
 public:
-  /// \param smallest q of the mesh, which does not get smaller \pre the edges of `mesh` are labelled
-  Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest)
-    : m_domain(domain), m_mesh(mesh), m_smallest(smallest)
+  /// \param smallest q of the mesh, which does not get smaller
+  /// \param first_vertex triangles with one from there on are operated on
+  /// \pre the edges of `mesh` are labelled
+  Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, std::int64_t first_vertex)
+    : first_vertex(first_vertex), m_domain(domain), m_mesh(mesh), m_smallest(smallest)
   {}
+
+  std::int64_t first_vertex; ///< the same vertex, when some before it are gone
 
   /// what was done
   std::size_t number_of_insertions = 0, number_of_deletions = 0;
@@ -106,16 +108,18 @@ public:
   /// operates on triangles with less than `bad_quality`; returns whether any of them got better
   bool operator()(double bad_quality)
   {
-    const std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, bad_quality);
+    const std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, bad_quality, first_vertex);
     const std::vector<Operation> operations = operate(worst);
     if (operations.empty())
       return false;
     Mesh_stitching_2 stitching(m_mesh);
+    m_gone_before_first = 0;
     for (const Operation& operation : operations) {
       const std::vector<Index> number = replace_bubbles(operation);
       stitching.replace(operation.patch.triangles(), operation.outcome.triangles(operation.patch, number));
     }
     stitching.finish();
+    first_vertex -= m_gone_before_first;
     return true;
   }
 
@@ -204,6 +208,7 @@ private:
   void remove(Index i)
   {
     ++number_of_deletions;
+    m_gone_before_first += i < first_vertex;
     has_changed_outline = has_changed_outline || m_mesh.bubbles.is_on_edge(i);
     m_mesh.bubbles.remove(i);
   }
@@ -211,6 +216,7 @@ private:
   const Domain_2& m_domain;
   Bubble_mesh_2& m_mesh;
   const double m_smallest;
+  std::int64_t m_gone_before_first = 0;
   std::unordered_set<std::uint64_t> m_hopeless; // signatures of what could not be made better
 };
 

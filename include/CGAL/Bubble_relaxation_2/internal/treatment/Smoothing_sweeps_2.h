@@ -20,6 +20,7 @@
 #include <CGAL/radius_ratio_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,6 +32,16 @@ namespace CGAL::Bubble_relaxation_2::internal {
 inline double quality(const Bubble_mesh_2& mesh, Index t)
 {
   return radius_ratio(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2));
+}
+
+/// the number of a vertex among those of all ranks
+inline std::int64_t number_of(const Bubbles_2& b, Index v) { return b.id.empty() ? v : b.id[v]; }
+
+/// whether a triangle has a vertex with this number or a larger one
+inline bool has_vertex_from(std::int64_t first, const Bubble_mesh_2& mesh, Index t)
+{
+  const std::array<Index, 3>& v = mesh.triangles.vertices[t];
+  return std::any_of(v.begin(), v.end(), [&](Index i) { return number_of(mesh.bubbles, i) >= first; });
 }
 
 /// q of each triangle of the domain, 1 outside
@@ -67,12 +78,13 @@ public:
     : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_team(team)
   {}
 
-  /// returns the vertices that were moved, in so many sweeps or fewer
-  std::vector<Index> operator()(int most_sweeps = number_of_sweeps)
+  /// Returns the vertices that were moved, in so many sweeps or fewer. It begins with triangles with a vertex from
+  /// `first` on, see `number_of()`.
+  std::vector<Index> operator()(int most_sweeps = number_of_sweeps, std::int64_t first = 0)
   {
     std::optional<Editable_triangulation_2> mesh(std::in_place, m_mesh, &m_log);
     std::vector<char> was_moved(m_bubbles.size(), 0);
-    std::vector<Index> candidates = vertices_of_bad_triangles();
+    std::vector<Index> candidates = vertices_of_bad_triangles(first);
     for (int sweep = 0; sweep < most_sweeps && m_team.any(!candidates.empty() && !is_stop_wanted()); ++sweep) {
       std::vector<Index> moved = move(*mesh, candidates);
       mesh->restore_delaunay(moved);
@@ -91,12 +103,12 @@ public:
 private:
   bool may_be_moved(Index v) const { return m_bubbles.can_move(v) && m_bubbles.is_ours(v); }
 
-  std::vector<Index> vertices_of_bad_triangles() const
+  std::vector<Index> vertices_of_bad_triangles(std::int64_t first) const
   {
     const std::vector<double> q = qualities(m_mesh, m_threads);
     std::vector<char> marks(m_bubbles.size(), 0);
     for (std::size_t t = 0; t < q.size(); ++t)
-      if (q[t] < treated_quality)
+      if (q[t] < treated_quality && has_vertex_from(first, m_mesh, static_cast<Index>(t)))
         for (Index v : m_mesh.triangles.vertices[t])
           marks[v] = may_be_moved(v);
     return marked(marks);

@@ -64,11 +64,11 @@ constexpr int sweeps_before_surgery = 2;
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
 inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
-                                  double& smallest, int most_sweeps)
+                                  double& smallest, int most_sweeps, std::int64_t first_vertex)
 {
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
-  const std::vector<Index> moved = treat(most_sweeps);
+  const std::vector<Index> moved = treat(most_sweeps, first_vertex);
   const double smallest_now = smallest_quality(mesh, threads);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
@@ -84,11 +84,11 @@ inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads
 
 /// Inserts and removes single bubbles where moving is not enough, unless the smallest q, `smallest`, gets smaller.
 inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, double& smallest,
-                               Treatment_counts& counts)
+                               std::int64_t& first_vertex, Treatment_counts& counts)
 {
   label_edges(mesh.triangles);
   Bubble_mesh_2 changed = mesh;
-  Defect_surgery_2 surgery(domain, changed, smallest);
+  Defect_surgery_2 surgery(domain, changed, smallest, first_vertex);
   for (double bad_quality : bad_qualities)
     if (is_stop_wanted() || !surgery(bad_quality))
       break;
@@ -99,6 +99,7 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
     return;
   counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
   smallest = smallest_now;
+  first_vertex = surgery.first_vertex;
   mesh = std::move(changed);
 }
 
@@ -152,14 +153,14 @@ public:
 
   double smallest_quality(const Mesh& mesh) const { return internal::smallest_quality(mesh, m_threads); }
 
-  std::size_t smooth(Piece& mesh, double& smallest, int most_sweeps) const
+  std::size_t smooth(Piece& mesh, double& smallest, int most_sweeps, std::int64_t first_vertex) const
   {
-    return smooth_defects(m_problem.domain, m_threads, mesh, smallest, most_sweeps);
+    return smooth_defects(m_problem.domain, m_threads, mesh, smallest, most_sweeps, first_vertex);
   }
 
-  void operate(Piece& mesh, double& smallest, Treatment_counts& counts) const
+  void operate(Piece& mesh, double& smallest, std::int64_t& first_vertex, Treatment_counts& counts) const
   {
-    operate_on_defects(m_problem.domain, m_threads, mesh, smallest, counts);
+    operate_on_defects(m_problem.domain, m_threads, mesh, smallest, first_vertex, counts);
   }
 
   /// makes the mesh of the given bubbles; returns with what it is treated
@@ -196,7 +197,7 @@ public:
   }
 
   double smallest_free_sine(const Mesh& mesh) const { return internal::smallest_free_sine(mesh, mesh.triangles.inside); }
-  Mesh to_be_smoothed(const Mesh& mesh) const { return mesh; }
+  Mesh to_be_treated_again(const Mesh& mesh) const { return mesh; }
 
   std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
   {
@@ -214,20 +215,20 @@ private:
   const Threads& m_threads;
 };
 
-/// Treats the last defects of a mesh. The smallest q never gets smaller. Sizes of bubbles that move are not
-/// renewed.
+/// Treats the last defects of a mesh, or those around vertices from `first` on, see `number_of()`. The smallest q never gets
+/// smaller. Sizes of bubbles that move are not renewed.
 template <class Treatment>
-Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::Mesh& mesh)
+Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::Mesh& mesh, std::int64_t first = 0)
 {
   Treatment_counts counts;
   double smallest = treatment.smallest_quality(mesh);
   if (smallest >= Smoothing_sweeps_2::treated_quality)
     return counts;
   typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
-  counts.treated = treatment.smooth(piece, smallest, sweeps_before_surgery);
+  counts.treated = treatment.smooth(piece, smallest, sweeps_before_surgery, first);
   if (treatment.problem().options.population != Bubble_population::NONE)
-    treatment.operate(piece, smallest, counts);
-  counts.treated += treatment.smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps);
+    treatment.operate(piece, smallest, first, counts);
+  counts.treated += treatment.smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps, first);
   mesh = treatment.mesh_of(std::move(piece));
   return counts;
 }
@@ -247,31 +248,21 @@ void keep_the_better(const Treatment& treatment, typename Treatment::Mesh& mesh,
   mesh = std::move(given);
 }
 
-/// Moves the vertices of bad triangles; returns how many were moved.
+/// Refines, and treats what has come of it: new vertices stand where angles ask for them, not where they fit in best.
 template <class Treatment>
-std::size_t smooth(const Treatment& treatment, typename Treatment::Mesh& mesh)
+void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
 {
-  double smallest = treatment.smallest_quality(mesh);
-  typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
-  const std::size_t moved = treatment.smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps);
-  mesh = treatment.mesh_of(std::move(piece));
-  return moved;
-}
-
-/// Refines, and moves vertices once more: new ones stand where angles ask for them, not where they fit in best.
-template <class Treatment>
-void refine_and_smooth(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
-{
+  const std::int64_t first_new = static_cast<std::int64_t>(treatment.number_of_bubbles(mesh));
   const std::size_t inserted = refine_small_angles(treatment, mesh);
   if (inserted == 0)
     return;
   counts.inserted += inserted;
-  typename Treatment::Mesh smoothed = treatment.to_be_smoothed(mesh);
-  const std::size_t moved = smooth(treatment, smoothed);
-  if (treatment.left_to_refine(mesh) < treatment.left_to_refine(smoothed))
+  typename Treatment::Mesh treated = treatment.to_be_treated_again(mesh);
+  const Treatment_counts more = treat_defects(treatment, treated, first_new);
+  if (treatment.left_to_refine(mesh) < treatment.left_to_refine(treated))
     return;
-  mesh = std::move(smoothed);
-  counts.treated += moved;
+  mesh = std::move(treated);
+  counts += more;
 }
 
 /// whether there is a result of a simulation to be treated
@@ -291,7 +282,7 @@ void treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Report& r
     if (keeps_given_bubbles(options))
       keep_the_better(treatment, mesh, counts);
     if (options.population != Bubble_population::NONE)
-      refine_and_smooth(treatment, mesh, counts);
+      refine_and_treat(treatment, mesh, counts);
     counts.add_to(report);
   }
   if (treatment.is_stop_wanted()) // what was left of it was not done

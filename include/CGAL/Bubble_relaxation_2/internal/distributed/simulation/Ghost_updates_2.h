@@ -53,68 +53,6 @@ private:
   Bubble_buckets_2 m_buckets;
 };
 
-/// The protocol of section 2.2.1 of the paper: ranks tell each other of their bubbles every so many steps only.
-/// In between each takes those of others to be where they were; and a bubble that moves into another's part is
-/// marked, and stays where it is until it goes there.
-class Exchange_interval_2
-{
-public:
-  /// `steps` between exchanges; 0: the protocol is not used
-  explicit Exchange_interval_2(std::size_t steps) : m_steps(steps) {}
-
-  bool is_used() const { return m_steps != 0; }
-  bool is_due() const { return m_is_due || m_steps_since >= m_steps; }
-
-  /// the next exchange is to be before the next step
-  void make_due() { m_is_due = true; }
-
-  void start_stage()
-  {
-    m_is_due = false;
-    m_steps_since = 0;
-  }
-
-  void count_step() { ++m_steps_since; }
-
-  /// whether bubbles may have moved since others were told of them
-  bool is_stale() const { return is_used() && m_steps_since > 1; }
-
-  /// A bubble of ours that has left our part rests, as one of others would, but keeps its velocity.
-  void mark(Bubbles_2& b, Index i)
-  {
-    b.owner[i] = nobody;
-    m_marked.push_back(Marked{i, b.vx[i], b.vy[i]});
-  }
-
-  bool has_marked() const { return !m_marked.empty(); }
-
-  /// lets the marked bubbles move again, and calls `wake(i)` for each
-  template <class Wake>
-  void release(Bubbles_2& b, const Wake& wake)
-  {
-    for (const Marked& m : m_marked) {
-      b.owner[m.bubble] = b.rank;
-      b.vx[m.bubble] = m.vx;
-      b.vy[m.bubble] = m.vy;
-      wake(m.bubble);
-    }
-    m_marked.clear();
-  }
-
-private:
-  static constexpr std::int32_t nobody = -1;
-
-  struct Marked
-  {
-    Index bubble;
-    double vx, vy;
-  };
-
-  std::size_t m_steps, m_steps_since = 0;
-  bool m_is_due = false;
-  std::vector<Marked> m_marked;
-};
-
 /// Neighbour sets on their way from one rank to another, as numbers of bubbles.
 class Numbered_sets
 {

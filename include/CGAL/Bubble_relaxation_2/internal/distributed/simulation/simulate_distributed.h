@@ -9,445 +9,134 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATE_DISTRIBUTED_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_SIMULATE_DISTRIBUTED_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Simulation_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/relaxation/relax_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/simulation/integrators.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The ranks that simulate bubbles together: each moves its own, and is told of others' before the next step. Of the
-/// population each deletes its own bubbles, and inserts in its own part.
-class Simulation_team_2 : public Part_team_2
+/// The protocol of section 2.2.1 of the paper: ranks tell each other of their bubbles every so many steps only.
+/// In between each takes those of others to be where they were; and a bubble that moves into another's part is
+/// marked, and stays where it is until it goes there. The population is controlled as it always is.
+class Interval_team_2 : public Simulation_team_2
 {
 public:
-  using Triangle = std::array<Index, 3>;
-
-  Simulation_team_2(Communicator& comm, const Relaxation_options& options)
-    : Part_team_2(comm), m_interval(options.exchange_interval), m_migration(comm, m_traffic),
-      m_halo(comm, m_traffic, options.neighbor_radius), m_moves(comm), m_stages(comm),
-      m_may_be_stopped(comm.any(options.progress->is_heard())),
+  Interval_team_2(Communicator& comm, const Relaxation_options& options)
+    : Simulation_team_2(comm, options), m_interval(options.exchange_interval),
       m_has_population(options.population != Bubble_population::NONE)
   {}
 
-  /// Begins with bubbles each of which is on the rank that owns its place, sorted. `number`: of all that ever were
-  void start(const Hilbert_partition_2& partition, std::int64_t number)
-  {
-    m_migration.start(partition);
-    m_partition = &m_migration.partition();
-    m_number_of_all = m_next_number = number;
-  }
-
-  /// Gives the bubbles of each rank their surroundings before the first step.
   void look_for_ghosts(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
     double width = 0;
-    if (m_interval.is_used() && bubbles.size() > 0)
+    if (bubbles.size() > 0)
       width = Bubble_force_2::cut_off * *std::max_element(bubbles.d.begin(), bubbles.d.end());
-    look_for_ghosts(simulation, bubbles, m_comm.largest(width));
-    m_interval.start_stage();
+    Simulation_team_2::look_for_ghosts(simulation, bubbles, m_comm.largest(width));
+    m_is_due = false;
+    m_steps_since = 0;
   }
 
-  /// Looks after the bubbles that have gone far or grown. If one has gone too far, all are brought to the ranks
-  /// that own their places now; and so they are in each exchange of the paper's protocol.
+  /// an exchange
   void look_for_ghosts_anew(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
-    if (m_interval.is_used()) {
-      release_marked(simulation, bubbles);
-      migrate_and_look_for_ghosts(simulation, bubbles);
-      wake_around_others(simulation, bubbles);
-    } else if (m_is_far_from_home)
-      migrate_and_look_for_ghosts(simulation, bubbles);
-    else
-      look_after(simulation, bubbles, m_halo.almost_outgrown(bubbles, m_outgrown));
-    m_outgrown.clear();
-    m_is_outgrown = m_is_far_from_home = false;
-  }
-
-  /// After the steps of a round the paper's protocol ends, and the population is controlled as it always is.
-  void end_steps(Simulation_2& simulation, Bubbles_2& bubbles) override
-  {
-    if (!m_interval.is_used())
-      return;
     release_marked(simulation, bubbles);
-    m_interval.make_due();
-    if (!m_has_population)
-      return;
-    migrate(simulation, bubbles);
-    look_for_ghosts(simulation, bubbles, 0);
-  }
-
-  /// Gets the bubbles that those of ours beside wide holes look at, which are farther away than others ever look.
-  void look_across_holes(Simulation_2& simulation, Bubbles_2& bubbles) override
-  {
-    const Neighbor_sets_2& neighbors = simulation.neighbors();
-    const Messages<Wide_hole_side_2> asked =
-      wide_hole_sides(bubbles, neighbors, simulation.touched(), m_halo, partition(), m_comm.rank());
-    if (!m_comm.any(!asked.empty()))
-      return;
-    const auto state_of = [&](Index i) { return state(simulation, bubbles, i); };
-    Messages<Bubble_state_2> out;
-    for (const auto& message : deliver(m_comm, asked))
-      for (const Wide_hole_side_2& side : message.second)
-        neighbors.find_around(side.x, side.y, side.d, [&](Index j) {
-          if (bubbles.is_ours(j))
-            m_halo.give(j, message.first, state_of, out);
-        });
-    for (const auto& message : deliver(m_comm, out))
-      for (const Bubble_state_2& s : message.second)
-        add_of_other(simulation, bubbles, s, message.first);
-  }
-
-  /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
-  void share_new(Simulation_2& simulation, Bubbles_2& bubbles, Index first) override
-  {
-    const std::int64_t first_new = m_number_of_all;
-    m_number_of_all = m_next_number;
-    if (m_number_of_all == first_new)
-      return;
-    std::vector<Index> those;
-    for (Index i = first, last = static_cast<Index>(bubbles.size()); i < last; ++i) {
-      m_halo.add(bubbles, i);
-      those.push_back(i);
-    }
-    look_after(simulation, bubbles, those);
+    migrate_and_look_for_ghosts(simulation, bubbles);
     for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (bubbles.id[i] >= first_new && !bubbles.is_ours(i))
+      if (!bubbles.is_ours(i)) // they may have moved since their neighbours here fell asleep
         simulation.wake_around(static_cast<Index>(i));
   }
 
-  std::size_t number_of_all(const Bubbles_2&) const override { return static_cast<std::size_t>(m_number_of_all); }
-
-  /// `touched`, as far as it is known of others' bubbles as well
-  std::vector<Index> share_touched(const Bubbles_2& b, std::vector<Index> touched) override
+  void end_steps(Simulation_2& simulation, Bubbles_2& bubbles) override
   {
-    std::vector<char> is_touched(b.size(), 0);
-    for (Index i : touched)
-      is_touched[i] = b.is_ours(i);
-    share(is_touched);
-    return marked(is_touched);
-  }
-
-  void share_triangles(const Bubbles_2& b, std::vector<Triangle>& triangles) override
-  {
-    using Numbers = std::array<std::int64_t, 3>;
-    Messages<Numbers> out;
-    for (const Triangle& t : triangles) {
-      const Numbers numbers{b.id[t[0]], b.id[t[1]], b.id[t[2]]};
-      const std::array<int, 3> owners{m_halo.owner(t[0]), m_halo.owner(t[1]), m_halo.owner(t[2])};
-      for (int k = 0; k < 3; ++k) // each once
-        if (owners[k] != m_comm.rank() && std::count(owners.begin(), owners.begin() + k, owners[k]) == 0)
-          out[owners[k]].push_back(numbers);
-    }
-    const std::unordered_map<std::int64_t, Index> indices = m_halo.indices_at_border(b);
-    const auto index = [&indices](std::int64_t number) {
-      const auto found = indices.find(number);
-      return found == indices.end() ? no_index : found->second;
-    };
-    for (const auto& message : deliver(m_comm, out))
-      for (const Numbers& n : message.second)
-        triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
-  }
-
-  void share(std::vector<char>& values) override { share_values(m_comm, m_halo.lists(), values); }
-  void share(std::vector<double>& values) override { share_values(m_comm, m_halo.lists(), values); }
-
-  /// \pre they are sorted along the curve
-  void number(Bubbles_2& inserted) override
-  {
-    const std::int64_t n = static_cast<std::int64_t>(inserted.size());
-    std::int64_t number = m_next_number + m_comm.sum_before(n);
-    m_next_number += m_comm.sum(n);
-    for (std::size_t k = 0; k < inserted.size(); ++k)
-      inserted.id.push_back(number++);
-  }
-
-  /// all bubbles have smaller ones
-  std::int64_t next_number() const { return m_next_number; }
-
-  bool is_at_border(Index i) const override { return m_halo.is_at_border(i); }
-
-  void send_positions(const std::vector<double>& x, const std::vector<double>& y) override
-  {
-    if (!m_interval.is_used())
-      m_stages.start(m_halo.lists(), [&](Index i, std::size_t, std::vector<Place>& message) {
-        message.push_back(Place{x[i], y[i]});
-      });
-  }
-
-  void receive_positions(std::vector<double>& x, std::vector<double>& y) override
-  {
-    if (!m_interval.is_used())
-      m_stages.finish(m_halo.lists(), [&](const std::vector<Index>& list, const std::vector<Place>& message) {
-        for (std::size_t n = 0; n < list.size(); ++n) {
-          x[list[n]] = message[n].x;
-          y[list[n]] = message[n].y;
-        }
-      });
-  }
-
-  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets) override
-  {
-    internal::share_sets(m_comm, m_halo, b, sets);
-  }
-
-  void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving) override
-  {
-    count_step();
-    m_awake = static_cast<std::int64_t>(active.size());
-    if (m_interval.is_used())
+    release_marked(simulation, bubbles);
+    m_is_due = true;
+    if (!m_has_population)
       return;
-    m_place.resize(b.size());
-    for (std::size_t k = 0; k < active.size(); ++k)
-      m_place[active[k]] = k;
-    m_moves.start(m_halo.lists(), [&](Index i, std::size_t position, std::vector<Move>& message) {
-      const std::size_t k = m_place[i]; // of old if it is not active
-      if (k < active.size() && active[k] == i)
-        message.push_back(Move{b.x[i], b.y[i], b.d[i], static_cast<std::int32_t>(position), is_moving[k]});
-    });
-    m_traffic.add(m_moves.out());
+    migrate(simulation, bubbles);
+    Simulation_team_2::look_for_ghosts(simulation, bubbles, 0);
   }
 
-  const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active,
-                                          std::vector<char>& is_moving) override
+  void send_positions(const std::vector<double>&, const std::vector<double>&) override {}
+  void receive_positions(std::vector<double>&, std::vector<double>&) override {}
+
+  void send_moves(const Bubbles_2&, const std::vector<Index>& active, const std::vector<char>&) override
   {
-    m_others.clear();
-    if (m_interval.is_used()) {
-      mark_those_that_left(b, active);
-      return m_others;
-    }
-    m_moves.finish(m_halo.lists(), [&](const std::vector<Index>& list, const std::vector<Move>& message) {
-      for (const Move& m : message) {
-        const Index i = list[m.position];
-        b.x[i] = m.x;
-        b.y[i] = m.y;
-        b.d[i] = m.d;
-        m_others.push_back(i);
-        is_moving.push_back(static_cast<char>(m.is_moving));
-      }
-    });
-    note_outgrown(b, active);
-    note_outgrown(b, m_others);
+    ++m_steps_since;
+    count_step(active.size());
+  }
+
+  const std::vector<Index>& receive_moves(Bubbles_2& b, const std::vector<Index>& active, std::vector<char>&) override
+  {
+    for (Index i : active)
+      if (!m_halo.is_surely_home(b, i) && partition().owner(b.x[i], b.y[i]) != m_comm.rank())
+        mark(b, i);
     return m_others;
   }
 
   Step_sums sum(const Step_sums& sums) override
   {
-    const bool is_stale = m_interval.is_stale() && (m_interval.has_marked() || !m_halo.received().empty());
-    const bool is_far_here =
-      m_is_far_here ||
-      (!m_interval.is_used() && (m_halo.has_gone_far() || m_migration.is_waited_for(m_number_of_all)));
-    std::array<std::int64_t, 7> values{static_cast<std::int64_t>(sums.restless),
-                                       static_cast<std::int64_t>(sums.outrun), m_comm.has_failed(),
-                                       !m_outgrown.empty() || is_far_here, is_far_here, is_stale, m_awake};
-    m_comm.reduce_each(values, MPI_SUM);
-    if (values[2] != 0)
-      m_comm.agree();
-    m_is_outgrown = m_is_outgrown || values[3] != 0; // until the next step
-    m_is_far_from_home = m_is_far_from_home || values[4] != 0;
-    m_is_far_here = false;
-    m_migration.note_step(m_awake, values[6]);
-    m_awake = 0;
-    if (values[0] == 0 && values[5] != 0) { // they rest among others that may have moved
-      m_interval.make_due();
-      values[0] = 1;
+    const bool is_stale = m_steps_since > 1 && (!m_marked.empty() || !m_halo.received().empty());
+    std::array<std::int64_t, 2> numbers{is_stale, 0};
+    Step_sums result = Simulation_team_2::sum(sums, numbers);
+    if (result.restless == 0 && numbers[0] != 0) { // they rest among others that may have moved
+      m_is_due = true;
+      result.restless = 1;
     }
-    return Step_sums{static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1])};
+    return result;
   }
 
-  bool goes_on(bool here) const override { return m_may_be_stopped ? !m_comm.any(!here) : here; }
+  /// whether it is time for an exchange
+  bool is_outgrown() const override { return m_is_due || m_steps_since >= m_interval; }
 
-  /// whether a bubble of any rank has gone so far that the halo is to be made anew, or it is time for that
-  bool is_outgrown() const override { return m_interval.is_used() ? m_interval.is_due() : m_is_outgrown; }
-
-  const Hilbert_partition_2& partition() const { return m_migration.partition(); }
-
-  /// Collective. Parts with as many bubbles each, for what comes after the simulation.
-  const Hilbert_partition_2& even_partition(const Bubbles_2& bubbles)
-  {
-    m_migration.balance(bubbles);
-    return partition();
-  }
-
-  const Traffic_2& traffic() const { return m_traffic; }
+protected:
+  /// bubbles migrate often, and so less often to other parts
+  void balance(const Simulation_2&, const Bubbles_2& bubbles) override { m_migration.balance(bubbles, 1.1); }
 
 private:
-  struct Place
+  static constexpr std::int32_t nobody = -1;
+
+  struct Marked
   {
-    double x, y;
+    Index bubble;
+    double vx, vy;
   };
 
-  struct Move
+  /// A bubble of ours that has left our part rests, as one of others would, but keeps its velocity.
+  void mark(Bubbles_2& b, Index i)
   {
-    double x, y, d;
-    std::int32_t position, is_moving; // position: in the lists of the halo
-  };
+    b.owner[i] = nobody;
+    m_marked.push_back(Marked{i, b.vx[i], b.vy[i]});
+    ++m_traffic.waits;
+  }
 
-  /// makes the halo, of one width or by the bubbles' sizes
-  void look_for_ghosts(Simulation_2& simulation, Bubbles_2& bubbles, double width)
+  void release_marked(Simulation_2& simulation, Bubbles_2& b)
   {
-    m_halo.start(bubbles, partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
-    std::vector<Index> near_others;
-    for (std::size_t k = 0; k < bubbles.size(); ++k) {
-      const Index i = static_cast<Index>(k);
-      m_halo.add(bubbles, i);
-      if (!m_halo.is_far_from_others(i))
-        near_others.push_back(i);
+    for (const Marked& m : m_marked) {
+      b.owner[m.bubble] = b.rank;
+      b.vx[m.bubble] = m.vx;
+      b.vy[m.bubble] = m.vy;
+      simulation.wake_around(m.bubble);
     }
-    look_after(simulation, bubbles, near_others);
+    m_marked.clear();
   }
 
-  void mark_those_that_left(Bubbles_2& b, const std::vector<Index>& active)
-  {
-    for (Index i : active)
-      if (!m_halo.is_surely_home(b, i) && partition().owner(b.x[i], b.y[i]) != m_comm.rank()) {
-        m_interval.mark(b, i);
-        ++m_traffic.waits;
-      }
-  }
-
-  void release_marked(Simulation_2& simulation, Bubbles_2& bubbles)
-  {
-    m_interval.release(bubbles, [&simulation](Index i) { simulation.wake_around(i); });
-  }
-
-  /// others may have moved since their neighbours here fell asleep
-  static void wake_around_others(Simulation_2& simulation, const Bubbles_2& bubbles)
-  {
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (!bubbles.is_ours(i))
-        simulation.wake_around(static_cast<Index>(i));
-  }
-
-  void count_step()
-  {
-    m_interval.count_step();
-    ++m_traffic.steps;
-    m_traffic.neighbors += static_cast<std::int64_t>(m_halo.received().size());
-    for (const auto& list : m_halo.received())
-      m_traffic.ghosts += static_cast<std::int64_t>(list.second.size());
-  }
-
-  void note_outgrown(const Bubbles_2& b, const std::vector<Index>& moved)
-  {
-    for (Index i : moved)
-      if (m_halo.is_outgrown_by(b, i)) {
-        m_outgrown.push_back(i);
-        m_is_far_here = m_is_far_here || m_halo.is_far_from_home(b, i);
-      }
-  }
-
-  static Bubble_state_2 state(const Simulation_2& simulation, const Bubbles_2& bubbles, Index i)
-  {
-    return Bubble_state_2{record(bubbles, static_cast<std::size_t>(i)), simulation.memory(i)};
-  }
-
-  Index add_of_other(Simulation_2& simulation, Bubbles_2& bubbles, const Bubble_state_2& s, int owner)
-  {
-    const Index i = static_cast<Index>(bubbles.size());
-    add(bubbles, s.bubble, owner);
-    simulation.add_known(s.memory);
-    m_halo.add(bubbles, i);
-    return i;
-  }
-
-  void look_after(Simulation_2& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
-  {
-    std::unique_ptr<Position_index_2> here;
-    if (!simulation.keeps_references())
-      here = std::make_unique<Position_index_2>(bubbles);
-    const auto look_after_with = [&](const auto& finder) {
-      m_halo.look_after(
-        bubbles, those, finder,
-        [&](Index i) { return state(simulation, bubbles, i); },
-        [&](const Bubble_state_2& s, int owner) {
-          const Index i = add_of_other(simulation, bubbles, s, owner);
-          if (here)
-            here->add(bubbles, i);
-        });
-    };
-    if (here)
-      look_after_with(*here);
-    else
-      look_after_with(simulation.neighbors());
-  }
-
-  void migrate_and_look_for_ghosts(Simulation_2& simulation, Bubbles_2& bubbles)
-  {
-    if (!simulation.keeps_references()) {
-      migrate_with_sets(simulation, bubbles);
-      return;
-    }
-    migrate(simulation, bubbles);
-    look_for_ghosts(simulation, bubbles);
-  }
-
-  /// the same; neighbour sets that are not what references tell go with their bubbles
-  void migrate_with_sets(Simulation_2& simulation, Bubbles_2& bubbles)
-  {
-    balance(simulation, bubbles);
-    Numbered_sets messages;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-        messages.add(partition().owner(bubbles.x[i], bubbles.y[i]), bubbles, simulation.neighbors(),
-                     static_cast<Index>(i));
-    messages.send(m_comm);
-    m_migration.send_home(simulation, bubbles);
-    look_for_ghosts(simulation, bubbles);
-    std::vector<std::vector<Index>> sets(bubbles.size());
-    std::unordered_map<std::int64_t, Index> indices;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      indices[bubbles.id[i]] = static_cast<Index>(i);
-    messages.for_each(bubbles, indices, [&sets](Index i, const std::vector<Index>& set) { sets[i] = set; });
-    simulation.neighbors().assign_all(bubbles, [&sets](Index i) { return sets[i]; });
-  }
-
-  /// with the paper's protocol bubbles migrate often, and so less often to other parts
-  void balance(const Simulation_2& simulation, const Bubbles_2& bubbles)
-  {
-    if (m_interval.is_used())
-      m_migration.balance(bubbles, 1.1);
-    else
-      m_migration.balance(simulation, bubbles);
-  }
-
-  void migrate(Simulation_2& simulation, Bubbles_2& bubbles)
-  {
-    balance(simulation, bubbles);
-    m_migration.send_home(simulation, bubbles);
-  }
-
-  Exchange_interval_2 m_interval;
-  Traffic_2 m_traffic;
-  Migration_2 m_migration;
-  Halo_2 m_halo;
-  Shared_delivery<Move> m_moves;
-  Shared_delivery<Place> m_stages;
-  std::vector<std::size_t> m_place; // of each bubble among the active ones, when it last was one
-  std::int64_t m_number_of_all = 0, m_next_number = 0; // that ever were, known here; and with those to be told of
-  std::int64_t m_awake = 0;         // in this step, here
-  bool m_may_be_stopped, m_has_population, m_is_outgrown = false, m_is_far_here = false,
-       m_is_far_from_home = false;
-  std::vector<Index> m_others;
-  std::vector<Index> m_outgrown; // of those that moved since the halo was looked after
+  const std::size_t m_interval; // steps
+  const bool m_has_population;
+  std::size_t m_steps_since = 0;
+  bool m_is_due = false; // before the next step
+  std::vector<Marked> m_marked;
 };
 
 /// Places bubbles and simulates them, all ranks together: those that `relax_bubbles()` makes on one. Their
@@ -458,7 +147,9 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
                                           const Problem_2& problem, Report& report,
                                           const Bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
-  Simulation_team_2 team(comm, problem.options);
+  const std::unique_ptr<Simulation_team_2> team = problem.options.exchange_interval == 0
+                                                    ? std::make_unique<Simulation_team_2>(comm, problem.options)
+                                                    : std::make_unique<Interval_team_2>(comm, problem.options);
   Phase_timer placement_time(report.seconds.placement);
   problem.options.progress->start_phase(Bubble_phase::PLACEMENT);
   Placed_part_2 part = place_by_all(comm, problem, points, place_bubbles);
@@ -467,14 +158,14 @@ inline Placed_part_2 simulate_distributed(Communicator& comm,
   bubbles.owner.assign(bubbles.size(), comm.rank());
   const std::int64_t number = comm.sum(static_cast<std::int64_t>(bubbles.size()));
   report.number_of_initial_bubbles = static_cast<std::size_t>(number);
-  team.start(part.partition, number);
+  team->start(part.partition, number);
   placement_time.stop();
-  relax(problem, bubbles, team, report);
+  relax(problem, bubbles, *team, report);
   if (traffic)
-    *traffic = team.traffic();
+    *traffic = team->traffic();
   remove_confusing_of_ours(comm, problem.domain, bubbles);
-  const Hilbert_partition_2& partition = team.even_partition(bubbles);
-  return Placed_part_2{bring_home_and_number(comm, partition, team.next_number(), std::move(bubbles)),
+  const Hilbert_partition_2& partition = team->even_partition(bubbles);
+  return Placed_part_2{bring_home_and_number(comm, partition, team->next_number(), std::move(bubbles)),
                        partition};
 }
 

@@ -13,8 +13,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Team_of_ranks.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
@@ -202,7 +202,7 @@ public:
   }
 
   /// moves vertices, unless the mesh gets worse by that; returns how many were moved
-  std::size_t smooth(Piece& piece, double& smallest, int most_sweeps) const
+  std::size_t smooth(Piece& piece, double& smallest, int most_sweeps, std::int64_t first_vertex) const
   {
     if (smallest >= Smoothing_sweeps_2::treated_quality)
       return 0;
@@ -213,7 +213,7 @@ public:
     std::vector<Index> moved;
     double smallest_now = -1;
     try {
-      moved = treat(most_sweeps);
+      moved = treat(most_sweeps, first_vertex);
       piece.mesh.mark_triangles(m_comm.rank());
       smallest_now = smallest_quality(mesh);
     } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
@@ -229,12 +229,12 @@ public:
     return number_of_all(moved.size());
   }
 
-  void operate(Piece& piece, double& smallest, Treatment_counts& counts) const
+  void operate(Piece& piece, double& smallest, std::int64_t& first_vertex, Treatment_counts& counts) const
   {
     if (smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
     Piece last = piece;
-    Distributed_surgery_2 surgery(m_domain, last, smallest, m_comm,
+    Distributed_surgery_2 surgery(m_domain, last, smallest, first_vertex, m_comm,
                                   [&](double times) { renew(last, times * m_reach); });
     double smallest_now = -1;
     try {
@@ -249,6 +249,7 @@ public:
         (surgery.has_changed_outline && !has_valid_outline(last.mesh)))
       return;
     smallest = smallest_now;
+    first_vertex = surgery.first_vertex;
     piece = std::move(last);
     counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
   }
@@ -313,7 +314,7 @@ public:
   }
 
   /// what refinement triangulates is no wider than it needs
-  Mesh to_be_smoothed(const Mesh& mesh) const { return triangulate(own_bubbles(mesh, m_comm.rank())); }
+  Mesh to_be_treated_again(const Mesh& mesh) const { return triangulate(own_bubbles(mesh, m_comm.rank())); }
 
   std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
   {
