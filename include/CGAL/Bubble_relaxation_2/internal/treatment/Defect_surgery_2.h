@@ -93,10 +93,10 @@ class Defect_surgery_2
 {
 public:
   /// \param smallest q of the mesh, which does not get smaller
-  /// \param first_vertex triangles with one from there on are operated on
+  /// \param first triangles with a vertex from there on are operated on
   /// \pre the edges of `mesh` are labelled
-  Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, std::int64_t first_vertex)
-    : first_vertex(first_vertex), m_domain(domain), m_mesh(mesh), m_smallest(smallest)
+  Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, std::int64_t first)
+    : first_vertex(first), m_domain(domain), m_mesh(mesh), m_smallest(smallest)
   {}
 
   std::int64_t first_vertex; ///< the same vertex, when some before it are gone

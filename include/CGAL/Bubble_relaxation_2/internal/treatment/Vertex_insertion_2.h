@@ -53,7 +53,7 @@ private:
     const auto has_on = [&](Index t, int i) {
       return CGAL::orientation(m_mesh.point(t, ccw(i)), m_mesh.point(t, cw(i)), p) == COLLINEAR;
     };
-    const Index t = find(start, [&](Index t) { return contains(t, p); });
+    const Index t = find(start, [&](Index u) { return contains(u, p); });
     if (t == no_index)
       return false;
     for (int i = 0; i < 3; ++i)
@@ -69,7 +69,7 @@ private:
 
   bool insert_on_edge(Index v, const Steiner_point_2& p)
   {
-    const Index t = find(p.triangle, [&](Index t) { return side_on_edge(t, p) < 3; });
+    const Index t = find(p.triangle, [&](Index u) { return side_on_edge(u, p) < 3; });
     if (t == no_index)
       return false;
     const int i = side_on_edge(t, p);

@@ -53,10 +53,10 @@ class Distributed_surgery_2
 public:
   /// \param smallest the smallest q of the whole mesh, which does not get smaller
   /// \param renew `renew(times)` makes the pieces of all ranks anew, so many times as wide as they usually are
-  Distributed_surgery_2(const Domain_2& domain, Mesh_piece_2& piece, double smallest, std::int64_t first_vertex,
+  Distributed_surgery_2(const Domain_2& domain, Mesh_piece_2& piece, double smallest, std::int64_t first,
                         Communicator& comm, std::function<void(double)> renew)
-    : first_vertex(first_vertex), m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
-      m_smallest(smallest), m_comm(comm), m_renew(std::move(renew))
+    : first_vertex(first), m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles),
+      m_triangles(piece.mesh.triangles), m_smallest(smallest), m_comm(comm), m_renew(std::move(renew))
   {}
 
   /// what was done on all ranks
