@@ -59,13 +59,14 @@ struct Outcome
   std::size_t number_of_renewals;
 };
 
-Outcome expect_same_treatment(const Case& c, const Options& options = Options())
+/// `first`: triangles with a vertex from there on are treated
+Outcome expect_same_treatment(const Case& c, const Options& options = Options(), std::int64_t first = 0)
 {
   Bubble_mesh_2 whole = mesh_of(c);
   const Relaxation_options all;
   const Sizes_2 any_size([](double, double) { return 1.; });
   const Problem_2 problem{c.domain(), c.given(), all, any_size, any_size};
-  const Treatment_counts expected = treat_defects(Whole_treatment_2(problem), whole);
+  const Treatment_counts expected = treat_defects(Whole_treatment_2(problem), whole, first);
 
   Communicator comm(MPI_COMM_WORLD);
   const Hilbert_partition_2 partition =
@@ -74,7 +75,7 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options())
   const Distributed_treatment_2 treat(problem, no_points, partition, comm, options.reach);
   Distributed_mesh_2 mesh =
     treat.triangulate(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
-  const Treatment_counts counts = treat_defects(treat, mesh);
+  const Treatment_counts counts = treat_defects(treat, mesh, first);
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);
   EXPECT_EQ(counts.deleted, expected.deleted);
@@ -147,6 +148,19 @@ TEST(Distributed_treatment, random_points)
   const Treatment_counts counts = expect_same_treatment(random(paper::all_domains(1)[0], 600, 3)).counts;
   EXPECT_GT(counts.treated, 300u);
   EXPECT_GT(counts.inserted + counts.deleted, 20u);
+}
+
+TEST(Distributed_treatment, triangles_with_some_of_the_vertices)
+{
+  const Case c = relaxed(paper::all_domains(0.7)[1], 1, 3);
+  const auto number = static_cast<std::int64_t>(c.bubbles.size());
+  const Treatment_counts all = expect_same_treatment(c).counts;
+  for (const Options& options : {Options(), Options{0.1, false}}) {
+    const Treatment_counts half = expect_same_treatment(c, options, number / 2).counts;
+    EXPECT_GT(half.inserted + half.deleted, 0u);
+    EXPECT_LT(half.treated, all.treated);
+    EXPECT_EQ(expect_same_treatment(c, options, number).counts.treated, 0u);
+  }
 }
 
 // pieces are made anew between sweeps, and after operations

@@ -225,7 +225,7 @@ TEST(Defects, a_given_mesh_is_never_kept_where_d_asks_for_another)
           sum += std::sqrt(s.squared_length()) / d(m);
           ++number;
         }
-        EXPECT_NEAR(sum / number, 1, 0.25); // in the given mesh it is a half or two
+        EXPECT_NEAR(sum / number, 1, 0.22); // .79 is the farthest; in the given mesh it is a half or two
       }
     }
 }

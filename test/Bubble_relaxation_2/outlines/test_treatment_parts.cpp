@@ -204,6 +204,32 @@ TEST(Defects, no_vertex_is_inserted_where_one_is)
   }
 }
 
+TEST(Defects, no_vertex_is_inserted_that_would_crowd_an_edge)
+{
+  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 100, 0);
+  const internal::Bubble_mesh_2 mesh = bubbles::mesh_of(c);
+  const internal::Marked_triangles_2& m = mesh.triangles;
+  const internal::Bubbles_2& b = mesh.bubbles;
+  std::size_t number = 0;
+  for (std::size_t k = 0; k < m.inside.size(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      const Index u = m.vertices[k][internal::ccw(i)], v = m.vertices[k][internal::cw(i)];
+      if (!m.inside[k] || m.edges[k][i] == internal::no_index || !b.is_on_edge(u) || !b.is_on_edge(v))
+        continue;
+      for (double share : {0.5, 1e-6}) {
+        const double s = b.s[u] + share * (b.s[v] - b.s[u]);
+        const internal::Point p = c.domain().point_on_edge(b.host[u], s);
+        internal::Bubble_mesh_2 copy = mesh;
+        EXPECT_EQ(internal::insert_points(c.domain(), c.input->problem().sizes,
+                                          {{0, p.x(), p.y(), s, 0, b.host[u], internal::Bubbles_2::EDGE,
+                                            static_cast<Index>(k)}}, copy),
+                  share == 0.5);
+      }
+      ++number;
+    }
+  EXPECT_GT(number, 4u);
+}
+
 TEST(Defects, star_gradient_is_that_of_the_energy)
 {
   internal::Star_quality_2 star(internal::Point(10, 20), 0.5);

@@ -211,8 +211,10 @@ private:
   /// a triangle of the domain after the last, which is still to be put there
   Index append()
   {
-    for (auto* corners : {&m_triangles.vertices, &m_triangles.neighbors, &m_triangles.edges})
+    for (auto* corners : {&m_triangles.vertices, &m_triangles.neighbors, &m_triangles.edges}) {
+      make_room_for(1, *corners);
       corners->emplace_back();
+    }
     m_triangles.inside.push_back(1);
     return static_cast<Index>(m_triangles.inside.size() - 1);
   }

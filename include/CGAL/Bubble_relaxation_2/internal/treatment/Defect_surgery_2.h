@@ -96,10 +96,10 @@ public:
   /// \param first triangles with a vertex from there on are operated on
   /// \pre the edges of `mesh` are labelled
   Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, std::int64_t first)
-    : first_vertex(first), m_domain(domain), m_mesh(mesh), m_smallest(smallest)
+    : first_number(first), m_domain(domain), m_mesh(mesh), m_smallest(smallest)
   {}
 
-  std::int64_t first_vertex; ///< the same vertex, when some before it are gone
+  std::int64_t first_number; ///< of the vertices whose triangles are operated on; falls when others before it go
 
   /// what was done
   std::size_t number_of_insertions = 0, number_of_deletions = 0;
@@ -108,7 +108,7 @@ public:
   /// operates on triangles with less than `bad_quality`; returns whether any of them got better
   bool operator()(double bad_quality)
   {
-    const std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, bad_quality, first_vertex);
+    const std::vector<Bad_triangle_2> worst = bad_triangles(m_mesh, bad_quality, first_number);
     const std::vector<Operation> operations = operate(worst);
     if (operations.empty())
       return false;
@@ -119,7 +119,7 @@ public:
       stitching.replace(operation.patch.triangles(), operation.outcome.triangles(operation.patch, number));
     }
     stitching.finish();
-    first_vertex -= m_gone_before_first;
+    first_number -= m_gone_before_first;
     return true;
   }
 
@@ -208,7 +208,7 @@ private:
   void remove(Index i)
   {
     ++number_of_deletions;
-    m_gone_before_first += i < first_vertex;
+    m_gone_before_first += i < first_number;
     has_changed_outline = has_changed_outline || m_mesh.bubbles.is_on_edge(i);
     m_mesh.bubbles.remove(i);
   }

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Angle_refinement_2.h>
@@ -22,7 +23,6 @@
 #include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <unordered_set>
 #include <vector>
@@ -138,15 +138,21 @@ private:
   Editable_triangulation_2 m_triangles; // of it
 };
 
-/// Inserts vertices into a mesh; returns whether that can be done. If not, only some are there.
+/// Inserts vertices into a mesh; returns whether that can be done, and none on an edge is so near to others that it would
+/// be removed, see `remove_confusing_on_edges()`. If not, the mesh is not to be used any more.
 inline bool insert_points(const Domain_2& domain, const Sizes_2& sizes, const std::vector<Steiner_point_2>& points,
                           Bubble_mesh_2& mesh)
 {
   label_edges(mesh.triangles);
   Vertex_insertion_2 insert(domain, sizes, mesh);
   const auto is_on_edge = [](const Steiner_point_2& p) { return p.dimension == Bubbles_2::EDGE; };
-  return std::all_of(points.begin(), points.end(), [&insert](const Steiner_point_2& p) { return insert(p); }) &&
-         (std::none_of(points.begin(), points.end(), is_on_edge) || rebuild_outside(domain, mesh));
+  if (!std::all_of(points.begin(), points.end(), [&insert](const Steiner_point_2& p) { return insert(p); }))
+    return false;
+  if (std::none_of(points.begin(), points.end(), is_on_edge))
+    return true;
+  Bubbles_2 bubbles = mesh.bubbles;
+  remove_confusing_on_edges(domain, bubbles);
+  return bubbles.left().size() == bubbles.size() && rebuild_outside(domain, mesh);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

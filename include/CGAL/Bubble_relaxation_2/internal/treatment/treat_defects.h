@@ -64,11 +64,11 @@ constexpr int sweeps_before_surgery = 2;
 /// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
 /// \returns the number of vertices that were moved
 inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
-                                  double& smallest, int most_sweeps, std::int64_t first_vertex)
+                                  double& smallest, int most_sweeps, std::int64_t first_number)
 {
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
-  const std::vector<Index> moved = treat(most_sweeps, first_vertex);
+  const std::vector<Index> moved = treat(most_sweeps, first_number);
   const double smallest_now = smallest_quality(mesh, threads);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
@@ -84,11 +84,11 @@ inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads
 
 /// Inserts and removes single bubbles where moving is not enough, unless the smallest q, `smallest`, gets smaller.
 inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, double& smallest,
-                               std::int64_t& first_vertex, Treatment_counts& counts)
+                               std::int64_t& first_number, Treatment_counts& counts)
 {
   label_edges(mesh.triangles);
   Bubble_mesh_2 changed = mesh;
-  Defect_surgery_2 surgery(domain, changed, smallest, first_vertex);
+  Defect_surgery_2 surgery(domain, changed, smallest, first_number);
   for (double bad_quality : bad_qualities)
     if (is_stop_wanted() || !surgery(bad_quality))
       break;
@@ -99,7 +99,7 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
     return;
   counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
   smallest = smallest_now;
-  first_vertex = surgery.first_vertex;
+  first_number = surgery.first_number;
   mesh = std::move(changed);
 }
 
@@ -153,14 +153,14 @@ public:
 
   double smallest_quality(const Mesh& mesh) const { return internal::smallest_quality(mesh, m_threads); }
 
-  std::size_t smooth(Piece& mesh, double& smallest, int most_sweeps, std::int64_t first_vertex) const
+  std::size_t smooth(Piece& mesh, double& smallest, int most_sweeps, std::int64_t first_number) const
   {
-    return smooth_defects(m_problem.domain, m_threads, mesh, smallest, most_sweeps, first_vertex);
+    return smooth_defects(m_problem.domain, m_threads, mesh, smallest, most_sweeps, first_number);
   }
 
-  void operate(Piece& mesh, double& smallest, std::int64_t& first_vertex, Treatment_counts& counts) const
+  void operate(Piece& mesh, double& smallest, std::int64_t& first_number, Treatment_counts& counts) const
   {
-    operate_on_defects(m_problem.domain, m_threads, mesh, smallest, first_vertex, counts);
+    operate_on_defects(m_problem.domain, m_threads, mesh, smallest, first_number, counts);
   }
 
   /// makes the mesh of the given bubbles; returns with what it is treated
@@ -215,8 +215,8 @@ private:
   const Threads& m_threads;
 };
 
-/// Treats the last defects of a mesh, or those around vertices from `first` on, see `number_of()`. The smallest q never gets
-/// smaller. Sizes of bubbles that move are not renewed.
+/// Treats the last defects of a mesh, or those of triangles with a vertex from `first` on, see `number_of()`: where such a
+/// vertex is deleted, only in its patch. The smallest q never gets smaller. Sizes of bubbles that move are not renewed.
 template <class Treatment>
 Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::Mesh& mesh, std::int64_t first = 0)
 {
@@ -252,11 +252,11 @@ void keep_the_better(const Treatment& treatment, typename Treatment::Mesh& mesh,
 template <class Treatment>
 void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
 {
-  const std::int64_t first_new = static_cast<std::int64_t>(treatment.number_of_bubbles(mesh));
   const std::size_t inserted = refine_small_angles(treatment, mesh);
   if (inserted == 0)
     return;
   counts.inserted += inserted;
+  const std::int64_t first_new = static_cast<std::int64_t>(treatment.number_of_bubbles(mesh) - inserted); // the last ones
   typename Treatment::Mesh treated = treatment.to_be_treated_again(mesh);
   const Treatment_counts more = treat_defects(treatment, treated, first_new);
   if (treatment.left_to_refine(mesh) < treatment.left_to_refine(treated))

@@ -55,14 +55,14 @@ public:
   /// \param renew `renew(times)` makes the pieces of all ranks anew, so many times as wide as they usually are
   Distributed_surgery_2(const Domain_2& domain, Mesh_piece_2& piece, double smallest, std::int64_t first,
                         Communicator& comm, std::function<void(double)> renew)
-    : first_vertex(first), m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles),
+    : first_number(first), m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles),
       m_triangles(piece.mesh.triangles), m_smallest(smallest), m_comm(comm), m_renew(std::move(renew))
   {}
 
   /// what was done on all ranks
   std::size_t number_of_insertions = 0, number_of_deletions = 0;
   bool has_changed_outline = false;
-  std::int64_t first_vertex; ///< triangles with one from there on are operated on; others before may go
+  std::int64_t first_number; ///< of the vertices whose triangles are operated on; falls when others before it go
 
   /// Collective. Operates on triangles with less than `bad_quality`; returns whether any of them got better. `end`: the
   /// number of bubbles of all ranks
@@ -92,8 +92,8 @@ public:
     number_of_insertions += static_cast<std::size_t>(inserted);
     number_of_deletions += static_cast<std::size_t>(deleted);
     stitch(taken_away, bubbles, gather_records(m_comm, triangles), end);
-    first_vertex -= std::count_if(bubbles.begin(), bubbles.end(), [this](const Bubble_record_2& r) {
-      return is_gone(r) && r.id < first_vertex;
+    first_number -= std::count_if(bubbles.begin(), bubbles.end(), [this](const Bubble_record_2& r) {
+      return is_gone(r) && r.id < first_number;
     });
     return true;
   }
@@ -122,7 +122,7 @@ private:
   bool find_patches(double bad_quality)
   {
     bool is_cut_off = false;
-    std::vector<Bad_triangle_2> own = bad_triangles(m_piece.mesh, bad_quality, first_vertex);
+    std::vector<Bad_triangle_2> own = bad_triangles(m_piece.mesh, bad_quality, first_number);
     own.erase(std::remove_if(own.begin(), own.end(),
                              [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
               own.end());

@@ -202,7 +202,7 @@ public:
   }
 
   /// moves vertices, unless the mesh gets worse by that; returns how many were moved
-  std::size_t smooth(Piece& piece, double& smallest, int most_sweeps, std::int64_t first_vertex) const
+  std::size_t smooth(Piece& piece, double& smallest, int most_sweeps, std::int64_t first_number) const
   {
     if (smallest >= Smoothing_sweeps_2::treated_quality)
       return 0;
@@ -213,7 +213,7 @@ public:
     std::vector<Index> moved;
     double smallest_now = -1;
     try {
-      moved = treat(most_sweeps, first_vertex);
+      moved = treat(most_sweeps, first_number);
       piece.mesh.mark_triangles(m_comm.rank());
       smallest_now = smallest_quality(mesh);
     } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
@@ -229,12 +229,12 @@ public:
     return number_of_all(moved.size());
   }
 
-  void operate(Piece& piece, double& smallest, std::int64_t& first_vertex, Treatment_counts& counts) const
+  void operate(Piece& piece, double& smallest, std::int64_t& first_number, Treatment_counts& counts) const
   {
     if (smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
     Piece last = piece;
-    Distributed_surgery_2 surgery(m_domain, last, smallest, first_vertex, m_comm,
+    Distributed_surgery_2 surgery(m_domain, last, smallest, first_number, m_comm,
                                   [&](double times) { renew(last, times * m_reach); });
     double smallest_now = -1;
     try {
@@ -249,7 +249,7 @@ public:
         (surgery.has_changed_outline && !has_valid_outline(last.mesh)))
       return;
     smallest = smallest_now;
-    first_vertex = surgery.first_vertex;
+    first_number = surgery.first_number;
     piece = std::move(last);
     counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
   }
