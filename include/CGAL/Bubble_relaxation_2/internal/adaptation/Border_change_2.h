@@ -38,8 +38,9 @@ public:
   /// takes `w` out, which is between `u` and `v`; returns whether that can be done
   bool remove(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
-    while (peel_around(u, w, v))
-      ;
+    for (int turn = 0; peel_around(u, w, v); ++turn)
+      if (turn == most_slivers)
+        return false; // of roundings that contradict each other: they would be turned to and fro for ever
     m_corners.assign(1, v);
     m_sides.clear();
     Face_handle f = m_exchange.open_side(w, v).face;
@@ -84,6 +85,8 @@ public:
   }
 
 private:
+  static constexpr int most_slivers = 1000; // at a vertex
+
   /// Opens slivers at `w`, which is between `u` and `v`; returns whether there is one.
   bool peel_around(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
