@@ -166,7 +166,8 @@ public:
   void insert_in_triangle(Index v, Index t)
   {
     const std::array<Index, 3> corners = m_triangles.vertices[t], beyond = m_triangles.neighbors[t],
-                               edges = m_triangles.edges[t], parts = {t, append(), append()};
+                               edges = m_triangles.edges[t],
+                               parts = {t, append_triangle(m_triangles), append_triangle(m_triangles)};
     for (int i = 0; i < 3; ++i) {
       put(parts[i], {v, corners[ccw(i)], corners[cw(i)]}, {beyond[i], parts[ccw(i)], parts[cw(i)]},
           {edges[i], no_index, no_index});
@@ -178,10 +179,10 @@ public:
   /// The same for a bubble on side `i` of `t`. A triangle outside of the domain is cut off: it is to be made anew.
   void insert_on_side(Index v, Index t, int i)
   {
-    const Index n = m_triangles.neighbors[t][i], t2 = append();
+    const Index n = m_triangles.neighbors[t][i], t2 = append_triangle(m_triangles);
     const int j = n == no_index ? 0 : m_triangles.index_of_neighbor(n, t);
     if (n != no_index && is_inside(n)) {
-      const Index n2 = append();
+      const Index n2 = append_triangle(m_triangles);
       split_side(v, t, i, t2, {n2, n});
       split_side(v, n, j, n2, {t2, t});
     } else {
@@ -208,17 +209,6 @@ public:
   std::vector<Index> take_flipped() { return std::exchange(m_flipped, {}); }
 
 private:
-  /// a triangle of the domain after the last, which is still to be put there
-  Index append()
-  {
-    for (auto* corners : {&m_triangles.vertices, &m_triangles.neighbors, &m_triangles.edges}) {
-      make_room_for(1, *corners);
-      corners->emplace_back();
-    }
-    m_triangles.inside.push_back(1);
-    return static_cast<Index>(m_triangles.inside.size() - 1);
-  }
-
   /// puts a triangle in the place of another one; its sides may have to be flipped
   void put(Index t, const std::array<Index, 3>& vertices, const std::array<Index, 3>& neighbors,
            const std::array<Index, 3>& edges)

@@ -93,6 +93,17 @@ inline void label_edges(Marked_triangles_2& m)
   }
 }
 
+/// Adds a triangle of the domain after the last, which is still to be put there; returns its number.
+inline Index append_triangle(Marked_triangles_2& m)
+{
+  for (auto* corners : {&m.vertices, &m.neighbors, &m.edges}) {
+    make_room_for(1, *corners);
+    corners->emplace_back();
+  }
+  m.inside.push_back(1);
+  return static_cast<Index>(m.inside.size() - 1);
+}
+
 /// Forgets all triangles but those for which `is_kept(t)` holds; returns the new numbers, `no_index` for the others.
 template <class Is_kept>
 std::vector<Index> keep_triangles(Marked_triangles_2& m, const Is_kept& is_kept)

@@ -104,13 +104,8 @@ private:
 
   Index append()
   {
-    for (auto* corners : {&m_triangles.vertices, &m_triangles.neighbors, &m_triangles.edges}) {
-      make_room_for(1, *corners);
-      corners->emplace_back();
-    }
-    m_triangles.inside.push_back(1);
     m_is_gone.push_back(0);
-    return static_cast<Index>(m_is_gone.size() - 1);
+    return append_triangle(m_triangles);
   }
 
   void put(const New_triangle_2& triangle, Index t)

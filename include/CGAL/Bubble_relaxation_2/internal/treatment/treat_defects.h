@@ -25,7 +25,6 @@
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
