@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_set>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -71,26 +72,21 @@ public:
   std::size_t size() const { return m_bubbles.size(); }
   Index index(std::size_t k) const { return m_bubbles[k].id; }
 
-  bool has(Index i) const
-  {
-    return std::any_of(m_bubbles.begin(), m_bubbles.end(), [i](const Bubble& b) { return b.id == i; });
-  }
-
-  /// bubble `i` if it is nearer to one of size `d` at `p` than `reach` times the mean size
+  /// adds bubble `i` if it is nearer to one of size `d` at `p` than `reach` times the mean size, once
   void add_if_near(Index i, const Bubbles_2& b, const Point& p, double d, double reach)
   {
     const double dx = p.x() - b.x[i], dy = p.y() - b.y[i], distance = 0.5 * reach * (d + b.d[i]);
-    if (dx * dx + dy * dy < distance * distance)
+    if (dx * dx + dy * dy < distance * distance && is_new(i))
       m_bubbles.push_back(Bubble{b.x[i], b.y[i], b.d[i], i});
   }
 
   /// one that is not there yet
   void add(const Point& p, double d) { m_bubbles.push_back(Bubble{p.x(), p.y(), d, no_index}); }
 
-  /// whether a bubble of size `d` has room at `p`
-  bool is_free(const Point& p, double d) const
+  /// whether a bubble of size `d` has room at `p` beside those that were added after `first` others
+  bool is_free(const Point& p, double d, std::size_t first = 0) const
   {
-    return std::none_of(m_bubbles.begin(), m_bubbles.end(), [&](const Bubble& b) {
+    return std::none_of(m_bubbles.begin() + static_cast<std::ptrdiff_t>(first), m_bubbles.end(), [&](const Bubble& b) {
       const double reach = 0.5 * least_distance * (d + b.d), dx = p.x() - b.x, dy = p.y() - b.y;
       return dx * dx + dy * dy < reach * reach;
     });
@@ -150,6 +146,18 @@ private:
     Index id;
   };
 
+  /// Few are looked through faster; beside an outline that is far finer than d there are thousands.
+  bool is_new(Index i)
+  {
+    constexpr std::size_t few = 64;
+    if (m_bubbles.size() < few)
+      return std::none_of(m_bubbles.begin(), m_bubbles.end(), [i](const Bubble& b) { return b.id == i; });
+    if (m_indices.empty())
+      for (const Bubble& b : m_bubbles)
+        m_indices.insert(b.id);
+    return m_indices.insert(i).second;
+  }
+
   /// calls `visit(dx, dy, distance, wanted distance)` for the neighbours of a bubble at (x, y)
   template <class Visitor>
   void for_each_neighbor(double x, double y, double d, const Visitor& visit) const
@@ -159,6 +167,7 @@ private:
   }
 
   boost::container::small_vector<Bubble, 24> m_bubbles;
+  std::unordered_set<Index> m_indices; // of those that are there, if they are many
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

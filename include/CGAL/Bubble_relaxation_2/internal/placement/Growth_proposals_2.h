@@ -207,15 +207,21 @@ private:
       around.add_if_near(j, m_bubbles, p, d, surroundings_reach);
   }
 
-  /// adds those that are linked to one of these, and other proposals of `i`
-  void add_farther(const Point& p, double d, const List& proposals, Growth_limits_2& around) const
+  /// adds those that are linked to one of these, and other proposals of `i`, unless one takes the place already: on an
+  /// outline that is far finer than d bubbles are linked to very many
+  bool add_farther(const Point& p, double d, const List& proposals, Growth_limits_2& around) const
   {
-    for (std::size_t k = 1, n = around.size(); k < n; ++k)
+    for (std::size_t k = 1, n = around.size(); k < n; ++k) {
+      const std::size_t first = around.size();
       for (Index l : m_crystal.links(around.index(k)))
-        if (!around.has(l))
-          around.add_if_near(l, m_bubbles, p, d, surroundings_reach);
+        around.add_if_near(l, m_bubbles, p, d, surroundings_reach);
+      if (!around.is_free(p, d, first))
+        return false;
+    }
+    const std::size_t first = around.size();
     for (int k = 0; k < proposals.size; ++k)
       around.add(Point(proposals.list[k].x, proposals.list[k].y), proposals.list[k].d);
+    return around.is_free(p, d, first);
   }
 
   /// tests by their cost: most places are taken
@@ -224,15 +230,10 @@ private:
     const Index i = from.index;
     const double x = m_bubbles.x[i], y = m_bubbles.y[i], d_i = m_bubbles.d[i];
     const Point start(x + d_i * u.x, y + d_i * u.y);
-    const auto is_for_it = [&](const Growth_limits_2& around) {
-      return around.is_free(start, d_i) && !is_left_to_other(i, start, around);
-    };
     Growth_limits_2 around;
     add_linked(i, start, d_i, around);
-    if (!is_for_it(around)) // on an outline that is far finer than d bubbles are linked to very many
-      return;
-    add_farther(start, d_i, proposals, around);
-    if (!is_for_it(around))
+    if (!around.is_free(start, d_i) || is_left_to_other(i, start, around) ||
+        !add_farther(start, d_i, proposals, around) || is_left_to_other(i, start, around))
       return;
     const Index seen = visible_triangle(i, start);
     if (seen == no_index)

@@ -34,7 +34,6 @@ public:
 
   double operator()()
   {
-    const double in_area = integral_over_faces();
     double on_edges = 0, cells_of_edges = 0, on_boundary = 0;
     for (std::size_t e = 0; e < m_domain.edges().size() && on_edges <= m_limit; ++e) {
       const double integral = integral_over_edge(static_cast<Index>(e)), between_ends = (std::max)(0., integral - 1);
@@ -43,10 +42,13 @@ public:
       on_edges += between_ends;
       cells_of_edges += 0.5 * between_ends * (edge.inside_left + edge.inside_right);
     }
+    const double in_edges = static_cast<double>(m_domain.corners().size()) + on_edges;
+    if (on_edges > m_limit) // triangles of a needle would be cut as often as its edges, and have next to no area
+      return in_edges;
+    const double in_area = integral_over_faces();
     m_without_corners = in_area + 0.5 * on_boundary + 1; // as Pick counts the points of a lattice in a polygon
     // the area around a bubble on an edge, on the sides that belong to the domain, is taken
-    return static_cast<double>(m_domain.corners().size()) + on_edges +
-           (std::max)(0., in_area - cells_of_edges);
+    return in_edges + (std::max)(0., in_area - cells_of_edges);
   }
 
   /// how many the sizing field alone asks for, as if edges need not end at corners; known after the call above
@@ -85,15 +87,17 @@ private:
                  rp = CGAL::squared_distance(r, p), longest = std::sqrt((std::max)({pq, qr, rp}));
     const double area =
       0.5 * std::abs((q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
-    if (longest <= 4 * d || depth == deepest) {
-      m_sum += 2 / std::sqrt(3.) * area / (d * d);
+    const double number = 2 / std::sqrt(3.) * area / (d * d);
+    // the parts of a needle are needles: without an end for those that are thinner than 1e-6 d there would be millions
+    if (longest <= 4 * d || number < 1e-6 || depth == deepest) {
+      m_sum += number;
       return;
     }
     if (longest <= m_coarsest && is_smooth(p, q, r, d)) {
       m_sum += 2 / std::sqrt(3.) * area * m_mean_density;
       return;
     }
-    // cut the longest edge: needles do not stay needles
+    // the longest edge, so that parts get no thinner
     if (pq >= qr && pq >= rp)
       cut(p, q, r, depth);
     else if (qr >= rp)

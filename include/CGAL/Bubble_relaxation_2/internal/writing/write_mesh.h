@@ -78,37 +78,47 @@ private:
   Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
   Cdt_point point_of(std::size_t i) const { return point_of_vertex<Cdt>(m_reading, m_bubbles, m_elevations, i); }
 
-  /// removes the vertices that only split the chain
+  /// Removes the vertices that only split the chain. Its constraint comes back at the end, not after each of them: beside
+  /// a needle flips would go through all of it each time.
   void straighten(const Chain& chain)
   {
     if (chain.splits.empty())
       return;
-    if constexpr (Has_constraint_hierarchy<Cdt>::value) {
-      auto context = *m_cdt.contexts_begin(corner(chain.source), m_reading.vertex(chain.splits.front()));
-      auto it = context.current(); // the end of the piece that comes first in the polyline
-      const bool is_forward = *it == corner(chain.source);
-      if (is_forward)
-        ++it;
-      for (std::size_t k = 0; k < chain.splits.size(); ++k)
-        simplify(context.id(), is_forward ? it++ : it--);
-    } else {
-      for (Index split : chain.splits) {
-        const Vertex_handle v = m_reading.vertex(split);
-        m_cdt.remove_incident_constraints(v);
-        m_cdt.remove(v);
-      }
-      m_cdt.insert_constraint(corner(chain.source), corner(chain.target));
+    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      forget_splits(chain);
+    auto& planar = without_hierarchy(m_cdt);
+    for (Index split : chain.splits) {
+      const Vertex_handle v = m_reading.vertex(split);
+      planar.remove_incident_constraints(v);
+      planar.remove(v);
     }
+    planar.insert_constraint(corner(chain.source), corner(chain.target));
   }
 
-  /// also forgets the point, which a polyline keeps of a vertex that is gone: with each relaxation there
-  /// would be more
-  template <class Constraint_id, class Vertex_iterator>
-  void simplify(Constraint_id id, Vertex_iterator v)
+  static auto& without_hierarchy(Cdt& cdt)
   {
-    const typename Cdt::Points_in_constraint_iterator point = v;
-    m_cdt.simplify(v);
-    id.vl_ptr()->erase(point.base());
+    if constexpr (Has_constraint_hierarchy<Cdt>::value)
+      return static_cast<typename Cdt::Triangulation&>(cdt);
+    else
+      return cdt;
+  }
+
+  /// takes the vertices that only split the chain out of its polylines, and their points, which these would keep: with
+  /// each relaxation there would be more
+  void forget_splits(const Chain& chain)
+  {
+    auto context = *m_cdt.contexts_begin(corner(chain.source), m_reading.vertex(chain.splits.front()));
+    auto it = context.current(); // the end of the piece that comes first in the polyline
+    const bool is_forward = *it == corner(chain.source);
+    if (is_forward)
+      ++it;
+    for (std::size_t k = 0; k < chain.splits.size(); ++k) {
+      const auto v = is_forward ? it++ : it--;
+      const typename Cdt::Points_in_constraint_iterator point = v;
+      auto before = v, after = v;
+      m_cdt.hierarchy_ref().simplify(--before, v, ++after);
+      context.id().vl_ptr()->erase(point.base());
+    }
   }
 
   void split_constraints()
