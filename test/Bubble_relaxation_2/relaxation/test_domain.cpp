@@ -295,6 +295,32 @@ TEST(Expected_number, is_that_of_the_hexagonal_packing)
               6 + 4 * 99 + line + 2 / std::sqrt(3.) * 1e4 - 0.5 * 4 * 99 - line, 1e-6);
 }
 
+TEST(Expected_number, of_needles_takes_few_calls_of_the_size)
+{
+  for (double width : {1e-9, 1e-12, 1e-15}) { // of about the smallest size, and far below
+    SCOPED_TRACE(width);
+    CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, width}}});
+    const auto reading = read(cdt);
+    std::size_t calls = 0;
+    const Sizes_2 graded([&calls](double x, double) {
+      ++calls;
+      return 1e-9 + 0.2 * std::abs(x - 0.4);
+    });
+    Expected_number_of_bubbles(reading->domain, graded, 1e9)();
+    EXPECT_LT(calls, 10000u);
+  }
+  // nor does one whose edges alone ask for too many: they are counted first
+  CDT cdt = domains::make({{{0, 0}, {1, 0}, {1, 1e-5}}});
+  const auto reading = read(cdt);
+  std::size_t calls = 0;
+  const Sizes_2 rough([&calls](double x, double) {
+    ++calls;
+    return 1e-4 * (1.5 + std::sin(1e6 * x));
+  });
+  EXPECT_GT(Expected_number_of_bubbles(reading->domain, rough, 1000)(), 1000);
+  EXPECT_LT(calls, 10000u);
+}
+
 TEST(Expected_number, of_an_edge_is_the_integral_of_the_inverse_size)
 {
   CDT cdt = domains::make({{{0, 0}, {1, 0}, {0, 1}}});

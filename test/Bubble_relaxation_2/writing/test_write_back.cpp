@@ -240,6 +240,43 @@ TEST(Write_back_plus, the_mesh_is_the_same_with_and_without_a_hierarchy)
 
 /// The mesh alone is written as it is, and all else, outside or in holes, makes that it is inserted: the triangles of
 /// the domain are those that a hierarchy gets, which is never written directly.
+/// counts how often a triangulation asks whether a point lies in a circle
+struct Counting_kernel : K
+{
+  static inline std::size_t count = 0;
+
+  struct Side_of_oriented_circle_2 : K::Side_of_oriented_circle_2
+  {
+    CGAL::Oriented_side operator()(const K::Point_2& p, const K::Point_2& q, const K::Point_2& r, const K::Point_2& s) const
+    {
+      ++count;
+      return K::Side_of_oriented_circle_2::operator()(p, q, r, s);
+    }
+  };
+
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
+};
+
+TEST(Write_back_plus, vertices_of_needles_go_and_come_without_the_square_of_their_number)
+{
+  using Counting = CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
+    Counting_kernel, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Counting_kernel>,
+                                                          CGAL::Delaunay_mesh_face_base_2<Counting_kernel>>>>;
+  std::vector<K::Point_2> star;
+  for (int i = 0; i < 20; ++i) {
+    const double angle = CGAL_PI / 10 * i, r = i % 2 == 1 ? 0.003 * (1 + i % 5) : 1 - 0.05 * (i % 7);
+    star.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  Counting cdt;
+  cdt.insert_constraint(star.begin(), star.end(), true);
+  CGAL::npbs_relax(cdt, size(0.13));
+  Counting_kernel::count = 0;
+  const auto report = CGAL::npbs_relax(cdt, size(0.13));
+  EXPECT_GT(report.number_of_vertices, 5000u);
+  EXPECT_LT(Counting_kernel::count, 300 * report.number_of_vertices);
+  EXPECT_TRUE(cdt.is_valid());
+}
+
 TEST(Direct_write, gives_the_triangles_that_insertion_gives)
 {
   const Outline notched{{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}, {0, 1}};

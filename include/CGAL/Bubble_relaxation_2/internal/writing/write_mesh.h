@@ -19,6 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/writing/count_in_domain.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -56,8 +57,7 @@ public:
       m_cdt.remove(m_reading.vertex(v));
       tell_progress();
     }
-    for (const Chain& c : m_reading.graph->chains())
-      straighten(c);
+    straighten_constraints();
     split_constraints();
     make_hull_convex();
     insert_in_faces();
@@ -78,21 +78,26 @@ private:
   Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
   Cdt_point point_of(std::size_t i) const { return point_of_vertex<Cdt>(m_reading, m_bubbles, m_elevations, i); }
 
-  /// Removes the vertices that only split the chain. Its constraint comes back at the end, not after each of them: beside
-  /// a needle flips would go through all of it each time.
-  void straighten(const Chain& chain)
+  /// Removes the vertices that only split chains, every other one of each chain first, then every fourth: thus none has
+  /// many neighbours when it goes, which it would have beside a gap. Constraints come back at the end.
+  void straighten_constraints()
   {
-    if (chain.splits.empty())
-      return;
-    if constexpr (Has_constraint_hierarchy<Cdt>::value)
-      forget_splits(chain);
-    auto& planar = without_hierarchy(m_cdt);
-    for (Index split : chain.splits) {
-      const Vertex_handle v = m_reading.vertex(split);
-      planar.remove_incident_constraints(v);
-      planar.remove(v);
+    std::vector<std::pair<std::size_t, Vertex_handle>> splits; // each with a 1 if it is to go first, 2, 4, 8 ...
+    for (const Chain& c : m_reading.graph->chains()) {
+      if constexpr (Has_constraint_hierarchy<Cdt>::value)
+        forget_splits(c);
+      for (std::size_t k = 1; k <= c.splits.size(); ++k)
+        splits.emplace_back(k & (~k + 1), m_reading.vertex(c.splits[k - 1]));
     }
-    planar.insert_constraint(corner(chain.source), corner(chain.target));
+    std::stable_sort(splits.begin(), splits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    auto& planar = without_hierarchy(m_cdt);
+    for (const auto& split : splits) {
+      planar.remove_incident_constraints(split.second);
+      planar.remove(split.second);
+    }
+    for (const Chain& c : m_reading.graph->chains())
+      if (!c.splits.empty())
+        planar.insert_constraint(corner(c.source), corner(c.target));
   }
 
   static auto& without_hierarchy(Cdt& cdt)
@@ -107,6 +112,8 @@ private:
   /// each relaxation there would be more
   void forget_splits(const Chain& chain)
   {
+    if (chain.splits.empty())
+      return;
     auto context = *m_cdt.contexts_begin(corner(chain.source), m_reading.vertex(chain.splits.front()));
     auto it = context.current(); // the end of the piece that comes first in the polyline
     const bool is_forward = *it == corner(chain.source);
