@@ -238,8 +238,6 @@ TEST(Write_back_plus, the_mesh_is_the_same_with_and_without_a_hierarchy)
                 triangles(domains::make<Plus>({slanted, hole}), d));
 }
 
-/// The mesh alone is written as it is, and all else, outside or in holes, makes that it is inserted: the triangles of
-/// the domain are those that a hierarchy gets, which is never written directly.
 /// counts how often a triangulation asks whether a point lies in a circle
 struct Counting_kernel : K
 {
@@ -277,6 +275,8 @@ TEST(Write_back_plus, vertices_of_needles_go_and_come_without_the_square_of_thei
   EXPECT_TRUE(cdt.is_valid());
 }
 
+/// The mesh alone is written as it is, and all else, outside or in holes, makes that it is inserted: the triangles of
+/// the domain are those that a hierarchy gets, which is never written directly.
 TEST(Direct_write, gives_the_triangles_that_insertion_gives)
 {
   const Outline notched{{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}, {0, 1}};
