@@ -14,8 +14,10 @@
 #   benchmark.sh dual [1000 10000] [aegean ...]   Voronoi cells for finite volumes, of domains and simplified shores: obtuse
 #                                                 triangles, negative and short faces
 #   benchmark.sh compile [--runs 3]               the compiler's time and memory: README's program, compiled core, EFG
-#   benchmark.sh distributed [speed [1e5 ...]]    two MPI ranks against one: seconds, and whether the bits are equal
-#   benchmark.sh distributed [counts [1e5]]       what up to 64 ranks hold and send, and a model of their efficiency
+#   benchmark.sh distributed [speed [1e5 ...] [aegean ...]]   two MPI ranks against one: seconds, and whether the bits are
+#                                                 equal
+#   benchmark.sh distributed [counts [1e5] [aegean ...]]      what up to 64 ranks hold and send, and a model of their
+#                                                 efficiency
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
 cd "$here"
@@ -30,7 +32,7 @@ if [ "$benchmark" = compare ]; then
   benchmark=compare_meshers
   set -- --json compare_meshers.json --svg compare_meshers.svg "$@"
 fi
-if [ "$benchmark" = coasts ] || [ "$benchmark" = dual ]; then
+if [ "$benchmark" = coasts ] || [ "$benchmark" = dual ] || [ "$benchmark" = distributed ]; then
   scripts/install_dependencies.sh gmt gmt-gshhg-low gmt-gshhg-high
   mkdir -p output/coasts
   cp benchmark/Bubble_relaxation_2/coasts.txt output/coasts/
@@ -80,6 +82,8 @@ case $command in
   speed | counts | all) ;;
   *) echo "distributed: speed or counts, not $command" >&2; exit 2 ;;
 esac
+[[ " $* " =~ ' '[a-z] ]] || set -- "$@" norway_intermediate
+set -- "$@" --coasts coasts
 [ "$command" = counts ] || OMPI_MCA_mpi_yield_when_idle=0 mpirun -n 2 --bind-to core "$program" speed "$@"
 [ "$command" = speed ] ||
   OMPI_MCA_mpi_yield_when_idle=1 mpirun -n 64 --oversubscribe --bind-to none "$program" counts "$@"

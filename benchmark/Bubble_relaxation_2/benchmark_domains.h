@@ -15,10 +15,11 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 /// Makes a domain with its sizes scaled by the argument.
-using Domain_maker = paper::Domain (*)(double);
+using Domain_maker = std::function<paper::Domain(double)>;
 
 /// A disc with the same d everywhere, which lattices and fronts like best.
 inline paper::Domain disc(double f)
@@ -39,20 +40,26 @@ inline std::vector<Domain_maker> compared_domains()
           paper::comb,             paper::octagram,      paper::trunk,         disc};
 }
 
-/// By how much the sizes of a domain are to be scaled for `npbs_relax()` to give it about `n` vertices. Vertices are
-/// a / f^2 inside and b / f on the boundary; two coarse meshes tell a and b.
-inline double scale_for_vertices(Domain_maker make, double n)
+/// By how much the sizes of a domain are to be scaled for `npbs_relax()` to give it about `n` vertices, which is found
+/// by trials: an outline has its vertices whatever the size.
+inline double scale_for_vertices(const Domain_maker& make, double n)
 {
-  const auto count = [make](double f) {
+  double f = 1;
+  for (int trial = 0; trial < 10; ++trial) {
     const paper::Domain domain = make(f);
     paper::CDT cdt = paper::triangulate(domain);
-    return double(CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(domain.d)).number_of_vertices);
-  };
-  const double coarse = count(1), fine = count(0.5);
-  const double a = (fine - 2 * coarse) / 2, b = coarse - a;
-  return 2 * a / (std::sqrt(b * b + 4 * a * n) - b);
+    const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(domain.d));
+    const double ratio = double(report.number_of_vertices) / n;
+    if (std::abs(ratio - 1) < 0.01)
+      break;
+    f *= std::sqrt(ratio); // as many times as many vertices
+  }
+  return f;
 }
 
-inline paper::Domain domain_with_vertices(Domain_maker make, double n) { return make(scale_for_vertices(make, n)); }
+inline paper::Domain domain_with_vertices(const Domain_maker& make, double n)
+{
+  return make(scale_for_vertices(make, n));
+}
 
 #endif // BUBBLE_RELAXATION_2_BENCHMARK_BENCHMARK_DOMAINS_H

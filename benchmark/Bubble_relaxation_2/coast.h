@@ -11,6 +11,7 @@
 
 #include "../../demo/Bubble_relaxation_2/paper_domains.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -165,5 +166,27 @@ private:
   Region m_region;
   CDT m_cdt;
 };
+
+/// The coasts of a folder that are asked for: those of one resolution, or of all that are there; all if none is.
+/// \param size d in kilometres
+inline std::vector<paper::Domain> read_coasts(const std::string& folder, double size,
+                                              const std::vector<std::string>& names)
+{
+  std::vector<paper::Domain> coasts;
+  for (const Region& region : read_regions(folder + "/coasts.txt"))
+    for (const char* resolution : {"low", "intermediate", "high"}) {
+      const std::string name = region.name + '_' + resolution;
+      const auto is_asked_for = [&](const std::string& n) { return n == name || n == region.name; };
+      if (!names.empty() && std::none_of(names.begin(), names.end(), is_asked_for))
+        continue;
+      std::ifstream in(folder + '/' + name + ".txt");
+      if (!in)
+        continue;
+      coasts.push_back({0, name, Coast(region, in).outlines(), [size](const paper::Point&) { return size; }, 0, 0});
+    }
+  if (coasts.empty())
+    throw std::runtime_error(folder + ": has none of the coasts");
+  return coasts;
+}
 
 #endif // BUBBLE_RELAXATION_2_BENCHMARK_COAST_H

@@ -19,6 +19,7 @@
 #include "cgal_meshers.h"
 #include "in_child_process.h"
 #include "outline_judgement.h"
+#include "coast.h"
 #include "simplified_coast.h"
 #ifdef BUBBLE_RELAXATION_2_WITH_GMSH
 #include "gmsh_mesher.h"

@@ -82,7 +82,7 @@ public:
   const std::vector<std::string>& meshers() const { return m_meshers; }
 
   /// the rows of one domain, which are printed as they come
-  std::vector<Comparison_row> operator()(Domain_maker make, double target) const
+  std::vector<Comparison_row> operator()(const Domain_maker& make, double target) const
   {
     const paper::Domain domain = domain_with_vertices(make, target);
     std::vector<Comparison_row> rows;
@@ -132,7 +132,7 @@ try {
   std::vector<Comparison_row> all, rows;
   for (double target : options.targets) {
     rows.clear();
-    for (Domain_maker make : compared_domains())
+    for (const Domain_maker& make : compared_domains())
       for (const Comparison_row& r : comparison(make, target))
         rows.push_back(r);
     print_summary(std::cout, rows, comparison.meshers());

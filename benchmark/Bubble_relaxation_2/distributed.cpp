@@ -8,22 +8,28 @@
 
 // What several ranks gain, what they hold and send, and what a model makes of that.
 //
-//   mpirun -n 2 --bind-to core distributed speed [--runs 5] [--interval 10] [--paper] [1192 1e5 1e6]
+//   mpirun -n 2 --bind-to core distributed speed [--runs 7] [--interval 10] [--paper] [1192 1e5 1e6]
+//                                               [--coasts FOLDER [NAME ...]]
 //       seconds of CGAL::Distributed::npbs_mesh() and npbs_relax() on all ranks, and with the paper's protocol and so
 //       many steps between exchanges (0: without), against those of CGAL::npbs_relax() and npbs_place_nodes() on one,
 //       with so many vertices; whether the meshes are the same. With the defaults, or all with the paper's parameters,
 //       as in its example of a ring:
 //       distributed speed --paper --interval 50 1192
-//   mpirun -n 64 distributed counts [--interval 10] [1e5]
-//       bubbles, ghosts, neighbours, messages and bytes of a rank, on 2, 4, 8, 16, 64 of the ranks, whose number may
-//       be larger than that of cores; and from them a model of the efficiency on up to 1e5 ranks
+//   mpirun -n 64 distributed counts [--interval 10] [1e5] [--coasts FOLDER [NAME ...]]
+//       bubbles, ghosts, neighbours, messages and bytes of a rank, and the most memory that it takes, on 2, 4, 8, 16, 64
+//       of the ranks, whose number may be larger than that of cores; and from them a model of the efficiency on up to
+//       1e5 ranks
+//
+// FOLDER and names of coasts are as for the benchmark coasts.
 
 #include "../../demo/Bubble_relaxation_2/mpi_session.h"
+#include "coast.h"
 #include "rank_counts.h"
 #include "rank_speed_up.h"
 #include "scaling_model.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
@@ -38,13 +44,26 @@ namespace P = CGAL::parameters;
 struct Arguments
 {
   std::string command;
-  int runs = 5, interval = 10; // a round has 30 steps at most
+  int runs = 7, interval = 10; // a round has 30 steps at most
   bool is_paper = false;
   std::vector<double> sizes;
+  std::string folder; ///< of coasts; empty: none
+  std::vector<std::string> names;
 };
 
-/// the paper's ring, eq. 4, and a uniform square
-const std::vector<Domain_maker> domains{paper::ring, paper::graded_circle, square};
+/// the paper's ring, eq. 4, a uniform square, and coasts
+std::vector<Domain_maker> domains_of(const Arguments& arguments)
+{
+  std::vector<Domain_maker> result{paper::ring, paper::graded_circle, square};
+  if (!arguments.folder.empty())
+    for (const paper::Domain& coast : read_coasts(arguments.folder, 1, arguments.names))
+      result.push_back([coast](double kilometres) {
+        paper::Domain scaled = coast;
+        scaled.d = [kilometres](const paper::Point&) { return kilometres; };
+        return scaled;
+      });
+  return result;
+}
 
 int compare_speed(const Arguments& arguments)
 {
@@ -52,7 +71,7 @@ int compare_speed(const Arguments& arguments)
   compare.print_header();
   bool is_equal = true;
   for (double n : arguments.sizes)
-    for (Domain_maker make : domains) {
+    for (const Domain_maker& make : domains_of(arguments)) {
       const paper::Domain d = domain_of_all(make, n);
       const auto papers = CGAL::npbs_paper_parameters().number_of_iterations(d.iterations).number_of_rounds(d.rounds);
       const bool is_same = arguments.is_paper ? compare(d, papers) : compare(d, P::force_coefficient(1.));
@@ -91,15 +110,17 @@ double seconds_of_move(const paper::Domain& domain)
   return seconds;
 }
 
-void count_and_model(const Mpi_session& session, double n, int interval)
+void count_and_model(const Mpi_session& session, const Arguments& arguments)
 {
+  const int interval = arguments.interval;
+  const std::vector<Domain_maker> domains = domains_of(arguments);
   if (session.is_first()) {
     std::cout << "per rank, and per step of the simulation; control of the population and reductions do not count\n";
     print_header_of_counts();
   }
   std::vector<Scaling_model> models;
-  for (Domain_maker make : domains) {
-    const paper::Domain domain = domain_of_all(make, n);
+  for (const Domain_maker& make : domains) {
+    const paper::Domain domain = domain_of_all(make, arguments.sizes[0]);
     Rank_counts last{};
     for (int ranks : {2, 4, 8, 16, 64})
       if (ranks <= session.number_of_ranks()) {
@@ -133,6 +154,14 @@ Arguments read_arguments(int argc, char** argv)
       arguments.is_paper = true;
       continue;
     }
+    if (option == "--coasts" && i + 1 < argc) {
+      arguments.folder = argv[++i];
+      continue;
+    }
+    if (std::isalpha(static_cast<unsigned char>(option[0]))) {
+      arguments.names.push_back(option);
+      continue;
+    }
     const bool is_option = option == "--runs" || option == "--interval";
     const double value = std::atof(is_option ? argv[i + 1 < argc ? ++i : i] : argv[i]);
     is_understood = is_understood && value >= (option == "--runs" ? 1 : is_option ? 0 : 100);
@@ -143,9 +172,10 @@ Arguments read_arguments(int argc, char** argv)
     else
       arguments.sizes.push_back(value);
   }
+  is_understood = is_understood && (arguments.names.empty() || !arguments.folder.empty());
   if (!is_understood || (!is_speed && arguments.sizes.size() > 1))
     throw std::invalid_argument("usage: distributed speed [--runs N] [--interval S] [--paper] [VERTICES ...], or "
-                                "distributed counts [--interval S] [VERTICES]");
+                                "distributed counts [--interval S] [VERTICES], both with [--coasts FOLDER [NAME ...]]");
   if (arguments.sizes.empty())
     arguments.sizes = is_speed ? std::vector<double>{1192, 1e5, 1e6} : std::vector<double>{1e5};
   return arguments;
@@ -160,7 +190,7 @@ int run(const Mpi_session& session, int argc, char** argv)
     std::cout << "load " << load_average() << '\n';
   if (arguments.command == "speed")
     return compare_speed(arguments);
-  count_and_model(session, arguments.sizes[0], arguments.interval);
+  count_and_model(session, arguments);
   return 0;
 }
 

@@ -17,6 +17,7 @@
 // Numbers are those of vertices; FOLDER, the size in kilometres and names are as for coasts.
 
 #include "benchmark_domains.h"
+#include "coast.h"
 #include "simplified_coast.h"
 
 #include <CGAL/Voronoi_dual_2.h>
@@ -94,7 +95,7 @@ try {
   makers.insert(makers.end(), {square, paper::non_convex, paper::ring});
   print_columns();
   for (double n : options.numbers)
-    for (Domain_maker make : makers) {
+    for (const Domain_maker& make : makers) {
       const paper::Domain domain = domain_with_vertices(make, n);
       paper::CDT cdt = paper::triangulate(domain);
       measure(domain, cdt);

@@ -40,7 +40,7 @@ void on_first_rank(const Run& run)
 }
 
 /// the domain with about `n` vertices, the same on all ranks
-inline paper::Domain domain_of_all(Domain_maker make, double n)
+inline paper::Domain domain_of_all(const Domain_maker& make, double n)
 {
   double f = 1;
   on_first_rank([&] { f = scale_for_vertices(make, n); });

@@ -44,7 +44,7 @@ public:
     std::cout << "\nmodel of the steps, with assumed latency " << std::setprecision(1) << 1e6 * latency
               << " us, bandwidth " << bytes_per_second / 1e9 << " GB/s for each " << ranks_of_node
               << " ranks, and no overlap; nothing is measured but counts and the time of a move, here in us\n"
-              << std::left << std::setw(8) << "domain" << std::right << std::setw(9) << "N" << std::setw(9) << "ranks"
+              << std::left << std::setw(20) << "domain" << std::right << std::setw(9) << "N" << std::setw(9) << "ranks"
               << std::setw(10) << "bubbles" << std::setw(8) << "a move" << std::setw(13) << "compute, us"
               << std::setw(9) << "ghosts" << std::setw(13) << "messages, us" << std::setw(11) << "bytes, us"
               << std::setw(15) << "reduction, us"
@@ -59,7 +59,7 @@ public:
     const double bytes = m_counts.bytes.mean * growth / (bytes_per_second / ranks_of_node);
     const double reduction = latency * std::ceil(std::log2(ranks));
     const double others = messages + bytes + reduction;
-    std::cout << std::left << std::setw(8) << domain << std::right << std::scientific << std::setprecision(0)
+    std::cout << std::left << std::setw(20) << domain << std::right << std::scientific << std::setprecision(0)
               << std::setw(9) << n << std::setw(9) << ranks << std::setw(10) << own << std::fixed
               << std::setprecision(3) << std::setw(8) << 1e6 * m_seconds_of_move
               << std::setprecision(1) << std::setw(13) << 1e6 * compute << std::setprecision(0) << std::setw(9)

@@ -74,7 +74,7 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options(),
   const Bubbles_2 no_points;
   const Distributed_treatment_2 treat(problem, no_points, partition, comm, options.reach);
   Distributed_mesh_2 mesh =
-    treat.triangulate(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+    treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
   const Treatment_counts counts = treat_defects(treat, mesh, first);
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);

@@ -170,7 +170,7 @@ std::size_t expect_the_triangulation_of_all(const bubbles::Case& c)
   internal::Bubble_mesh_2 mesh = bubbles::mesh_of(c);
   const std::vector<internal::Steiner_point_2> points = points_to_insert(c, mesh);
   EXPECT_GT(points.size(), c.bubbles.size() / 20);
-  EXPECT_TRUE(internal::insert_points(c.domain(), c.input->problem().sizes, points, mesh));
+  EXPECT_TRUE(internal::insert_points(c.domain(), c.input->problem().sizes, points, true, mesh));
   EXPECT_EQ(mesh.bubbles.size(), c.bubbles.size() + points.size());
   internal::Bubble_mesh_2 anew{mesh.bubbles, {}};
   internal::triangulate(c.domain(), anew);
@@ -200,7 +200,7 @@ TEST(Defects, no_vertex_is_inserted_where_one_is)
   for (const internal::Point& p : {mesh.point(t, 0), internal::Point(-1, 4)}) {
     internal::Bubble_mesh_2 copy = mesh;
     EXPECT_FALSE(internal::insert_points(c.domain(), c.input->problem().sizes,
-                                         {{0, p.x(), p.y(), 0, 0, 0, internal::Bubbles_2::FACE, t}}, copy));
+                                         {{0, p.x(), p.y(), 0, 0, 0, internal::Bubbles_2::FACE, t}}, true, copy));
   }
 }
 
@@ -222,7 +222,7 @@ TEST(Defects, no_vertex_is_inserted_that_would_crowd_an_edge)
         internal::Bubble_mesh_2 copy = mesh;
         EXPECT_EQ(internal::insert_points(c.domain(), c.input->problem().sizes,
                                           {{0, p.x(), p.y(), s, 0, b.host[u], internal::Bubbles_2::EDGE,
-                                            static_cast<Index>(k)}}, copy),
+                                            static_cast<Index>(k)}}, true, copy),
                   share == 0.5);
       }
       ++number;

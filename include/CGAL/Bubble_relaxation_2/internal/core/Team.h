@@ -47,8 +47,12 @@ struct Hole_2
   double rank; ///< the one with the least is the best
   double x, y, d;
   Index triangle; ///< of the domain
+  std::array<double, 3> among_equals{}; ///< the order of such that are equal in all that comes before
 
-  bool operator<(const Hole_2& h) const { return std::tie(rank, x, y) < std::tie(h.rank, h.x, h.y); }
+  bool operator<(const Hole_2& h) const
+  {
+    return std::tie(rank, x, y, among_equals) < std::tie(h.rank, h.x, h.y, h.among_equals);
+  }
 };
 
 /// what all ranks together have to know after a step
@@ -132,7 +136,7 @@ public:
   virtual Share_of_disc share_of(const Point&, double /* radius */) const { return Share_of_disc::ALL; }
 
   /// All ranks have these bubbles, and more will come.
-  virtual void note_common(const Bubbles_2&) {}
+  virtual void note_common(const Domain_2&, const Bubbles_2&) {}
 
   /// divides the domain by bubbles that are some times as large, which all ranks have
   virtual void divide(const Domain_2&, const Bubbles_2& /* large */) {}
@@ -144,7 +148,10 @@ public:
   /// lattices to where they are needed.
   virtual void share_seeds(Bubbles_2&, std::vector<double>& /* directions */) {}
 
-  /// The crystal has its first bubbles, which all ranks have or which were given to the team; so many will come.
+  /// Keeps of the common bubbles those that matter in this rank's part, with their directions, if there are any, and turns.
+  virtual void keep_near(Bubbles_2&, std::vector<double>& /* directions */, std::vector<char>& /* turns */) {}
+
+  /// The crystal has its first bubbles, which were common or given to the team; so many will come.
   virtual void start_growth(Crystal_2&, std::size_t /* expected */) {}
 
   /// adds bubbles that this rank has to know of, though they are not new

@@ -23,7 +23,7 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Chooses holes that get a bubble, the best first, as long as they do not come too near to a better one that was
-/// chosen.
+/// chosen. Of equal ones, which are of the same rank, the first counts.
 class Hole_choice_2
 {
 public:
@@ -77,7 +77,7 @@ private:
       [&](std::size_t k) {
         const Hole_2& hole = holes[ours[k]];
         near.for_each_near(hole.x, hole.y, hole.d, [&](Index r, double, double) {
-          if (holes[r] < hole)
+          if (holes[r] < hole || (r < ours[k] && !(hole < holes[r])))
             m_choice.rivals(k).push_back(r);
           return true;
         });

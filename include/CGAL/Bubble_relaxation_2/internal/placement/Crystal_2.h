@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -50,10 +51,11 @@ public:
   /// bubbles are looked at so many at a time
   static constexpr std::size_t grain = 64;
 
-  /// without links
-  Crystal_2(const Domain_2& domain, Bubbles_2& bubbles, const Threads& threads)
-    : m_threads(threads), m_bubbles(bubbles),
-      m_buckets(link_reach, bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 4 * bubbles.size())
+  /// Without links. `turns`: when the bubbles that are there propose; those with 0 do not
+  Crystal_2(const Domain_2& domain, Bubbles_2& bubbles, std::vector<char> turns, const Threads& threads)
+    : m_threads(threads), m_bubbles(bubbles), m_turns(std::move(turns)),
+      m_buckets(link_reach, bubbles.size() == 0 ? 1. : bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(),
+                4 * bubbles.size())
   {
     m_direction.assign(bubbles.size(), Direction{1, 0});
     for (std::size_t i = 0; i < bubbles.size(); ++i) {
@@ -94,6 +96,19 @@ public:
     m_direction.push_back(direction);
     insert_in_buckets(i);
   }
+
+  /// adds, without links, one that was there before, but was not known here
+  void add_known(const Point& p, double d, Bubbles_2::Dimension dimension, Index host, const Direction& direction,
+                 char turn)
+  {
+    add(p, d, host, direction);
+    m_bubbles.dimension.back() = dimension;
+    m_turns.resize(m_bubbles.size(), 0);
+    m_turns.back() = turn;
+  }
+
+  /// when a bubble proposes that was there before; 0 for others
+  char turn(std::size_t i) const { return i < m_turns.size() ? m_turns[i] : char(0); }
 
   /// makes room for the births of `n` bubbles, when none were told yet
   void make_room_for_births(std::size_t n) { m_births.reserve(n); }
@@ -188,6 +203,7 @@ private:
 
   const Threads m_threads;
   Bubbles_2& m_bubbles;
+  std::vector<char> m_turns;
   std::vector<Direction> m_direction;
   std::vector<Links> m_links;
   std::vector<Growth_birth_2> m_births; // empty if bubbles lie in memory in the order in which they came

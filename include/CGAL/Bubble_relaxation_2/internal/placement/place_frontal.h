@@ -45,14 +45,15 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Crystal_growth_2
 {
 public:
-  /// `directions`: angles of the lattice for the bubbles that are there, or for some; read for those in faces only
+  /// `directions`: angles of the lattice for the bubbles that are there, or for some; read for those in faces only;
+  /// `turns`: when they propose, see `turns_of()`; `expected`: how many will come
   Crystal_growth_2(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles,
-                   const std::vector<double>& directions, Lattice_direction lattice, Team& team, const Threads& threads)
-    : m_domain(domain), m_sizing(sizing), m_team(team), m_threads(threads), m_crystal(domain, bubbles, threads),
-      m_front(domain), m_propose(domain, sizing, m_crystal, m_front, lattice, team, threads),
-      m_speakers(crowded, bubbles.size() == 0 ? 1. : bubbles.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 0)
+                   const std::vector<double>& directions, std::vector<char> turns, std::size_t expected,
+                   Lattice_direction lattice, Team& team, const Threads& threads)
+    : m_domain(domain), m_sizing(sizing), m_team(team), m_threads(threads),
+      m_crystal(domain, bubbles, std::move(turns), threads), m_front(domain),
+      m_propose(domain, sizing, m_crystal, m_front, lattice, team, threads)
   {
-    const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
     m_expected = bubbles.size() + expected;
     m_crystal.make_room_for(expected);
     for (std::size_t i = 0; i < directions.size(); ++i)
@@ -61,23 +62,14 @@ public:
     m_crystal.link_from(0);
   }
 
-  /// One of the bubbles that were there before belongs to the front when the growth begins. Of those that are crowded
-  /// on an outline far finer than d, few are enough to propose.
-  void add_to_front(std::size_t i)
+  /// grows from the bubbles that were there before and whose turn it is, until there is no front left
+  void operator()(char turn)
   {
-    const Bubbles_2& b = m_crystal.bubbles();
-    tick(i);
-    if (!b.is_in_face(i)) {
-      if (!m_speakers.is_free(b.x[i], b.y[i], b.d[i]))
-        return;
-      m_speakers.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+    for (std::size_t i = 0, n = m_crystal.size(); i < n; ++i) {
+      tick(i);
+      if (m_crystal.turn(i) == turn)
+        add_to_front(i, m_crystal.bubbles().d[i]);
     }
-    add_to_front(i, b.d[i]);
-  }
-
-  /// grows until there is no front left
-  void operator()()
-  {
     for (;;) {
       tell_progress();
       add_late();
@@ -101,7 +93,6 @@ public:
 
 private:
   static constexpr int settling_rounds = 3;
-  static constexpr double crowded = 0.3; ///< distance, in units of d
 
   /// Which share is there is told of the growth that fills the domain, not of those of a few large bubbles before it.
   void tell_progress() const
@@ -141,7 +132,7 @@ private:
   {
     m_holes.clear();
     for (const Growth_proposal_2& p : m_proposals)
-      m_holes.push_back(Hole_2{p.misfit, p.x, p.y, p.d, p.triangle});
+      m_holes.push_back(Hole_2{p.misfit, p.x, p.y, p.d, p.triangle, {p.key, p.direction.x, p.direction.y}});
     m_choice(m_holes, number_of_ours, Growth_limits_2::least_distance, m_team, m_threads,
              [this](const Hole_2& p) { return m_crystal.is_free(p.x, p.y, p.d); });
   }
@@ -189,7 +180,6 @@ private:
   Crystal_2 m_crystal;
   Growth_front_2 m_front;
   Growth_proposals_2 m_propose;
-  Bubble_buckets_2 m_speakers; // of bubbles on the outline those that propose
   Hole_choice_2 m_choice;
   // of the present generation
   std::vector<Growth_proposer> m_generation;
@@ -198,6 +188,41 @@ private:
   std::vector<Growth_proposal_2> m_new; // bubbles
   std::vector<Point> m_settled;         // where they go
 };
+
+/// When bubbles that are there propose: 1 for those that are the first, 2 for the others, and 0 for never: of those that
+/// are crowded on an outline far finer than d few are enough.
+template <class Is_first>
+std::vector<char> turns_of(const Domain_2& domain, const Bubbles_2& b, const Is_first& is_first)
+{
+  constexpr double crowded = 0.3; // distance, in units of d
+  Bubble_buckets_2 speakers(crowded, b.d[0], domain.bbox().xmin(), domain.bbox().ymin(), 0);
+  std::vector<char> turns(b.size(), 0);
+  for (char turn : {char(1), char(2)})
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      tick(i);
+      if (is_first(i) != (turn == 1))
+        continue;
+      if (!b.is_in_face(i)) {
+        if (!speakers.is_free(b.x[i], b.y[i], b.d[i]))
+          continue;
+        speakers.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+      }
+      turns[i] = turn;
+    }
+  return turns;
+}
+
+/// Grows a crystal from the bubbles that are there, in their turns; the other arguments as for `Crystal_growth_2`.
+inline void grow_in_turns(const Domain_2& domain, const Sizes_2& sizing, std::vector<double> directions,
+                          std::vector<char> turns, Lattice_direction lattice, Bubbles_2& bubbles, Team& team,
+                          const Threads& threads)
+{
+  const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
+  team.keep_near(bubbles, directions, turns);
+  Crystal_growth_2 grow(domain, sizing, bubbles, directions, std::move(turns), expected, lattice, team, threads);
+  for (char turn : {char(1), char(2)})
+    grow(turn);
+}
 
 /// The ways to fill the faces.
 enum class Growth { FROM_ALL, SINGLE_STRAIGHT, SINGLE_BENT };
@@ -208,10 +233,8 @@ enum class Growth { FROM_ALL, SINGLE_STRAIGHT, SINGLE_BENT };
 inline void grow_from_all(const Domain_2& domain, const Sizes_2& sizing, const std::vector<double>& directions,
                           Bubbles_2& bubbles, Team& team, const Threads& threads)
 {
-  Crystal_growth_2 grow(domain, sizing, bubbles, directions, Lattice_direction::BENDS, team, threads);
-  for (std::size_t i = 0, n = bubbles.size(); i < n; ++i)
-    grow.add_to_front(i);
-  grow();
+  std::vector<char> turns = turns_of(domain, bubbles, [](std::size_t) { return true; });
+  grow_in_turns(domain, sizing, directions, std::move(turns), Lattice_direction::BENDS, bubbles, team, threads);
 }
 
 /// Whether bubbles belong to an edge, as its ends or between.
@@ -231,15 +254,10 @@ inline void grow_single_crystal(const Domain_2& domain, const Sizes_2& sizing, G
 {
   const Lattice_direction lattice =
     way == Growth::SINGLE_STRAIGHT ? Lattice_direction::KEEPS : Lattice_direction::BENDS;
-  const std::size_t n = bubbles.size();
   const Index longest = longest_edge(domain);
-  Crystal_growth_2 grow(domain, sizing, bubbles, {}, lattice, team, threads);
-  for (const bool is_first : {true, false}) {
-    for (std::size_t i = 0; i < n; ++i)
-      if (touches_edge(domain, bubbles, i, longest) == is_first)
-        grow.add_to_front(i);
-    grow();
-  }
+  std::vector<char> turns =
+    turns_of(domain, bubbles, [&](std::size_t i) { return touches_edge(domain, bubbles, i, longest); });
+  grow_in_turns(domain, sizing, {}, std::move(turns), lattice, bubbles, team, threads);
 }
 
 /// How far bubbles are from a crystal: the share of those in faces that have not six neighbours, times
@@ -326,7 +344,7 @@ inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles
   const double factor = factor_of_large_bubbles(sizing.expected_number);
   if (factor == 1) {
     fill_in_better_way(domain, sizing, bubbles, threads);
-    team.note_common(bubbles);
+    team.note_common(domain, bubbles);
     return;
   }
   Bubbles_2 large = enlarge(domain, bubbles, factor);

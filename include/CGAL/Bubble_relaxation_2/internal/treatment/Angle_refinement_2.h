@@ -256,29 +256,42 @@ inline bool is_endless(std::size_t number_of_new_vertices, std::size_t number_of
   return number_of_new_vertices > 100 + number_of_vertices / 50;
 }
 
-/// Inserts vertices until no angle is smaller than `minimum_angle` that need not be so; none if that is endless, or has made
-/// angles in a crack smaller. Returns how many. `treatment`: by one rank or all
+/// Inserts vertices into a mesh until no angle is smaller than `minimum_angle` that need not be so; returns how many, none
+/// if that is endless. `is_careful`: as in `Treatment_state`
+template <class Treatment>
+std::size_t insert_for_small_angles(const Treatment& treatment, bool is_careful, typename Treatment::Mesh& mesh)
+{
+  const std::size_t number_of_vertices = treatment.number_of_bubbles(mesh);
+  for (std::size_t result = 0;;) {
+    std::vector<Steiner_point_2> points = treatment.wanted_points(mesh);
+    if (is_endless(result + points.size(), number_of_vertices))
+      return 0;
+    points = Angle_refinement_2::independent(std::move(points));
+    if (points.empty() || treatment.is_stop_wanted() || !treatment.insert(points, is_careful, mesh))
+      return result;
+    result += points.size();
+  }
+}
+
+/// The same, unless it makes angles in a crack smaller. `treatment`: by one rank or all
 template <class Treatment>
 std::size_t refine_small_angles(const Treatment& treatment, typename Treatment::Mesh& mesh)
 {
   if (!treatment.is_to_be_refined(mesh))
     return 0;
-  typename Treatment::Mesh refined = treatment.triangulated_anew(mesh);
-  const std::size_t number_of_vertices = treatment.number_of_bubbles(mesh);
-  std::size_t result = 0;
-  for (;;) {
-    std::vector<Steiner_point_2> points = treatment.wanted_points(refined);
-    if (is_endless(result + points.size(), number_of_vertices))
+  for (bool is_careful : {false, true}) {
+    typename Treatment::Mesh refined = treatment.triangulated_anew(mesh);
+    const std::size_t result = insert_for_small_angles(treatment, is_careful, refined);
+    if (treatment.number_of_bubbles(refined) == treatment.number_of_bubbles(mesh))
       return 0;
-    points = Angle_refinement_2::independent(std::move(points));
-    if (points.empty() || treatment.is_stop_wanted() || !treatment.insert(points, refined))
-      break;
-    result += points.size();
+    if (!is_careful && !treatment.closes_refined_outline(refined))
+      continue;
+    if (result == 0 || treatment.smallest_free_sine(refined) < treatment.smallest_free_sine(mesh))
+      return 0;
+    mesh = std::move(refined);
+    return result;
   }
-  if (result == 0 || treatment.smallest_free_sine(refined) < treatment.smallest_free_sine(mesh))
-    return 0;
-  mesh = std::move(refined);
-  return result;
+  return 0;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -139,9 +139,10 @@ private:
 };
 
 /// Inserts vertices into a mesh; returns whether that can be done, and none on an edge is so near to others that it would
-/// be removed, see `remove_confusing_on_edges()`. If not, the mesh is not to be used any more.
+/// be removed, see `remove_confusing_on_edges()`. If not, the mesh is not to be used any more. `is_careful`: or if the outline
+/// crosses itself then; else the triangles outside of the domain are still to be made.
 inline bool insert_points(const Domain_2& domain, const Sizes_2& sizes, const std::vector<Steiner_point_2>& points,
-                          Bubble_mesh_2& mesh)
+                          bool is_careful, Bubble_mesh_2& mesh)
 {
   label_edges(mesh.triangles);
   Vertex_insertion_2 insert(domain, sizes, mesh);
@@ -152,7 +153,7 @@ inline bool insert_points(const Domain_2& domain, const Sizes_2& sizes, const st
     return true;
   Bubbles_2 bubbles = mesh.bubbles;
   remove_confusing_on_edges(domain, bubbles);
-  return bubbles.left().size() == bubbles.size() && rebuild_outside(domain, mesh);
+  return bubbles.left().size() == bubbles.size() && (!is_careful || rebuild_outside(domain, mesh));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -60,45 +60,66 @@ constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 /// Sweeps before surgery: what they leave undone it changes anyhow, or the sweeps after it do.
 constexpr int sweeps_before_surgery = 2;
 
-/// Moves vertices for the quality of their triangles. The smallest q, `smallest`, never gets smaller.
-/// \returns the number of vertices that were moved
-inline std::size_t smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
-                                  double& smallest, int most_sweeps, std::int64_t first_number)
+/// How far the treatment of a mesh has come. Parts of the outline can be as near to each other as the rounding of what is
+/// on it, and cross. That is seen when the triangles outside of the domain are made, which takes long: so it is looked at
+/// when all is done, and if they do, all is done once more, carefully, which is after each part.
+struct Treatment_state
+{
+  double smallest; ///< q, which does not get smaller
+  std::int64_t first_number; ///< of the vertices whose triangles are treated
+  bool is_careful;
+  Treatment_counts counts{};
+  bool has_changed_outline = false; ///< since it was looked at
+  bool has_broken_outline = false; ///< for certain
+
+  /// Whether a part of the treatment may stay, as far as the outline is concerned. `check()`: whether parts of it cross
+  template <class Check>
+  bool allows(bool changes_outline, const Check& check)
+  {
+    if (is_careful)
+      return !changes_outline || check();
+    has_changed_outline = has_changed_outline || changes_outline;
+    return true;
+  }
+};
+
+/// Moves vertices for the quality of their triangles.
+inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, int most_sweeps,
+                           Treatment_state& state)
 {
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
-  const std::vector<Index> moved = treat(most_sweeps, first_number);
+  const std::vector<Index> moved = treat(most_sweeps, state.first_number);
   const double smallest_now = smallest_quality(mesh, threads);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
-  // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
-  if (smallest_now < smallest ||
-      (moves_outline && !rebuild_outside(domain, mesh))) {
+  // the moves made none worse, but flips can
+  if (smallest_now < state.smallest || !state.allows(moves_outline, [&] { return rebuild_outside(domain, mesh); })) {
     treat.undo();
-    return 0;
+    return;
   }
-  smallest = smallest_now;
-  return moved.size();
+  state.smallest = smallest_now;
+  state.counts.treated += moved.size();
 }
 
-/// Inserts and removes single bubbles where moving is not enough, unless the smallest q, `smallest`, gets smaller.
-inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, double& smallest,
-                               std::int64_t& first_number, Treatment_counts& counts)
+/// Inserts and removes single bubbles where moving is not enough.
+inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
+                               Treatment_state& state)
 {
   label_edges(mesh.triangles);
   Bubble_mesh_2 changed = mesh;
-  Defect_surgery_2 surgery(domain, changed, smallest, first_number);
+  Defect_surgery_2 surgery(domain, changed, state.smallest, state.first_number);
   for (double bad_quality : bad_qualities)
     if (is_stop_wanted() || !surgery(bad_quality))
       break;
   const double smallest_now = smallest_quality(changed, threads);
   // rounding can make a mess of a change; then what was there is good
-  if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < smallest ||
-      (surgery.has_changed_outline && !rebuild_outside(domain, changed)))
+  if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < state.smallest ||
+      !state.allows(surgery.has_changed_outline, [&] { return rebuild_outside(domain, changed); }))
     return;
-  counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
-  smallest = smallest_now;
-  first_number = surgery.first_number;
+  state.counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
+  state.smallest = smallest_now;
+  state.first_number = surgery.first_number;
   mesh = std::move(changed);
 }
 
@@ -152,15 +173,28 @@ public:
 
   double smallest_quality(const Mesh& mesh) const { return internal::smallest_quality(mesh, m_threads); }
 
-  std::size_t smooth(Piece& mesh, double& smallest, int most_sweeps, std::int64_t first_number) const
+  /// as `triangulate_own()` makes a mesh of them
+  Bubbles_2 own_bubbles(const Mesh& mesh) const { return mesh.bubbles; }
+
+  Mesh triangulate_own(Bubbles_2&& bubbles) const
   {
-    return smooth_defects(m_problem.domain, m_threads, mesh, smallest, most_sweeps, first_number);
+    Mesh mesh{std::move(bubbles), {}};
+    triangulate(m_problem.domain, mesh);
+    return mesh;
   }
 
-  void operate(Piece& mesh, double& smallest, std::int64_t& first_number, Treatment_counts& counts) const
+  void smooth(Piece& mesh, int most_sweeps, Treatment_state& state) const
   {
-    operate_on_defects(m_problem.domain, m_threads, mesh, smallest, first_number, counts);
+    smooth_defects(m_problem.domain, m_threads, mesh, most_sweeps, state);
   }
+
+  void operate(Piece& mesh, Treatment_state& state) const
+  {
+    operate_on_defects(m_problem.domain, m_threads, mesh, state);
+  }
+
+  /// whether the outline of a mesh, which was changed, does not cross itself
+  bool closes_outline(Piece& mesh) const { return rebuild_outside(m_problem.domain, mesh); }
 
   /// makes the mesh of the given bubbles; returns with what it is treated
   Whole_treatment_2 triangulate_given(Mesh& given) const
@@ -186,14 +220,16 @@ public:
   }
 
   /// returns whether that can be done; if not, the mesh is as it was
-  bool insert(const std::vector<Steiner_point_2>& points, Mesh& mesh) const
+  bool insert(const std::vector<Steiner_point_2>& points, bool is_careful, Mesh& mesh) const
   {
     Mesh next = mesh;
-    if (!insert_points(m_problem.domain, m_problem.sizes, points, next))
+    if (!insert_points(m_problem.domain, m_problem.sizes, points, is_careful, next))
       return false;
     mesh = std::move(next);
     return true;
   }
+
+  bool closes_refined_outline(Mesh& mesh) const { return closes_outline(mesh); }
 
   double smallest_free_sine(const Mesh& mesh) const { return internal::smallest_free_sine(mesh, mesh.triangles.inside); }
   Mesh to_be_treated_again(const Mesh& mesh) const { return mesh; }
@@ -219,17 +255,23 @@ private:
 template <class Treatment>
 Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::Mesh& mesh, std::int64_t first = 0)
 {
-  Treatment_counts counts;
-  double smallest = treatment.smallest_quality(mesh);
+  const double smallest = treatment.smallest_quality(mesh);
   if (smallest >= Smoothing_sweeps_2::treated_quality)
-    return counts;
-  typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
-  counts.treated = treatment.smooth(piece, smallest, sweeps_before_surgery, first);
-  if (treatment.problem().options.population != Bubble_population::NONE)
-    treatment.operate(piece, smallest, first, counts);
-  counts.treated += treatment.smooth(piece, smallest, Smoothing_sweeps_2::number_of_sweeps, first);
-  mesh = treatment.mesh_of(std::move(piece));
-  return counts;
+    return {};
+  Bubbles_2 given = treatment.own_bubbles(mesh);
+  for (bool is_careful = false;; is_careful = true) {
+    Treatment_state state{smallest, first, is_careful};
+    typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
+    treatment.smooth(piece, sweeps_before_surgery, state);
+    if (treatment.problem().options.population != Bubble_population::NONE)
+      treatment.operate(piece, state);
+    treatment.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, state);
+    if (is_careful || (!state.has_broken_outline && (!state.has_changed_outline || treatment.closes_outline(piece)))) {
+      mesh = treatment.mesh_of(std::move(piece));
+      return state.counts;
+    }
+    mesh = treatment.triangulate_own(std::move(given));
+  }
 }
 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is larger, treated

@@ -44,14 +44,25 @@ class Placement_team_2 : public Part_team_2
 public:
   explicit Placement_team_2(Communicator& comm) : Part_team_2(comm) {}
 
-  /// whether this rank brings a placed bubble home, as one does of each
-  bool brings(Index i) const
+  /// whether this rank brings a placed bubble home, as one does of each, unless it would confuse the triangulation
+  bool brings(std::size_t i) const
   {
-    const std::size_t k = static_cast<std::size_t>(i);
-    return k < m_owner.size() ? owns(i) : k >= m_number_of_common || m_comm.rank() == 0;
+    const bool is_common = i < m_number_of_common;
+    if (is_common && m_is_confusing[i])
+      return false;
+    return i < m_owner.size() ? owns(static_cast<Index>(i))
+                              : !is_common || static_cast<int>(i) % m_comm.size() == m_comm.rank();
   }
 
-  void note_common(const Bubbles_2& bubbles) override { m_number_of_common = bubbles.size(); }
+  void note_common(const Domain_2& domain, const Bubbles_2& bubbles) override
+  {
+    m_number_of_common = bubbles.size();
+    Bubbles_2 left = bubbles;
+    remove_confusing_on_edges(domain, left);
+    m_is_confusing.clear();
+    for (std::size_t i = 0; i < left.size(); ++i)
+      m_is_confusing.push_back(left.is_gone(i));
+  }
 
   void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
@@ -81,6 +92,32 @@ public:
       }
   }
 
+  void keep_near(Bubbles_2& bubbles, std::vector<double>& directions, std::vector<char>& turns) override
+  {
+    std::vector<Index> near;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      if (i >= m_number_of_common ||
+          is_among(m_partition->owners_in_disc(bubbles.x[i], bubbles.y[i], reach * bubbles.d[i]), m_comm.rank()))
+        near.push_back(static_cast<Index>(i));
+    m_numbers.clear();
+    for (Index i : near)
+      m_numbers.push_back(static_cast<std::size_t>(i) < m_number_of_common
+                            ? i
+                            : static_cast<std::int64_t>(m_number_of_common) + m_seeds[i - m_number_of_common]);
+    const auto select = [&near](auto& values) {
+      for (std::size_t k = 0; k < near.size() && !values.empty(); ++k)
+        values[k] = values[near[k]];
+      values.resize((std::min)(values.size(), near.size()));
+    };
+    bubbles.select(near);
+    select(directions);
+    select(turns);
+    const auto first_seed = std::lower_bound(near.begin(), near.end(), static_cast<Index>(m_number_of_common));
+    m_number_of_common = static_cast<std::size_t>(first_seed - near.begin());
+    near.resize(m_number_of_common);
+    select(m_is_confusing);
+  }
+
   std::size_t part_of(double number) const override
   {
     constexpr double uneven = 1.1; // parts differ, and each has some bubbles of others
@@ -91,14 +128,11 @@ public:
   {
     const Bubbles_2& b = crystal.bubbles();
     make_room_for(expected, crystal);
-    for (std::size_t i = 0; i < b.size(); ++i) {
-      const std::int64_t place = static_cast<std::int64_t>((std::min)(i, m_number_of_common)) +
-                                 (i < m_number_of_common ? 0 : m_seeds[i - m_number_of_common]);
-      enter(crystal, Growth_birth_2{0, static_cast<double>(place), b.x[i], b.y[i]}, b.d[i], 0, no_index);
-    }
+    for (std::size_t i = 0; i < b.size(); ++i)
+      enter(crystal, Growth_birth_2{0, static_cast<double>(m_numbers[i]), b.x[i], b.y[i]}, b.d[i], 0, no_index);
     for (std::size_t i = 0, n = b.size(); i < n; ++i)
       tell_those_who_need(crystal, static_cast<Index>(i));
-    std::vector<Growth_proposal_2> late; // seeds near larger bubbles of this rank
+    std::vector<Growth_proposal_2> late; // beside larger bubbles of this rank; they have their turn
     exchange_late(crystal, late);
   }
 
@@ -197,7 +231,9 @@ private:
   struct Late
   {
     Growth_birth_2 birth;
-    Growth_proposal_2 bubble; ///< as it is now; the key is negative if it has left the front
+    Growth_proposal_2 bubble; ///< as it is now; the key is negative if it has left the front; `triangle`: the host
+    Bubbles_2::Dimension dimension;
+    char turn;
   };
 
   /// where a bubble came in, and how far from there nothing belongs to other ranks; 0 if that is not known
@@ -296,13 +332,14 @@ private:
 
   void send_late(const Crystal_2& crystal, Index i, int rank)
   {
-    if (!add_holder(i, rank) || static_cast<std::size_t>(i) < m_number_of_common)
-      return; // all have the common ones, but this one is now told of its proposals
+    if (!add_holder(i, rank))
+      return;
     const Bubbles_2& b = crystal.bubbles();
     const bool is_new = crystal.birth(i).generation == m_generation;
     m_late[rank].push_back(Late{crystal.birth(i), Growth_proposal_2{0, m_key[i], b.x[i], b.y[i], b.d[i],
                                                                     crystal.direction(i), b.host[i],
-                                                                    is_new ? foreign : no_index}});
+                                                                    is_new ? foreign : no_index},
+                               static_cast<Bubbles_2::Dimension>(b.dimension[i]), crystal.turn(i)});
   }
 
   /// adds the bubbles that this rank gets to know to the crystal and to `bubbles`
@@ -311,7 +348,7 @@ private:
     for (const auto& message : deliver(m_comm, m_late))
       for (const Late& late : message.second) {
         const Growth_proposal_2& p = late.bubble;
-        crystal.add(Point(p.x, p.y), p.d, p.triangle, p.direction);
+        crystal.add_known(Point(p.x, p.y), p.d, late.dimension, p.triangle, p.direction, late.turn);
         enter(crystal, late.birth, p.d, p.key, no_index);
         bubbles.push_back(p);
       }
@@ -343,8 +380,10 @@ private:
   std::vector<Place> m_places;
   std::unordered_map<Index, Hilbert_partition_2::Ranks> m_holders; // the other ranks that have a bubble of ours
   std::vector<double> m_key;    // in the front; negative if it has left it
-  std::size_t m_number_of_common = 0;
-  std::vector<std::int64_t> m_seeds; // numbers of those that this rank has, in the order of the crystal's bubbles
+  std::size_t m_number_of_common = 0; // as far as they are kept here
+  std::vector<char> m_is_confusing;   // of these: they are forgotten in the end, see `remove_confusing_on_edges()`
+  std::vector<std::int64_t> m_seeds;   // numbers of those that this rank has, in the order of the crystal's bubbles
+  std::vector<std::int64_t> m_numbers; // of all that are there before the growth begins
   std::int64_t m_generation = 0;
   std::vector<Index> m_grown;   // of ours, not known to all that need them
   Messages<Late> m_late;

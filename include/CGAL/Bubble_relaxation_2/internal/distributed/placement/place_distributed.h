@@ -170,10 +170,9 @@ private:
 inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& domain, const Placement_team_2& team,
                                            Bubbles_2 bubbles)
 {
-  remove_confusing_on_edges(domain, bubbles);
   std::vector<Bubble_record_2> records;
   for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (!bubbles.is_gone(i) && team.brings(static_cast<Index>(i)))
+    if (!bubbles.is_gone(i) && team.brings(i))
       records.push_back(record(bubbles, i, no_index)); // as yet
   bubbles = Bubbles_2();
   Placed_part_2 result = send_home_evenly(comm, hilbert_curve(domain), records);

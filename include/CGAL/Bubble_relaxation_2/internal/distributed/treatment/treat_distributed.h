@@ -185,7 +185,9 @@ public:
   const Problem_2& problem() const { return m_problem; }
 
   /// The mesh of all ranks' bubbles, each of which is at home.
-  Mesh triangulate(const Bubbles_2& own) const { return triangulate(own, m_reach, 0); }
+  Mesh triangulate_own(const Bubbles_2& own) const { return triangulate(own, m_reach, 0); }
+
+  Bubbles_2 own_bubbles(const Mesh& mesh) const { return internal::own_bubbles(mesh, m_comm.rank()); }
 
   /// \pre `mesh` was made by `triangulate()`
   Piece piece_of(Mesh&& mesh) const { return piece_of_whole(m_comm, std::move(mesh), m_partition, m_reach); }
@@ -201,11 +203,11 @@ public:
     return m_comm.smallest(smallest);
   }
 
-  /// moves vertices, unless the mesh gets worse by that; returns how many were moved
-  std::size_t smooth(Piece& piece, double& smallest, int most_sweeps, std::int64_t first_number) const
+  /// moves vertices, unless the mesh gets worse by that
+  void smooth(Piece& piece, int most_sweeps, Treatment_state& state) const
   {
-    if (smallest >= Smoothing_sweeps_2::treated_quality)
-      return 0;
+    if (state.smallest >= Smoothing_sweeps_2::treated_quality)
+      return;
     const Piece before = piece;
     const Mesh& mesh = piece.mesh;
     Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
@@ -213,28 +215,29 @@ public:
     std::vector<Index> moved;
     double smallest_now = -1;
     try {
-      moved = treat(most_sweeps, first_number);
+      moved = treat(most_sweeps, state.first_number);
       piece.mesh.mark_triangles(m_comm.rank());
       smallest_now = smallest_quality(mesh);
     } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
+      state.has_broken_outline = true;
     }
     const bool moves_outline =
-      std::any_of(moved.begin(), moved.end(), [&](Index v) { return mesh.bubbles.is_on_edge(v); });
-    // the moves made none worse, but flips can; and parts of the outline can be as near as a rounding
-    if (smallest_now < smallest || (m_comm.any(moves_outline) && !has_valid_outline(mesh))) {
+      m_comm.any(std::any_of(moved.begin(), moved.end(), [&](Index v) { return mesh.bubbles.is_on_edge(v); }));
+    // the moves made none worse, but flips can
+    if (smallest_now < state.smallest || !state.allows(moves_outline, [&] { return closes_outline(piece); })) {
       piece = before;
-      return 0;
+      return;
     }
-    smallest = smallest_now;
-    return number_of_all(moved.size());
+    state.smallest = smallest_now;
+    state.counts.treated += number_of_all(moved.size());
   }
 
-  void operate(Piece& piece, double& smallest, std::int64_t& first_number, Treatment_counts& counts) const
+  void operate(Piece& piece, Treatment_state& state) const
   {
-    if (smallest >= bad_qualities[0])
+    if (state.smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
     Piece last = piece;
-    Distributed_surgery_2 surgery(m_domain, last, smallest, first_number, m_comm,
+    Distributed_surgery_2 surgery(m_domain, last, state.smallest, state.first_number, m_comm,
                                   [&](double times) { renew(last, times * m_reach); });
     double smallest_now = -1;
     try {
@@ -243,22 +246,33 @@ public:
           break;
       smallest_now = smallest_quality(last.mesh);
     } catch (const std::runtime_error&) { // the same
+      state.has_broken_outline = true;
     }
     // rounding can make a mess of a change; then what was there is good
-    if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < smallest ||
-        (surgery.has_changed_outline && !has_valid_outline(last.mesh)))
+    if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < state.smallest ||
+        !state.allows(surgery.has_changed_outline, [&] { return closes_outline(last); }))
       return;
-    smallest = smallest_now;
-    first_number = surgery.first_number;
+    state.smallest = smallest_now;
+    state.first_number = surgery.first_number;
     piece = std::move(last);
-    counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
+    state.counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
+  }
+
+  bool closes_outline(const Piece& piece) const
+  {
+    Bubbles_2 bubbles;
+    for (const Bubble_record_2& r : gather_outline(m_comm, piece.mesh.bubbles))
+      add_own(bubbles, r);
+    bubbles.sort_by_id();
+    Marked_triangles_2 outline;
+    return triangulate_outline(m_domain, bubbles, outline);
   }
 
   Distributed_treatment_2 triangulate_given(Mesh& given) const
   {
     const Placed_part_2 part = place_by_all(m_comm, m_problem, m_points, given_bubbles);
     const Distributed_treatment_2 result(m_problem, m_points, part.partition, m_comm, m_reach);
-    given = result.triangulate(part.bubbles);
+    given = result.triangulate_own(part.bubbles);
     return result;
   }
 
@@ -295,7 +309,7 @@ public:
     return gather_records(m_comm, points);
   }
 
-  bool insert(const std::vector<Steiner_point_2>& points, Mesh& mesh) const
+  bool insert(const std::vector<Steiner_point_2>& points, bool /* is_careful */, Mesh& mesh) const
   {
     try {
       Mesh next = with_points(points, mesh);
@@ -308,13 +322,15 @@ public:
     }
   }
 
+  static constexpr bool closes_refined_outline(const Mesh&) { return true; } // else it would not have been triangulated
+
   double smallest_free_sine(const Mesh& mesh) const
   {
     return m_comm.smallest(internal::smallest_free_sine(mesh, mesh.is_owned));
   }
 
   /// what refinement triangulates is no wider than it needs
-  Mesh to_be_treated_again(const Mesh& mesh) const { return triangulate(own_bubbles(mesh, m_comm.rank())); }
+  Mesh to_be_treated_again(const Mesh& mesh) const { return triangulate_own(own_bubbles(mesh)); }
 
   std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
   {
@@ -337,26 +353,16 @@ private:
   void renew(Mesh_piece_2& piece, double reach) const
   {
     const std::size_t renewals = piece.mesh.number_of_renewals;
-    const Bubbles_2 own = own_bubbles(piece.mesh, m_comm.rank());
+    const Bubbles_2 own = own_bubbles(piece.mesh);
     const double stray = farthest_stray(m_comm, m_partition, own);
     piece = piece_of_whole(m_comm, triangulate(own, reach, stray), m_partition, reach);
     piece.mesh.number_of_renewals = renewals + 1;
   }
 
-  bool has_valid_outline(const Distributed_mesh_2& mesh) const
-  {
-    Bubbles_2 bubbles;
-    for (const Bubble_record_2& r : gather_outline(m_comm, mesh.bubbles))
-      add_own(bubbles, r);
-    bubbles.sort_by_id();
-    Marked_triangles_2 outline;
-    return triangulate_outline(m_domain, bubbles, outline);
-  }
-
   /// inserts points that all ranks want, each on the rank that owns its place, and triangulates
   Mesh with_points(const std::vector<Steiner_point_2>& points, const Mesh& mesh) const
   {
-    Bubbles_2 own = own_bubbles(mesh, m_comm.rank());
+    Bubbles_2 own = own_bubbles(mesh);
     std::int64_t end = static_cast<std::int64_t>(number_of_bubbles(mesh));
     m_comm.agree_after([&] {
       for (const Steiner_point_2& p : points) {
@@ -391,7 +397,7 @@ inline Distributed_mesh_2 treat_distributed(const Problem_2& problem, const Bubb
   const Phase_timer timer(report.seconds.treatment);
   problem.options.progress->start_phase(Bubble_phase::TREATMENT);
   const Distributed_treatment_2 treatment(problem, points, part.partition, comm);
-  Distributed_mesh_2 mesh = treatment.triangulate(part.bubbles);
+  Distributed_mesh_2 mesh = treatment.triangulate_own(part.bubbles);
   treat(treatment, mesh, report);
   return mesh;
 }
