@@ -234,6 +234,27 @@ TEST(Ways_to_go_on, bubbles_that_go_far_take_their_neighbours_along)
   expect_same(ranks, given.mesh, given.bare, scattered(ranks, given.bare.bubbles), crowded_on_one_side, options);
 }
 
+/// At a junction on a straight constraint the same place is proposed by both of its pieces.
+TEST(Ways_to_go_on, from_junctions_on_straight_constraints)
+{
+  Communicator ranks{MPI_COMM_WORLD};
+  Case comb{CDT(), nullptr, {}};
+  const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  comb.cdt.insert_constraint(square.begin(), square.end(), true);
+  for (int k = 1; k < 31; ++k) {
+    const Point junction(k / 32., 0.25 + k / 64.), next((k + 1) / 32., 0.25 + (k + 1) / 64.);
+    comb.cdt.insert_constraint(junction, next);
+    comb.cdt.insert_constraint(junction, Point(junction.x(), junction.y() + 0.0125));
+  }
+  comb.read(CGAL::parameters::sizing_function(0.02));
+  const Problem_2 problem = comb.input->problem();
+  Team alone;
+  Bubbles_2 placed = place_bubbles(problem, alone);
+  remove_those_in_one_place(placed);
+  EXPECT_EQ(placed.left().size(), placed.size());
+  expect_same(ranks, problem, problem);
+}
+
 TEST_P(Ways_to_start, with_pinned_points)
 {
   Communicator ranks{MPI_COMM_WORLD};
