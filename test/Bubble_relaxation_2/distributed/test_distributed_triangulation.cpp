@@ -198,7 +198,7 @@ TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
       const Point near = mesh.bubbles.point(engine() % 3);
       const Point x(near.x() + d * std::cos(angle), near.y() + d * std::sin(angle));
       const bool is_in_domain = x.x() >= 0 && x.x() <= 1 && x.y() >= 0 && x.y() <= 1;
-      if (!is_in_domain || !question.concerns(x))
+      if (!is_in_domain || !question.concerns(x, i % 2 == 0))
         continue;
       ++in_discs;
       EXPECT_LE(std::hypot(x.x() - disc.x, x.y() - disc.y), disc.radius);
@@ -240,6 +240,18 @@ TEST(Distributed_triangulation, a_rank_holds_no_more_than_it_needs)
   const Distributed_mesh_2 part = ranks.triangulate(c, numbers_of(c, Options()), Options());
   const double n = double(c.bubbles.size()), p = ranks.comm.size();
   EXPECT_LT(double(part.bubbles.size()), n / p + 25 * std::sqrt(n / p) + 20);
+}
+
+TEST(Distributed_triangulation, a_rank_holds_the_outline_where_it_is)
+{
+  Case c = read(paper::comb(1));
+  add_outline(c, 400, 0.002);
+  Ranks ranks;
+  const Distributed_mesh_2 part = ranks.triangulate(c, numbers_of(c, Options()), Options());
+  const double n = double(c.bubbles.size()), p = ranks.comm.size();
+  ASSERT_GT(n, 4000);
+  EXPECT_LT(double(part.bubbles.size()), n / p + 0.3 * n); // with those near to its part
+  expect_union_is_the_whole(c);
 }
 
 TEST(Distributed_triangulation, bubbles_in_one_place_are_found_on_all_ranks)

@@ -121,13 +121,18 @@ inline bool try_to_triangulate(const std::vector<Domain_edge_2>& edges, Bubble_m
   return mark_triangulation(points_of(mesh.bubbles), edges, mesh.triangles) == Marking_error::NONE;
 }
 
+inline std::runtime_error edges_too_near()
+{
+  return std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the rounding of "
+                            "bubbles on them");
+}
+
 /// The same with the edges of a domain.
 /// \pre no two bubbles are in one place, see `remove_coincident()`
 inline void triangulate(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
   if (!try_to_triangulate(cut_edges(domain, mesh.bubbles), mesh))
-    throw std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the "
-                             "rounding of bubbles on them");
+    throw edges_too_near();
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.

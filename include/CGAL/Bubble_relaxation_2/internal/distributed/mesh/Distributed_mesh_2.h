@@ -35,10 +35,10 @@ inline Numbers_of_triangle sorted_numbers(const Bubbles_2& bubbles, const std::a
 
 /// What a rank has of the one constrained Delaunay triangulation of the bubbles of all ranks. Triangles of the
 /// domain with a vertex that this rank owns are the same as on one rank; all others are only what its
-/// bubbles, the ghosts that it happens to know and the outline look like from here. When ranks have treated defects,
+/// bubbles, the ghosts that it happens to know and the corners look like from here. When ranks have treated defects,
 /// bubbles of others that no final triangle has may not be where they are here.
 ///
-/// Its bubbles are own ones, ghosts, and all of the outline, in the order of their identities.
+/// Its bubbles are own ones, ghosts, and all corners, in the order of their identities.
 struct Distributed_mesh_2 : Bubble_mesh_2
 {
   std::vector<char> is_final;          ///< per triangle: in the domain, with an own vertex

@@ -39,7 +39,7 @@ struct Disc_2
 
 /// The question whether any point that a rank does not know lies where it would change one of its triangles:
 /// in the circumscribed disc, and not beyond a side that is a constraint. What lies beyond such a side is
-/// hidden by it, since all of the disc there is cut off by that side.
+/// hidden by it, since all of the disc there is cut off by that side; unless it lies on it, and is beyond by a rounding.
 struct Triangle_question_2
 {
   std::array<double, 3> x, y; ///< the vertices, counterclockwise
@@ -51,13 +51,13 @@ struct Triangle_question_2
   Point point(int i) const { return Point(x[i], y[i]); }
 
   /// exact
-  bool concerns(const Point& q) const
+  bool concerns(const Point& q, bool is_on_edge) const
   {
     const Point a = point(0), b = point(1), c = point(2);
     if (CGAL::side_of_bounded_circle(a, b, c, q) == ON_UNBOUNDED_SIDE)
       return false;
     for (int i = 0; i < 3; ++i)
-      if (is_hidden[i] && CGAL::orientation(point(ccw(i)), point(cw(i)), q) == RIGHT_TURN)
+      if (!is_on_edge && is_hidden[i] && CGAL::orientation(point(ccw(i)), point(cw(i)), q) == RIGHT_TURN)
         return false;
     return true;
   }
@@ -115,6 +115,13 @@ public:
   /// the bubble `i` was sent to `rank`
   void note_sent(int rank, Index i) { m_sent[rank].insert(i); }
 
+  /// all ranks got what is on edges
+  void note_outline_known()
+  {
+    m_is_outline_known = true;
+    m_inner.reset();
+  }
+
   /// adds what a question of `rank` asks for
   void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
   {
@@ -123,7 +130,8 @@ public:
     std::unordered_set<Index>& sent = m_sent[rank];
     std::vector<std::pair<double, Index>> found; // by distances
     m_inner->for_each_within(question.disc.x, question.disc.y, question.disc.radius, [&](const auto& e, double) {
-      if (sent.count(e.id) == 0 && question.concerns(m_own.point(static_cast<std::size_t>(e.id)))) {
+      const std::size_t i = static_cast<std::size_t>(e.id);
+      if (sent.count(e.id) == 0 && question.concerns(m_own.point(i), m_own.is_on_edge(i))) {
         const double dx = e.x - question.x[question.vertex], dy = e.y - question.y[question.vertex];
         found.emplace_back(dx * dx + dy * dy, e.id);
       }
@@ -144,11 +152,12 @@ private:
     const bool is_empty = b.size() == 0;
     m_inner.emplace(1., is_empty ? 1. : b.d[0], is_empty ? 0. : b.x[0], is_empty ? 0. : b.y[0], b.size());
     for (std::size_t i = 0; i < b.size(); ++i)
-      if (!is_on_outline(b, i))
+      if (!b.is_corner(i) && !(m_is_outline_known && b.is_on_edge(i)))
         m_inner->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
   }
 
   const Bubbles_2& m_own;
+  bool m_is_outline_known = false;
   std::optional<Bubble_buckets_2> m_inner; // those that others may not know
   std::map<int, std::unordered_set<Index>> m_sent;
 };

@@ -29,12 +29,13 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Makes each rank's part of the constrained Delaunay triangulation of the bubbles of all ranks.
 ///
-/// All ranks get all bubbles of the outline, which are few, so each knows all constraints and which sides of
-/// them lie in the domain. Of the others a rank gets those that are near to its piece of the plane. It
+/// All ranks get all corners, so each knows all edges and which sides of them lie in the domain. Of the others a
+/// rank gets those that are near to its piece of the plane; an edge elsewhere has long pieces. It
 /// triangulates what it knows and asks, for each of its triangles whose disc reaches into other pieces, their
 /// owners for bubbles there; and again with what it gets, until no rank asks. A triangle about which nothing
 /// unknown was found is one of the whole, and stays: no unknown bubble is in its disc. Of points on one circle
-/// CGAL triangulates any subset in the same way, in whatever order they come.
+/// CGAL triangulates any subset in the same way, in whatever order they come. Where edges are nearer to each other than
+/// their rounding, long pieces may cross: then all ranks get all of the outline.
 class Distributed_triangulation_2
 {
 public:
@@ -43,18 +44,26 @@ public:
                               Communicator& comm, double reach, double stray)
     : m_domain(domain), m_own(own), m_partition(partition), m_comm(comm), m_stray(stray), m_answers(own)
   {
-    get_outline();
+    m_mesh.bubbles = with_owner(m_own, m_comm.rank());
+    get_outline(false);
     get_nearby(reach);
   }
 
   /// Collective.
   Distributed_mesh_2 operator()()
   {
-    for (;;) {
-      m_comm.agree_after([&] { // edges may be nearer to each other than their rounding
-        if (m_is_new)
-          triangulate();
-      });
+    for (bool is_whole = false;;) {
+      bool is_made = true;
+      m_comm.agree_after([&] { is_made = !m_is_new || try_to_triangulate(); });
+      if (m_comm.any(!is_made)) {
+        if (is_whole)
+          m_comm.throw_on_all(edges_too_near());
+        is_whole = m_is_new = true;
+        get_outline(true);
+        m_answers.note_outline_known();
+        m_mesh.bubbles.sort_by_id();
+        continue;
+      }
       const Messages<Triangle_question_2> questions = questions_about_triangles();
       if (!m_comm.any(!questions.empty()))
         break;
@@ -65,11 +74,12 @@ public:
   }
 
 private:
-  void get_outline()
+  /// adds what is not known of it
+  void get_outline(bool with_edges)
   {
-    m_mesh.bubbles = with_owner(m_own, m_comm.rank());
-    for (const Bubble_record_2& r : gather_outline(m_comm, m_own))
-      if (r.owner != m_comm.rank())
+    const std::set<std::int64_t> known(m_mesh.bubbles.id.begin(), m_mesh.bubbles.id.end());
+    for (const Bubble_record_2& r : gather_outline(m_comm, m_own, with_edges))
+      if (known.count(r.id) == 0)
         add(m_mesh.bubbles, r, r.owner);
   }
 
@@ -80,7 +90,7 @@ private:
     const Bubbles_2& b = m_own;
     Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t i = 0; i < b.size(); ++i)
-      if (!is_on_outline(b, i))
+      if (!b.is_corner(i))
         for (int rank : clearance.others_in_disc(b.x[i], b.y[i], reach * b.d[i])) {
           out[rank].push_back(record(b, i));
           m_answers.note_sent(rank, static_cast<Index>(i));
@@ -105,22 +115,23 @@ private:
   }
 
   /// along the curve, since CGAL searches each point from the last one
-  void triangulate()
+  bool try_to_triangulate()
   {
     m_is_new = false;
     if (follow_space())
-      return internal::triangulate(m_domain, m_mesh);
+      return internal::try_to_triangulate(cut_edges(m_domain, m_mesh.bubbles), m_mesh);
     Bubble_mesh_2 sorted{m_mesh.bubbles, {}};
     std::vector<Point> points;
     for (std::size_t i = 0; i < sorted.bubbles.size(); ++i)
       points.push_back(sorted.bubbles.point(i));
     const std::vector<Index> order = hilbert_order(m_partition.curve(), points);
     sorted.bubbles.select(order);
-    internal::triangulate(m_domain, sorted);
+    const bool is_made = internal::try_to_triangulate(cut_edges(m_domain, sorted.bubbles), sorted);
     m_mesh.triangles = std::move(sorted.triangles);
     for (std::array<Index, 3>& vertices : m_mesh.triangles.vertices)
       for (Index& v : vertices)
         v = order[v];
+    return is_made;
   }
 
   Messages<Triangle_question_2> questions_about_triangles()

@@ -78,15 +78,12 @@ struct Bubble_state_2
   Bubble_memory_2 memory;
 };
 
-/// whether all ranks know a bubble: those on the edges of the domain and its corners, and those that are pinned
-inline bool is_on_outline(const Bubbles_2& b, std::size_t i) { return b.is_on_edge(i) || b.is_corner(i); }
-
-/// Collective. Those of all ranks that all know, with their owners.
-inline std::vector<Bubble_record_2> gather_outline(const Communicator& comm, const Bubbles_2& bubbles)
+/// Collective. The corners of all ranks and their pinned bubbles, and, if asked for, all on edges, with their owners.
+inline std::vector<Bubble_record_2> gather_outline(const Communicator& comm, const Bubbles_2& bubbles, bool with_edges)
 {
   std::vector<Bubble_record_2> own;
   for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (bubbles.is_ours(i) && is_on_outline(bubbles, i)) {
+    if (bubbles.is_ours(i) && (bubbles.is_corner(i) || (with_edges && bubbles.is_on_edge(i)))) {
       own.push_back(record(bubbles, i));
       own.back().owner = comm.rank();
     }

@@ -254,20 +254,33 @@ inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<st
 }
 
 /// Collective. Removes bubbles of ours that would confuse the triangulation, as `remove_confusing_on_edges()` does of
-/// all.
+/// all: each rank finds those on some of the edges.
 inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain, Bubbles_2& b)
 {
-  Bubbles_2 outline;
-  for (const Bubble_record_2& r : gather_outline(comm, b))
-    add_own(outline, r);
-  outline.sort_by_id();
-  remove_confusing_on_edges(domain, outline);
-  std::unordered_set<std::int64_t> gone;
-  for (std::size_t k = 0; k < outline.size(); ++k)
-    if (outline.is_gone(k))
-      gone.insert(outline.id[k]);
+  Messages<Bubble_record_2> out;
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_on_edge(i) && gone.count(b.id[i]) != 0)
+    if (b.is_ours(i) && b.is_on_edge(i)) {
+      std::vector<Bubble_record_2>& message = out[static_cast<int>(b.host[i]) % comm.size()];
+      message.push_back(record(b, i));
+      message.back().owner = comm.rank();
+    }
+  Bubbles_2 some;
+  for (const Bubble_record_2& r : gather_outline(comm, b, false))
+    add(some, r, r.owner);
+  for (const auto& message : deliver(comm, out))
+    for (const Bubble_record_2& r : message.second)
+      add(some, r, r.owner);
+  some.sort_by_id();
+  remove_confusing_on_edges(domain, some);
+  Messages<std::int64_t> gone;
+  for (std::size_t k = 0; k < some.size(); ++k)
+    if (some.is_gone(k))
+      gone[some.owner[k]].push_back(some.id[k]);
+  std::unordered_set<std::int64_t> ours;
+  for (const auto& message : deliver(comm, gone))
+    ours.insert(message.second.begin(), message.second.end());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_on_edge(i) && ours.count(b.id[i]) != 0)
       b.remove(i);
 }
 

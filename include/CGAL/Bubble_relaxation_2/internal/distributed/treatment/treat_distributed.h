@@ -261,7 +261,7 @@ public:
   bool closes_outline(const Piece& piece) const
   {
     Bubbles_2 bubbles;
-    for (const Bubble_record_2& r : gather_outline(m_comm, piece.mesh.bubbles))
+    for (const Bubble_record_2& r : gather_outline(m_comm, piece.mesh.bubbles, true))
       add_own(bubbles, r);
     bubbles.sort_by_id();
     Marked_triangles_2 outline;
