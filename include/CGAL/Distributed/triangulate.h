@@ -82,8 +82,7 @@ communicator, and gives each rank its part of it. All ranks must call it.
 
 The constraints are those of the domain, which all ranks have, cut where points lie on them. Together the ranks
 have the one triangulation that a single rank would make of all points: the same triangles for any number of
-ranks, in whatever way the points come spread over them. Points on constraints go to all ranks; of the others a
-rank gets its own and those that its triangles need.
+ranks, in whatever way the points come spread over them. A rank gets its own points and those that its triangles need.
 
 Each rank owns as many points as any other, from a piece of a Hilbert curve through the domain. A triangle is
 known to be one of the whole when its circumscribed circle lies in what the rank has seen; until then the rank

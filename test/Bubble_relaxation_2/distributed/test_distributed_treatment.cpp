@@ -92,7 +92,7 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options(),
   std::sort(owned.begin(), owned.end());
   const Marked_triangles_2& t = whole.triangles;
   EXPECT_TRUE(owned == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
-  return Outcome{expected, mesh.number_of_renewals};
+  return Outcome{expected, treat.number_of_renewals};
 }
 
 /// The bubbles that are so far from other ranks' parts, and not much farther, by their owners.

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -136,7 +137,7 @@ public:
   virtual Share_of_disc share_of(const Point&, double /* radius */) const { return Share_of_disc::ALL; }
 
   /// All ranks have these bubbles, and more will come.
-  virtual void note_common(const Domain_2&, const Bubbles_2&) {}
+  virtual void note_common(const Bubbles_2&) {}
 
   /// divides the domain by bubbles that are some times as large, which all ranks have
   virtual void divide(const Domain_2&, const Bubbles_2& /* large */) {}
@@ -148,8 +149,13 @@ public:
   /// lattices to where they are needed.
   virtual void share_seeds(Bubbles_2&, std::vector<double>& /* directions */) {}
 
-  /// Keeps of the common bubbles those that matter in this rank's part, with their directions, if there are any, and turns.
-  virtual void keep_near(Bubbles_2&, std::vector<double>& /* directions */, std::vector<char>& /* turns */) {}
+  /// Those of the bubbles that matter in this rank's part, by their indices; the others will be forgotten.
+  virtual std::vector<Index> keep_near(const Bubbles_2& bubbles)
+  {
+    std::vector<Index> all(bubbles.size());
+    std::iota(all.begin(), all.end(), Index(0));
+    return all;
+  }
 
   /// The crystal has its first bubbles, which were common or given to the team; so many will come.
   virtual void start_growth(Crystal_2&, std::size_t /* expected */) {}

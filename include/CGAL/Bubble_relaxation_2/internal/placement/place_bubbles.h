@@ -159,7 +159,7 @@ inline void thin_out_crowds(const Domain_2& domain, const Sizes_2& sizing, Given
 inline Bubbles_2 given_bubbles(const Problem_2& p, Team& team)
 {
   Bubbles_2 bubbles = place_on_outline(p.domain, p.given, On_edges::KEEP, p.sizes);
-  team.note_common(p.domain, bubbles);
+  team.note_common(bubbles);
   keep_in_faces(p.domain, p.given, p.sizes, bubbles);
   return bubbles;
 }
@@ -173,7 +173,7 @@ inline Bubbles_2 place_bubbles(const Problem_2& p, Team& team)
   const bool keeps = keeps_given_bubbles(p.options);
   Bubbles_2 bubbles = place_on_outline(
     p.domain, p.given, adapts || keeps ? On_edges::KEEP_THE_RIGHT_NUMBER : On_edges::PLACE_ANEW, p.sizes);
-  team.note_common(p.domain, bubbles);
+  team.note_common(bubbles);
   if (adapts)
     adapt_in_faces(p.domain, p.given, p.sizes, bubbles, team, threads);
   else if (keeps)

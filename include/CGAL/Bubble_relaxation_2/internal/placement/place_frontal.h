@@ -212,13 +212,29 @@ std::vector<char> turns_of(const Domain_2& domain, const Bubbles_2& b, const Is_
   return turns;
 }
 
+/// keeps the values of some bubbles, if there are any
+template <class T>
+void select(const std::vector<Index>& bubbles, std::vector<T>& values)
+{
+  std::vector<T> selected;
+  for (Index i : bubbles)
+    if (static_cast<std::size_t>(i) < values.size())
+      selected.push_back(values[i]);
+  values = std::move(selected);
+}
+
 /// Grows a crystal from the bubbles that are there, in their turns; the other arguments as for `Crystal_growth_2`.
 inline void grow_in_turns(const Domain_2& domain, const Sizes_2& sizing, std::vector<double> directions,
                           std::vector<char> turns, Lattice_direction lattice, Bubbles_2& bubbles, Team& team,
                           const Threads& threads)
 {
   const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
-  team.keep_near(bubbles, directions, turns);
+  const std::vector<Index> near = team.keep_near(bubbles);
+  if (near.size() < bubbles.size()) {
+    bubbles.select(near);
+    select(near, directions);
+    select(near, turns);
+  }
   Crystal_growth_2 grow(domain, sizing, bubbles, directions, std::move(turns), expected, lattice, team, threads);
   for (char turn : {char(1), char(2)})
     grow(turn);
@@ -344,7 +360,7 @@ inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles
   const double factor = factor_of_large_bubbles(sizing.expected_number);
   if (factor == 1) {
     fill_in_better_way(domain, sizing, bubbles, threads);
-    team.note_common(domain, bubbles);
+    team.note_common(bubbles);
     return;
   }
   Bubbles_2 large = enlarge(domain, bubbles, factor);

@@ -36,10 +36,7 @@ template <class Point_set, class T>
 class Point_property
 {
 public:
-  Point_property(const Point_set& points, const char* name)
-  {
-    take(points.template property_map<T>(name));
-  }
+  Point_property(const Point_set& points, const char* name) { take(points.template property_map<T>(name)); }
 
   bool is_there() const { return m_is_there; }
   const T& operator[](const typename Point_set::Index& i) const { return m_map[i]; }

@@ -44,8 +44,6 @@ struct Distributed_mesh_2 : Bubble_mesh_2
   std::vector<char> is_final;          ///< per triangle: in the domain, with an own vertex
   std::vector<char> is_owned;          ///< per triangle: each one of the domain on one rank only
 
-  std::size_t number_of_renewals = 0; ///< while its defects were treated
-
   /// the vertex of a triangle that decides who owns it: the one with the smallest number
   Index first_vertex(std::size_t t) const
   {

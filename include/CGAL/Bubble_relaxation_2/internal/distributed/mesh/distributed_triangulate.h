@@ -9,23 +9,161 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Query_answers_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
+#include <CGAL/Kernel/global_functions_2.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
 #include <set>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
+
+struct Disc_2
+{
+  double x, y, radius;
+};
+
+/// The question whether any point that a rank does not know lies where it would change one of its triangles: in the
+/// circumscribed disc, and not beyond a side that is a constraint, unless it lies on that, and is beyond by a rounding.
+struct Triangle_question_2
+{
+  std::array<double, 3> x, y; ///< the vertices, counterclockwise
+  Disc_2 disc; ///< all that matters lies in it
+  std::array<std::int32_t, 3> is_hidden; ///< for each vertex, what lies beyond the opposite side
+  std::int32_t vertex; ///< points near to this one matter first
+  std::int32_t number; ///< of the question, among those of its rank
+
+  Point point(int i) const { return Point(x[i], y[i]); }
+
+  /// exact
+  bool concerns(const Point& q, bool is_on_edge) const
+  {
+    const Point a = point(0), b = point(1), c = point(2);
+    if (CGAL::side_of_bounded_circle(a, b, c, q) == ON_UNBOUNDED_SIDE)
+      return false;
+    for (int i = 0; i < 3; ++i)
+      if (!is_on_edge && is_hidden[i] && CGAL::orientation(point(ccw(i)), point(cw(i)), q) == RIGHT_TURN)
+        return false;
+    return true;
+  }
+};
+
+/// The circumscribed disc of a triangle, or a bit more; that of the domain's box if rounding hides it.
+inline Disc_2 disc_that_matters(const Bubble_mesh_2& mesh, Index t, const Bbox_2& box)
+{
+  constexpr double margin = 1e-6;
+  const Point p = mesh.point(t, 0), q = mesh.point(t, 1), r = mesh.point(t, 2);
+  const double ax = q.x() - p.x(), ay = q.y() - p.y(), bx = r.x() - p.x(), by = r.y() - p.y();
+  const double a = ax * ax + ay * ay, b = bx * bx + by * by, area2 = ax * by - ay * bx;
+  if (!(area2 > margin * (a + b))) {
+    const double dx = (box.xmax() - box.xmin()) / 2, dy = (box.ymax() - box.ymin()) / 2;
+    return Disc_2{box.xmin() + dx, box.ymin() + dy, (1 + margin) * length_of(dx, dy)};
+  }
+  const double x = (by * a - ay * b) / (2 * area2), y = (ax * b - bx * a) / (2 * area2);
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * (std::abs(p.x()) + std::abs(p.y()));
+  return Disc_2{p.x() + x, p.y() + y, (1 + margin) * length_of(x, y) + rounding};
+}
+
+inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, const Disc_2& disc, int vertex,
+                                         std::int32_t number)
+{
+  Triangle_question_2 question{};
+  for (int i = 0; i < 3; ++i) {
+    question.x[i] = mesh.point(t, i).x();
+    question.y[i] = mesh.point(t, i).y();
+    question.is_hidden[i] = mesh.triangles.edges[t][i] != no_index;
+  }
+  question.disc = disc;
+  question.vertex = vertex;
+  question.number = number;
+  return question;
+}
+
+/// a bubble that the asker of a question did not know
+struct Bubble_answer_2
+{
+  Bubble_record_2 bubble;
+  std::int64_t question;
+};
+
+/// Answers the questions of other ranks from the bubbles of this one, and none twice to the same rank. A
+/// triangle over a part of the domain that its rank hardly knows has a huge disc, so an answer names only
+/// some bubbles, those next to the asker; if the triangle outlives them it will be asked about again.
+class Query_answers_2
+{
+public:
+  static constexpr std::size_t most_bubbles = 12; ///< in one answer: about two stars
+
+  /// keeps a reference to this rank's bubbles
+  explicit Query_answers_2(const Bubbles_2& own) : m_own(own) {}
+
+  /// all ranks get what is on edges; returns whether they had that before
+  bool note_outline_known()
+  {
+    m_inner.reset();
+    return std::exchange(m_is_outline_known, true);
+  }
+
+  /// the bubble `i` was sent to `rank`
+  void note_sent(int rank, Index i) { m_sent[rank].insert(i); }
+
+  /// adds what a question of `rank` asks for
+  void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
+  {
+    if (!m_inner)
+      collect();
+    std::unordered_set<Index>& sent = m_sent[rank];
+    std::vector<std::pair<double, Index>> found; // by distances
+    m_inner->for_each_within(question.disc.x, question.disc.y, question.disc.radius, [&](const auto& e, double) {
+      const std::size_t i = static_cast<std::size_t>(e.id);
+      if (sent.count(e.id) == 0 && question.concerns(m_own.point(i), m_own.is_on_edge(i))) {
+        const double dx = e.x - question.x[question.vertex], dy = e.y - question.y[question.vertex];
+        found.emplace_back(dx * dx + dy * dy, e.id);
+      }
+      return true;
+    });
+    const std::size_t n = (std::min)(found.size(), most_bubbles);
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(n), found.end());
+    for (std::size_t k = 0; k < n; ++k) {
+      answers.push_back({record(m_own, static_cast<std::size_t>(found[k].second)), question.number});
+      sent.insert(found[k].second);
+    }
+  }
+
+private:
+  void collect()
+  {
+    const Bubbles_2& b = m_own;
+    const bool is_empty = b.size() == 0;
+    m_inner.emplace(1., is_empty ? 1. : b.d[0], is_empty ? 0. : b.x[0], is_empty ? 0. : b.y[0], b.size());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (!b.is_corner(i) && !(m_is_outline_known && b.is_on_edge(i)))
+        m_inner->insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+  }
+
+  const Bubbles_2& m_own;
+  bool m_is_outline_known = false;
+  std::optional<Bubble_buckets_2> m_inner; // those that others may not know
+  std::map<int, std::unordered_set<Index>> m_sent;
+};
 
 /// Makes each rank's part of the constrained Delaunay triangulation of the bubbles of all ranks.
 ///
@@ -52,16 +190,11 @@ public:
   /// Collective.
   Distributed_mesh_2 operator()()
   {
-    for (bool is_whole = false;;) {
+    for (;;) {
       bool is_made = true;
       m_comm.agree_after([&] { is_made = !m_is_new || try_to_triangulate(); });
       if (m_comm.any(!is_made)) {
-        if (is_whole)
-          m_comm.throw_on_all(edges_too_near());
-        is_whole = m_is_new = true;
-        get_outline(true);
-        m_answers.note_outline_known();
-        m_mesh.bubbles.sort_by_id();
+        get_all_of_outline();
         continue;
       }
       const Messages<Triangle_question_2> questions = questions_about_triangles();
@@ -81,6 +214,15 @@ private:
     for (const Bubble_record_2& r : gather_outline(m_comm, m_own, with_edges))
       if (known.count(r.id) == 0)
         add(m_mesh.bubbles, r, r.owner);
+  }
+
+  void get_all_of_outline()
+  {
+    if (m_answers.note_outline_known())
+      m_comm.throw_on_all(edges_too_near());
+    get_outline(true);
+    m_is_new = true;
+    m_mesh.bubbles.sort_by_id();
   }
 
   /// of strays it may get too few: then it will ask
@@ -217,8 +359,7 @@ inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const 
   return Distributed_triangulation_2(domain, own, partition, comm, reach, stray)();
 }
 
-/// Collective. The mesh of bubbles that may have left their homes, as `remove_coincident()` leaves them. `end`: all
-/// have smaller ones
+/// Collective. The mesh of bubbles with numbers below `end`, wherever they are, as `remove_coincident()` leaves them.
 inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, const Hilbert_partition_2& partition,
                                                     Communicator& comm, std::int64_t end, Bubbles_2 bubbles)
 {

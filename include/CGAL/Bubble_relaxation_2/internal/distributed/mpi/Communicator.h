@@ -83,16 +83,10 @@ public:
   /// @{
 
   template <class T>
-  T smallest(T value) const
-  {
-    return reduce(value, MPI_MIN);
-  }
+  T smallest(T value) const { return reduce(value, MPI_MIN); }
 
   template <class T>
-  T largest(T value) const
-  {
-    return reduce(value, MPI_MAX);
-  }
+  T largest(T value) const { return reduce(value, MPI_MAX); }
 
   /// of unsigned numbers modulo 2^64
   template <class T>

@@ -81,10 +81,7 @@ private:
     std::uint32_t first_column, last_column, first_row, last_row;
   };
 
-  static std::uint32_t at(std::uint32_t cell, int level)
-  {
-    return level < Hilbert_curve_2::levels ? cell >> level : 0;
-  }
+  static std::uint32_t at(std::uint32_t cell, int level) { return level < Hilbert_curve_2::levels ? cell >> level : 0; }
 
   /// Calls `visit(first, last)` for intervals of ranks, all of which own something in the disc or beside it, until it
   /// returns false; then this does so too.

@@ -102,8 +102,7 @@ Shared_lists share_around(Communicator& comm, const Hilbert_partition_2& partiti
   });
 }
 
-/// What ranks know together at any stage. All members are collective. Statistics are the same as if one rank had all
-/// values.
+/// What ranks know together at any stage. All members are collective. Statistics are those of one rank with all values.
 class Team_of_ranks : public Team
 {
 public:

@@ -259,28 +259,24 @@ inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain,
 {
   Messages<Bubble_record_2> out;
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_ours(i) && b.is_on_edge(i)) {
-      std::vector<Bubble_record_2>& message = out[static_cast<int>(b.host[i]) % comm.size()];
-      message.push_back(record(b, i));
-      message.back().owner = comm.rank();
-    }
+    if (b.is_ours(i) && b.is_on_edge(i))
+      out[static_cast<int>(b.host[i]) % comm.size()].push_back(record(b, i));
   Bubbles_2 some;
   for (const Bubble_record_2& r : gather_outline(comm, b, false))
-    add(some, r, r.owner);
+    add_own(some, r);
   for (const auto& message : deliver(comm, out))
     for (const Bubble_record_2& r : message.second)
-      add(some, r, r.owner);
+      add_own(some, r);
   some.sort_by_id();
   remove_confusing_on_edges(domain, some);
-  Messages<std::int64_t> gone;
+  std::vector<std::int64_t> gone; // few
   for (std::size_t k = 0; k < some.size(); ++k)
     if (some.is_gone(k))
-      gone[some.owner[k]].push_back(some.id[k]);
-  std::unordered_set<std::int64_t> ours;
-  for (const auto& message : deliver(comm, gone))
-    ours.insert(message.second.begin(), message.second.end());
+      gone.push_back(some.id[k]);
+  gone = gather_records(comm, gone);
+  const std::unordered_set<std::int64_t> all_gone(gone.begin(), gone.end());
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_on_edge(i) && ours.count(b.id[i]) != 0)
+    if (b.is_on_edge(i) && all_gone.count(b.id[i]) != 0)
       b.remove(i);
 }
 

@@ -44,25 +44,17 @@ class Placement_team_2 : public Part_team_2
 public:
   explicit Placement_team_2(Communicator& comm) : Part_team_2(comm) {}
 
-  /// whether this rank brings a placed bubble home, as one does of each, unless it would confuse the triangulation
+  /// whether this rank brings a placed bubble home, as one does of each
   bool brings(std::size_t i) const
   {
-    const bool is_common = i < m_number_of_common;
-    if (is_common && m_is_confusing[i])
-      return false;
     return i < m_owner.size() ? owns(static_cast<Index>(i))
-                              : !is_common || static_cast<int>(i) % m_comm.size() == m_comm.rank();
+                              : i >= m_number_of_common || static_cast<int>(i) % m_comm.size() == m_comm.rank();
   }
 
-  void note_common(const Domain_2& domain, const Bubbles_2& bubbles) override
-  {
-    m_number_of_common = bubbles.size();
-    Bubbles_2 left = bubbles;
-    remove_confusing_on_edges(domain, left);
-    m_is_confusing.clear();
-    for (std::size_t i = 0; i < left.size(); ++i)
-      m_is_confusing.push_back(left.is_gone(i));
-  }
+  /// of a bubble that was common or a seed
+  std::int64_t number(std::size_t i) const { return m_numbers.empty() ? static_cast<std::int64_t>(i) : m_numbers[i]; }
+
+  void note_common(const Bubbles_2& bubbles) override { m_number_of_common = bubbles.size(); }
 
   void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
@@ -92,30 +84,18 @@ public:
       }
   }
 
-  void keep_near(Bubbles_2& bubbles, std::vector<double>& directions, std::vector<char>& turns) override
+  std::vector<Index> keep_near(const Bubbles_2& b) override
   {
+    const std::size_t n = m_number_of_common;
     std::vector<Index> near;
-    for (std::size_t i = 0; i < bubbles.size(); ++i)
-      if (i >= m_number_of_common ||
-          is_among(m_partition->owners_in_disc(bubbles.x[i], bubbles.y[i], reach * bubbles.d[i]), m_comm.rank()))
-        near.push_back(static_cast<Index>(i));
-    m_numbers.clear();
-    for (Index i : near)
-      m_numbers.push_back(static_cast<std::size_t>(i) < m_number_of_common
-                            ? i
-                            : static_cast<std::int64_t>(m_number_of_common) + m_seeds[i - m_number_of_common]);
-    const auto select = [&near](auto& values) {
-      for (std::size_t k = 0; k < near.size() && !values.empty(); ++k)
-        values[k] = values[near[k]];
-      values.resize((std::min)(values.size(), near.size()));
-    };
-    bubbles.select(near);
-    select(directions);
-    select(turns);
-    const auto first_seed = std::lower_bound(near.begin(), near.end(), static_cast<Index>(m_number_of_common));
-    m_number_of_common = static_cast<std::size_t>(first_seed - near.begin());
-    near.resize(m_number_of_common);
-    select(m_is_confusing);
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      if (i < n && !is_among(m_partition->owners_in_disc(b.x[i], b.y[i], reach * b.d[i]), m_comm.rank()))
+        continue;
+      near.push_back(static_cast<Index>(i));
+      m_numbers.push_back(static_cast<std::int64_t>(i < n ? i : n) + (i < n ? 0 : m_seeds[i - n]));
+    }
+    m_number_of_common = static_cast<std::size_t>(std::lower_bound(near.begin(), near.end(), Index(n)) - near.begin());
+    return near;
   }
 
   std::size_t part_of(double number) const override
@@ -198,8 +178,7 @@ public:
       m_grown.push_back(i);
   }
 
-  /// Makes bubbles that have grown known to those who need them, and others to them; adds those that this
-  /// rank gets to know.
+  /// Makes bubbles that have grown known to those who need them, and others to them; adds those that come to this rank.
   void catch_up(Crystal_2& crystal, std::vector<Growth_proposal_2>& late) override
   {
     if (!m_comm.any(!m_grown.empty()))
@@ -381,7 +360,6 @@ private:
   std::unordered_map<Index, Hilbert_partition_2::Ranks> m_holders; // the other ranks that have a bubble of ours
   std::vector<double> m_key;    // in the front; negative if it has left it
   std::size_t m_number_of_common = 0; // as far as they are kept here
-  std::vector<char> m_is_confusing;   // of these: they are forgotten in the end, see `remove_confusing_on_edges()`
   std::vector<std::int64_t> m_seeds;   // numbers of those that this rank has, in the order of the crystal's bubbles
   std::vector<std::int64_t> m_numbers; // of all that are there before the growth begins
   std::int64_t m_generation = 0;

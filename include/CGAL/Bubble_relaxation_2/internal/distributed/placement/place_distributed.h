@@ -172,10 +172,11 @@ inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& d
 {
   std::vector<Bubble_record_2> records;
   for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (!bubbles.is_gone(i) && team.brings(i))
-      records.push_back(record(bubbles, i, no_index)); // as yet
+    if (team.brings(i)) // those of faces have no numbers yet
+      records.push_back(record(bubbles, i, bubbles.is_in_face(i) ? no_index : team.number(i)));
   bubbles = Bubbles_2();
   Placed_part_2 result = send_home_evenly(comm, hilbert_curve(domain), records);
+  remove_confusing_of_ours(comm, domain, result.bubbles);
   remove_those_in_one_place(result.bubbles);
   result.bubbles.forget_gone();
   number_along_curve(comm, result.bubbles);

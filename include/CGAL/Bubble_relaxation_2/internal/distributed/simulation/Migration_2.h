@@ -35,10 +35,7 @@ public:
     : m_comm(comm), m_traffic(traffic)
   {}
 
-  void start(const Hilbert_partition_2& partition)
-  {
-    m_partition = std::make_unique<Hilbert_partition_2>(partition);
-  }
+  void start(const Hilbert_partition_2& partition) { m_partition = std::make_unique<Hilbert_partition_2>(partition); }
 
   /// who owns what; it stays in one place
   const Hilbert_partition_2& partition() const { return *m_partition; }
@@ -50,8 +47,7 @@ public:
     m_excess = (std::max)(0., m_excess + double(awake) - usual * double(all_awake) / m_comm.size());
   }
 
-  /// Whether others have waited so long for this rank since the last migration that all should migrate. `all`: how many
-  /// bubbles there are
+  /// whether others have waited so long for this rank since the last migration that `all` bubbles should migrate
   bool is_waited_for(std::int64_t all) const
   {
     constexpr double few = 50; // more bubbles than that make no difference

@@ -174,10 +174,7 @@ public:
     });
   }
 
-  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets) override
-  {
-    internal::share_sets(m_comm, m_halo, b, sets);
-  }
+  void share_sets(const Bubbles_2& b, Neighbor_sets_2& sets) override { internal::share_sets(m_comm, m_halo, b, sets); }
 
   void send_moves(const Bubbles_2& b, const std::vector<Index>& active, const std::vector<char>& is_moving) override
   {

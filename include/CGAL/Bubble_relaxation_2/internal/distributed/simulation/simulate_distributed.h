@@ -139,9 +139,8 @@ private:
   std::vector<Marked> m_marked;
 };
 
-/// Places bubbles and simulates them, all ranks together: those that `relax_bubbles()` makes on one. Their
-/// numbers are their indices there. `points`: see `place_by_all()`;
-/// `traffic`: what this rank sent and held, if it is asked for.
+/// Places bubbles and simulates them, all ranks together: those that `relax_bubbles()` makes on one. Their numbers are
+/// their indices there. `points`: see `place_by_all()`; `traffic`: what this rank sent and held, if it is asked for.
 /// \pre sizes of `problem` keep what they throw until ranks agree on it
 inline Placed_part_2 simulate_distributed(Communicator& comm,
                                           const Problem_2& problem, Report& report,

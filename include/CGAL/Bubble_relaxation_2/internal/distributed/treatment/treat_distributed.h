@@ -182,6 +182,7 @@ public:
       m_reach(reach)
   {}
 
+  mutable std::size_t number_of_renewals = 0; ///< of pieces that had become too narrow
   const Problem_2& problem() const { return m_problem; }
 
   /// The mesh of all ranks' bubbles, each of which is at home.
@@ -203,59 +204,41 @@ public:
     return m_comm.smallest(smallest);
   }
 
-  /// moves vertices, unless the mesh gets worse by that
   void smooth(Piece& piece, int most_sweeps, Treatment_state& state) const
   {
     if (state.smallest >= Smoothing_sweeps_2::treated_quality)
       return;
-    const Piece before = piece;
-    const Mesh& mesh = piece.mesh;
-    Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
-    Smoothing_sweeps_2 treat(m_domain, piece.mesh, team);
     std::vector<Index> moved;
-    double smallest_now = -1;
-    try {
-      moved = treat(most_sweeps, state.first_number);
-      piece.mesh.mark_triangles(m_comm.rank());
-      smallest_now = smallest_quality(mesh);
-    } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
-      state.has_broken_outline = true;
-    }
-    const bool moves_outline =
-      m_comm.any(std::any_of(moved.begin(), moved.end(), [&](Index v) { return mesh.bubbles.is_on_edge(v); }));
-    // the moves made none worse, but flips can
-    if (smallest_now < state.smallest || !state.allows(moves_outline, [&] { return closes_outline(piece); })) {
-      piece = before;
-      return;
-    }
-    state.smallest = smallest_now;
-    state.counts.treated += number_of_all(moved.size());
+    const auto move = [&](Piece& changed) {
+      Treatment_team_2 team(m_comm, changed, [&] { renew(changed, m_reach); });
+      moved = Smoothing_sweeps_2(m_domain, changed.mesh, team)(most_sweeps, state.first_number);
+      changed.mesh.mark_triangles(m_comm.rank());
+      return std::any_of(moved.begin(), moved.end(), [&](Index v) { return changed.mesh.bubbles.is_on_edge(v); });
+    };
+    if (change(piece, state, move))
+      state.counts.treated += number_of_all(moved.size());
   }
 
   void operate(Piece& piece, Treatment_state& state) const
   {
     if (state.smallest >= bad_qualities[0])
       return; // ranks need not know more of each other
-    Piece last = piece;
-    Distributed_surgery_2 surgery(m_domain, last, state.smallest, state.first_number, m_comm,
-                                  [&](double times) { renew(last, times * m_reach); });
-    double smallest_now = -1;
-    try {
+    Treatment_counts counts;
+    std::int64_t first_number = state.first_number;
+    const auto operate = [&](Piece& changed) {
+      Distributed_surgery_2 surgery(m_domain, changed, state.smallest, first_number, m_comm,
+                                    [&](double times) { renew(changed, times * m_reach); });
       for (double bad_quality : bad_qualities)
-        if (!surgery(bad_quality, static_cast<std::int64_t>(number_of_bubbles(last.mesh))))
+        if (!surgery(bad_quality, static_cast<std::int64_t>(number_of_bubbles(changed.mesh))))
           break;
-      smallest_now = smallest_quality(last.mesh);
-    } catch (const std::runtime_error&) { // the same
-      state.has_broken_outline = true;
-    }
-    // rounding can make a mess of a change; then what was there is good
-    if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < state.smallest ||
-        !state.allows(surgery.has_changed_outline, [&] { return closes_outline(last); }))
+      counts = Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
+      first_number = surgery.first_number;
+      return surgery.has_changed_outline;
+    };
+    if (!change(piece, state, operate))
       return;
-    state.smallest = smallest_now;
-    state.first_number = surgery.first_number;
-    piece = std::move(last);
-    state.counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
+    state.counts += counts;
+    state.first_number = first_number;
   }
 
   bool closes_outline(const Piece& piece) const
@@ -340,6 +323,28 @@ public:
   }
 
 private:
+  /// Makes a change, unless the mesh gets worse by that; returns whether it was made. `make(piece)` returns whether it
+  /// moves the outline on this rank.
+  template <class Make>
+  bool change(Piece& piece, Treatment_state& state, const Make& make) const
+  {
+    Piece changed = piece;
+    bool changes_outline = false;
+    double smallest_now = -1;
+    try {
+      changes_outline = m_comm.any(make(changed));
+      smallest_now = smallest_quality(changed.mesh);
+    } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
+      state.has_broken_outline = true;
+    }
+    // moves make no triangle worse, but flips can, and rounding can make a mess of operations
+    if (smallest_now < state.smallest || !state.allows(changes_outline, [&] { return closes_outline(changed); }))
+      return false;
+    state.smallest = smallest_now;
+    piece = std::move(changed);
+    return true;
+  }
+
   static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
 
   Distributed_mesh_2 triangulate(const Bubbles_2& own, double reach, double stray) const
@@ -352,11 +357,10 @@ private:
   /// Makes pieces that are too narrow from where all bubbles are.
   void renew(Mesh_piece_2& piece, double reach) const
   {
-    const std::size_t renewals = piece.mesh.number_of_renewals;
+    ++number_of_renewals;
     const Bubbles_2 own = own_bubbles(piece.mesh);
     const double stray = farthest_stray(m_comm, m_partition, own);
     piece = piece_of_whole(m_comm, triangulate(own, reach, stray), m_partition, reach);
-    piece.mesh.number_of_renewals = renewals + 1;
   }
 
   /// inserts points that all ranks want, each on the rank that owns its place, and triangulates

@@ -36,10 +36,7 @@ inline std::string pvtu_stem(const std::string& path)
   return path.substr(0, path.size() - end.size());
 }
 
-inline std::string vtu_path(const std::string& stem, int rank)
-{
-  return stem + "_" + std::to_string(rank) + ".vtu";
-}
+inline std::string vtu_path(const std::string& stem, int rank) { return stem + "_" + std::to_string(rank) + ".vtu"; }
 
 /// adds the sides of a rank's triangles on constraints, each on one rank: the one that owns its end with the smaller
 /// id, which knows both triangles
