@@ -308,7 +308,7 @@ TEST_F(Outlines, one_circle_that_cannot_be_cut_off_spoils_no_other)
 TEST_F(Outlines, a_crack_keeps_no_other_place_from_refinement)
 {
   int number_without = 0, number_with = 0, number_beside_crack = 0; // of free triangles under 33 degrees
-  for (unsigned k = 0; k < 20; ++k) {
+  for (unsigned k = 0; k < 40; ++k) {
     std::set<Point> places;
     CDT without = graph(random_seeds::seed(k), 40, 0.3, places), with(without), beside_crack(without);
     const std::set<Point> sharp = sharp_corners(without);

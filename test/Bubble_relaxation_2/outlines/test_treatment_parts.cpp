@@ -230,6 +230,79 @@ TEST(Defects, no_vertex_is_inserted_that_would_crowd_an_edge)
   EXPECT_GT(number, 4u);
 }
 
+/// says at the end that the outline crosses itself
+struct Treatment_found_broken : internal::Whole_treatment_2
+{
+  using Whole_treatment_2::Whole_treatment_2;
+  bool closes_outline(Mesh&) const { return ++number_of_looks, false; }
+  mutable int number_of_looks = 0;
+};
+
+void expect_equal(const internal::Bubble_mesh_2& a, const internal::Bubble_mesh_2& b)
+{
+  EXPECT_EQ(a.bubbles.x, b.bubbles.x);
+  EXPECT_EQ(a.bubbles.y, b.bubbles.y);
+  EXPECT_EQ(a.bubbles.s, b.bubbles.s);
+  EXPECT_EQ(triangles_of_domain(a), triangles_of_domain(b));
+  EXPECT_EQ(a.triangles.inside.size(), b.triangles.inside.size());
+}
+
+TEST(Defects, all_is_done_carefully_once_more_when_the_outline_is_found_broken)
+{
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 600, seed);
+    const internal::Problem_2 problem = c.input->problem();
+    internal::Bubble_mesh_2 expected = bubbles::mesh_of(c), mesh = expected;
+    const Treatment_found_broken treatment(problem);
+    const auto counts = treat_defects(internal::Whole_treatment_2(problem), expected),
+               counts_now = treat_defects(treatment, mesh);
+    EXPECT_GT(counts.treated, 100u);
+    EXPECT_GT(counts.inserted, 10u);
+    EXPECT_EQ(counts_now.treated, counts.treated);
+    EXPECT_EQ(counts_now.inserted, counts.inserted);
+    EXPECT_EQ(counts_now.deleted, counts.deleted);
+    EXPECT_EQ(treatment.number_of_looks, 1);
+    expect_equal(mesh, expected);
+  }
+}
+
+/// refines a mesh of which only the number of vertices is known, up to 13, one by one
+struct Counting_treatment
+{
+  using Mesh = std::size_t;
+  bool closes; ///< whether the outline does not cross itself; it does from the 12th vertex on
+
+  bool is_to_be_refined(Mesh) const { return true; }
+  bool is_stop_wanted() const { return false; }
+  Mesh triangulated_anew(Mesh mesh) const { return mesh; }
+  std::size_t number_of_bubbles(Mesh mesh) const { return mesh; }
+  double smallest_free_sine(Mesh) const { return 0.5; }
+  bool closes_refined_outline(Mesh) const { return closes; }
+
+  std::vector<internal::Steiner_point_2> wanted_points(Mesh mesh) const
+  {
+    return std::vector<internal::Steiner_point_2>(mesh < 13 ? 1 : 0);
+  }
+
+  bool insert(const std::vector<internal::Steiner_point_2>& points, bool is_careful, Mesh& mesh) const
+  {
+    if (is_careful && !closes && mesh == 11)
+      return false;
+    mesh += points.size();
+    return true;
+  }
+};
+
+TEST(Defects, refinement_is_done_carefully_once_more_when_the_outline_is_found_broken)
+{
+  for (bool closes : {true, false}) {
+    std::size_t mesh = 10;
+    EXPECT_EQ(internal::refine_small_angles(Counting_treatment{closes}, mesh), closes ? 3u : 1u);
+    EXPECT_EQ(mesh, closes ? 13u : 11u);
+  }
+}
+
 TEST(Defects, star_gradient_is_that_of_the_energy)
 {
   internal::Star_quality_2 star(internal::Point(10, 20), 0.5);
