@@ -242,4 +242,33 @@ TEST(Distributed_treatment, ranks_without_bubbles)
   expect_same_treatment(relaxed(paper::all_domains(2)[1]), Options{8, true});
 }
 
+/// Which piece of an edge a new vertex comes too near to is known to ranks that have nothing of this edge.
+TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
+{
+  for (int k : {3, 4}) {
+    SCOPED_TRACE(k);
+    Case c = relaxed(paper::all_domains(1)[k]);
+    Bubbles_2& b = c.bubbles;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b.is_in_face(i) && i % 97 == 0)
+        make_defect(c, static_cast<Index>(i), 0.6 * b.d[i], 0.3 * b.d[i]);
+    Relaxation_options options;
+    options.minimum_angle = 25;
+    const Sizes_2 any_size([](double, double) { return 0.05; });
+    const Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
+    Bubble_mesh_2 whole = mesh_of(c);
+    const std::size_t expected = refine_small_angles(Whole_treatment_2(problem), whole);
+    EXPECT_GT(expected, 30u);
+
+    Communicator comm(MPI_COMM_WORLD);
+    const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), b, comm.size(), false);
+    const Bubbles_2 no_points;
+    const Distributed_treatment_2 treat(problem, no_points, partition, comm);
+    Distributed_mesh_2 mesh =
+      treat.triangulate_own(distributed::own_part(b, numbers_of(b), partition, comm.rank()));
+    EXPECT_EQ(refine_small_angles(treat, mesh), expected);
+    expect_bubbles_are_those(whole.bubbles, send_home(comm, partition, own_bubbles(mesh, comm.rank())));
+  }
+}
+
 } // namespace test_distributed_treatment

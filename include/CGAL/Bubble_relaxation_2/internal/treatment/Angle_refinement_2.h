@@ -71,6 +71,23 @@ inline double smallest_free_sine(const Bubble_mesh_2& mesh, const std::vector<ch
   return smallest;
 }
 
+/// where a bubble is on an edge of the domain
+struct Position_on_edge
+{
+  double s;
+  Index edge;
+};
+
+/// those of the bubbles that are ours
+inline std::vector<Position_on_edge> positions_on_edges(const Bubbles_2& b)
+{
+  std::vector<Position_on_edge> result;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b.is_on_edge(i) && b.is_ours(i))
+      result.push_back(Position_on_edge{b.s[i], b.host[i]});
+  return result;
+}
+
 /// Finds what Ruppert's algorithm inserts (A Delaunay refinement algorithm for quality 2-dimensional mesh generation, J.
 /// Algorithms 18, 1995) where simulation and surgery have left a triangle with a small angle. Up to 20.7 degrees it ends
 /// by proof if the edges of the domain meet in 60 degrees or more, and in practice mostly up to more than 30. Chords of
@@ -78,9 +95,16 @@ inline double smallest_free_sine(const Bubble_mesh_2& mesh, const std::vector<ch
 class Angle_refinement_2
 {
 public:
-  Angle_refinement_2(const Problem_2& problem, const Bubble_mesh_2& mesh)
-    : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh), m_on_edge(bubbles_on_edges(m_domain, mesh.bubbles))
-  {}
+  /// `positions`: of the bubbles of all ranks
+  Angle_refinement_2(const Problem_2& problem, const Bubble_mesh_2& mesh,
+                     const std::vector<Position_on_edge>& positions)
+    : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh), m_on_edge(m_domain.edges().size())
+  {
+    for (const Position_on_edge& p : positions)
+      m_on_edge[p.edge].push_back(p.s);
+    for (std::vector<double>& s : m_on_edge)
+      std::sort(s.begin(), s.end());
+  }
 
   /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there.
   std::optional<Steiner_point_2> operator()(Index t)
@@ -159,10 +183,8 @@ private:
   std::array<double, 2> piece(Index e, double s) const
   {
     std::array<double, 2> ends{0, 1};
-    for (Index i : m_on_edge[e]) {
-      const double at = m_mesh.bubbles.s[i];
+    for (double at : m_on_edge[e])
       ends = at <= s ? std::array<double, 2>{at, ends[1]} : std::array<double, 2>{ends[0], (std::min)(ends[1], at)};
-    }
     return ends;
   }
 
@@ -201,7 +223,7 @@ private:
   const Domain_2& m_domain;
   const Sizes_2& m_sizes;
   const Bubble_mesh_2& m_mesh;
-  const std::vector<std::vector<Index>> m_on_edge;
+  std::vector<std::vector<double>> m_on_edge; // positions, in order
   Index m_hint = 0;
 };
 
@@ -238,12 +260,13 @@ inline std::pair<std::int64_t, double> left_to_refine(const Problem_2& problem, 
   return result;
 }
 
-/// What these triangles ask for.
+/// What these triangles ask for. `positions`: of the bubbles of all ranks
 inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, const Bubble_mesh_2& mesh,
+                                                  const std::vector<Position_on_edge>& positions,
                                                   const std::vector<Index>& triangles)
 {
   std::vector<Steiner_point_2> result;
-  Angle_refinement_2 refine(problem, mesh);
+  Angle_refinement_2 refine(problem, mesh, positions);
   for (Index t : triangles)
     if (const auto point = refine(t))
       result.push_back(*point);

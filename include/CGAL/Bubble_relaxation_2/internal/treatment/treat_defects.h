@@ -72,7 +72,7 @@ struct Treatment_state
   bool has_changed_outline = false; ///< since it was looked at
   bool has_broken_outline = false; ///< for certain
 
-  /// Whether a part of the treatment may stay, as far as the outline is concerned. `check()`: whether parts of it cross
+  /// Whether a part of the treatment may stay, as far as the outline is concerned. `check()`: whether none of them cross
   template <class Check>
   bool allows(bool changes_outline, const Check& check)
   {
@@ -216,7 +216,7 @@ public:
 
   std::vector<Steiner_point_2> wanted_points(const Mesh& mesh) const
   {
-    return internal::wanted_points(m_problem, mesh, to_be_refined(mesh));
+    return internal::wanted_points(m_problem, mesh, positions_on_edges(mesh.bubbles), to_be_refined(mesh));
   }
 
   /// returns whether that can be done; if not, the mesh is as it was
@@ -262,11 +262,13 @@ Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::M
   for (bool is_careful = false;; is_careful = true) {
     Treatment_state state{smallest, first, is_careful};
     typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
+    const auto goes_on = [&state] { return state.is_careful || !state.has_broken_outline; };
     treatment.smooth(piece, sweeps_before_surgery, state);
-    if (treatment.problem().options.population != Bubble_population::NONE)
+    if (treatment.problem().options.population != Bubble_population::NONE && goes_on())
       treatment.operate(piece, state);
-    treatment.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, state);
-    if (is_careful || (!state.has_broken_outline && (!state.has_changed_outline || treatment.closes_outline(piece)))) {
+    if (goes_on())
+      treatment.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, state);
+    if (is_careful || (goes_on() && (!state.has_changed_outline || treatment.closes_outline(piece)))) {
       mesh = treatment.mesh_of(std::move(piece));
       return state.counts;
     }

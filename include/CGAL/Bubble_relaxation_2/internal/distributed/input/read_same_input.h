@@ -73,8 +73,7 @@ inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
   check_same(comm, hash.value(), "the domain is not the same on all ranks");
 }
 
-/// Collective. \throws std::invalid_argument on all ranks if vertices in the domain, or on its edges, are not the
-/// same on all
+/// Collective. \throws std::invalid_argument on all ranks if not all have the same vertices in the domain and on edges
 inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& given)
 {
   Hash_of_numbers hash;

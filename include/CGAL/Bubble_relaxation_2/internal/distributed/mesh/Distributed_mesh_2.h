@@ -38,7 +38,7 @@ inline Numbers_of_triangle sorted_numbers(const Bubbles_2& bubbles, const std::a
 /// bubbles, the ghosts that it happens to know and the corners look like from here. When ranks have treated defects,
 /// bubbles of others that no final triangle has may not be where they are here.
 ///
-/// Its bubbles are own ones, ghosts, and all corners, in the order of their identities.
+/// Its bubbles are own ones, ghosts, on edges too, and all corners, in the order of their identities.
 struct Distributed_mesh_2 : Bubble_mesh_2
 {
   std::vector<char> is_final;          ///< per triangle: in the domain, with an own vertex

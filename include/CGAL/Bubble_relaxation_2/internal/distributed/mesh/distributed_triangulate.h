@@ -15,10 +15,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
@@ -207,13 +209,15 @@ public:
   }
 
 private:
-  /// adds what is not known of it
+  /// adds what is not known of it \pre with edges: bubbles are sorted
   void get_outline(bool with_edges)
   {
-    const std::set<std::int64_t> known(m_mesh.bubbles.id.begin(), m_mesh.bubbles.id.end());
+    std::vector<Bubble_record_2> unknown;
     for (const Bubble_record_2& r : gather_outline(m_comm, m_own, with_edges))
-      if (known.count(r.id) == 0)
-        add(m_mesh.bubbles, r, r.owner);
+      if (r.owner != m_comm.rank() && (!with_edges || m_mesh.bubbles.index_of(r.id) == no_index))
+        unknown.push_back(r);
+    for (const Bubble_record_2& r : unknown)
+      add(m_mesh.bubbles, r, r.owner);
   }
 
   void get_all_of_outline()

@@ -280,8 +280,7 @@ inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain,
       b.remove(i);
 }
 
-/// Collective. The bubbles that are left, each on the rank that owns its place and numbered from 0 on. `end`: all have
-/// smaller numbers
+/// Collective. The bubbles that are left, with numbers below `end`, each on the rank of its place and numbered anew.
 inline Bubbles_2 bring_home_and_number(Communicator& comm, const Hilbert_partition_2& partition, std::int64_t end,
                                        Bubbles_2 bubbles)
 {

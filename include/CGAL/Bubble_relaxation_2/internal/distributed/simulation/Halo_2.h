@@ -27,8 +27,7 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// What one rank of a simulation holds of others and sends to them. The control of the population and reductions
-/// do not count.
+/// What a rank of a simulation holds of others and sends to them, without control of the population and reductions.
 struct Traffic_2
 {
   std::int64_t steps = 0;

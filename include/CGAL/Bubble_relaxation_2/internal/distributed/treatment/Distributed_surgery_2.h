@@ -117,8 +117,7 @@ private:
 
   static bool is_gone(const Bubble_record_2& r) { return r.dimension == Bubbles_2::GONE; }
 
-  /// Collective. Finds the bad triangles of all and their patches; returns whether the piece is wide enough for that on
-  /// all ranks.
+  /// Collective. Finds the bad triangles of all and their patches; returns whether all ranks' pieces are wide enough.
   bool find_patches(double bad_quality)
   {
     bool is_cut_off = false;

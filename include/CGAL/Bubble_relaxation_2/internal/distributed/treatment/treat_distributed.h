@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/rebuild_outside.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
 #include <algorithm>
@@ -174,8 +176,7 @@ public:
   using Mesh = Distributed_mesh_2;
   using Piece = Mesh_piece_2;
 
-  /// `points`: those that were given on this rank; `reach`: how much wider the pieces are, in units of d \pre it is
-  /// positive
+  /// `points`: those that were given on this rank; `reach`: how much wider the pieces are, in units of d, more than 0
   Distributed_treatment_2(const Problem_2& problem, const Bubbles_2& points, const Hilbert_partition_2& partition,
                           Communicator& comm, double reach = usual_reach)
     : m_problem(problem), m_domain(problem.domain), m_points(points), m_partition(partition), m_comm(comm),
@@ -190,7 +191,7 @@ public:
 
   Bubbles_2 own_bubbles(const Mesh& mesh) const { return internal::own_bubbles(mesh, m_comm.rank()); }
 
-  /// \pre `mesh` was made by `triangulate()`
+  /// \pre `mesh` was made by `triangulate_own()`
   Piece piece_of(Mesh&& mesh) const { return piece_of_whole(m_comm, std::move(mesh), m_partition, m_reach); }
 
   /// bubbles may have left their homes
@@ -280,15 +281,15 @@ public:
     return m_comm.any(is_any);
   }
 
-  /// after treatment a rank does not know where others' bubbles on edges are
   Mesh triangulated_anew(const Mesh& mesh) const { return with_points({}, mesh); }
 
-  /// of all ranks
   std::vector<Steiner_point_2> wanted_points(const Mesh& mesh) const
   {
     std::vector<Steiner_point_2> points;
-    m_comm.agree_after(
-      [&] { points = internal::wanted_points(m_problem, mesh, triangles_to_refine(m_problem, mesh, mesh.is_owned)); });
+    const auto positions = gather_records(m_comm, positions_on_edges(mesh.bubbles));
+    m_comm.agree_after([&] {
+      points = internal::wanted_points(m_problem, mesh, positions, triangles_to_refine(m_problem, mesh, mesh.is_owned));
+    });
     return gather_records(m_comm, points);
   }
 

@@ -66,8 +66,7 @@ void add_lines(const Mesh& mesh, Mesh_arrays_2& result)
     }
 }
 
-/// What a rank writes: its triangles, with all points that it knows. `of_points`, `of_triangles`: names and values of
-/// the user's
+/// What a rank writes: its triangles, with all points that it knows. `of_points`, `of_triangles`: the user's, with names
 template <class Mesh, class Data>
 Mesh_arrays_2 arrays_of_part(const Mesh& mesh, const Data& of_points, const Data& of_triangles)
 {
