@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 /// Makes a domain with its sizes scaled by the argument.
@@ -41,20 +42,21 @@ inline std::vector<Domain_maker> compared_domains()
 }
 
 /// By how much the sizes of a domain are to be scaled for `npbs_relax()` to give it about `n` vertices, which is found
-/// by trials: an outline has its vertices whatever the size.
+/// by trials: an outline has its vertices whatever the size. If they are more than `n`, it is where that is seen.
 inline double scale_for_vertices(const Domain_maker& make, double n)
 {
-  double f = 1;
-  for (int trial = 0; trial < 10; ++trial) {
+  double f = 1, last = std::numeric_limits<double>::infinity();
+  for (int trial = 1;; ++trial) {
     const paper::Domain domain = make(f);
     paper::CDT cdt = paper::triangulate(domain);
     const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(domain.d));
     const double ratio = double(report.number_of_vertices) / n;
-    if (std::abs(ratio - 1) < 0.01)
-      break;
+    const bool falls_no_more = ratio > 1 && last > 1 && ratio > 0.95 * last;
+    if (std::abs(ratio - 1) < 0.01 || falls_no_more || trial == 10)
+      return f;
     f *= std::sqrt(ratio); // as many times as many vertices
+    last = ratio;
   }
-  return f;
 }
 
 inline paper::Domain domain_with_vertices(const Domain_maker& make, double n)
