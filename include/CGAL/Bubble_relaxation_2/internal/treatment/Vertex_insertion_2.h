@@ -151,9 +151,12 @@ inline bool insert_points(const Domain_2& domain, const Sizes_2& sizes, const st
     return false;
   if (std::none_of(points.begin(), points.end(), is_on_edge))
     return true;
-  Bubbles_2 bubbles = mesh.bubbles;
-  remove_confusing_on_edges(domain, bubbles);
-  return bubbles.left().size() == bubbles.size() && (!is_careful || rebuild_outside(domain, mesh));
+  Bubbles_2 outline;
+  for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
+    if (!mesh.bubbles.is_in_face(i))
+      outline.add(mesh.bubbles, i);
+  remove_confusing_on_edges(domain, outline);
+  return outline.left().size() == outline.size() && (!is_careful || rebuild_outside(domain, mesh));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal
