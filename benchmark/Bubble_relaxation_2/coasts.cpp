@@ -17,9 +17,9 @@
 // is stopped.
 
 #include "cgal_meshers.h"
+#include "coast.h"
 #include "in_child_process.h"
 #include "outline_judgement.h"
-#include "coast.h"
 #include "simplified_coast.h"
 #ifdef BUBBLE_RELAXATION_2_WITH_GMSH
 #include "gmsh_mesher.h"

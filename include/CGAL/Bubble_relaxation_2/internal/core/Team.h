@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -149,13 +148,9 @@ public:
   /// lattices to where they are needed.
   virtual void share_seeds(Bubbles_2&, std::vector<double>& /* directions */) {}
 
-  /// Those of the bubbles that matter in this rank's part, by their indices; the others will be forgotten.
-  virtual std::vector<Index> keep_near(const Bubbles_2& bubbles)
-  {
-    std::vector<Index> all(bubbles.size());
-    std::iota(all.begin(), all.end(), Index(0));
-    return all;
-  }
+  /// Those of the bubbles that matter in this rank's part, by their indices; the others will be forgotten. A team of one is
+  /// not asked.
+  virtual std::vector<Index> keep_near(const Bubbles_2&) { return {}; }
 
   /// The crystal has its first bubbles, which were common or given to the team; so many will come.
   virtual void start_growth(Crystal_2&, std::size_t /* expected */) {}

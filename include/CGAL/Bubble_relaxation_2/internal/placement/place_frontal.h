@@ -229,8 +229,8 @@ inline void grow_in_turns(const Domain_2& domain, const Sizes_2& sizing, std::ve
                           const Threads& threads)
 {
   const std::size_t expected = team.part_of((std::max)(0., sizing.expected_number - double(bubbles.size())));
-  const std::vector<Index> near = team.keep_near(bubbles);
-  if (near.size() < bubbles.size()) {
+  if (!team.is_alone()) {
+    const std::vector<Index> near = team.keep_near(bubbles);
     bubbles.select(near);
     select(near, directions);
     select(near, turns);
