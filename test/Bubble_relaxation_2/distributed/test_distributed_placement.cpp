@@ -217,6 +217,8 @@ TEST(Ways_to_go_on, each_for_itself)
     Relaxation_options options = options_with(true, Bubble_placement::RHOMBIC);
     options.renewal_interval = 4;
     expect_same(ranks, domain, options);
+    options.neighbor_radius = 3.5; // not by neighbours of neighbours
+    expect_same(ranks, domain, options);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "random_seeds.h"
 #include "validation.h"
 
+#include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
 namespace test_degenerate_input {
@@ -194,6 +195,26 @@ TEST(Degenerate_input, given_mesh_far_finer_than_the_size)
     EXPECT_GT(keep(0.5), 100u);
     EXPECT_LT(keep(0.5), 400u);
   }
+}
+
+// none of them may go: then the bubbles are smaller than d
+TEST(Degenerate_input, given_mesh_far_finer_than_the_size_that_keeps_all)
+{
+  CDT cdt = domains::make({domains::square(0, 0, 1)});
+  const auto d = [](double factor) {
+    return CGAL::parameters::sizing_function([factor](const domains::Point& p) { return factor * (0.015 + 0.03 * p.x()); });
+  };
+  CGAL::npbs_relax(cdt, d(1));
+  const auto keep = d(50).initial_placement(CGAL::Bubble_placement::KEEP)
+                      .population_control(CGAL::Bubble_population::NONE);
+  const std::size_t number = cdt.number_of_vertices();
+  const auto nodes = CGAL::npbs_place_nodes(cdt, keep);
+  EXPECT_LT(nodes.neighbors.size(), 20 * number);
+  const auto report = CGAL::npbs_relax(cdt, keep);
+  validation::expect_valid_mesh(cdt);
+  EXPECT_GT(report.number_of_wanted_vertices, number / 2);
+  EXPECT_NEAR(double(report.number_of_vertices), double(number), 40); // on the outline there are fewer
+  EXPECT_GE(report.quality.mean_quality(), 0.98);
 }
 
 class Scaled_and_shifted : public testing::TestWithParam<std::pair<double, double>>

@@ -20,6 +20,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -36,6 +39,21 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
   return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox(), growth));
 }
 
+/// A given mesh is far finer than sizes ask for, and none of its vertices may go: then the ratios of sizes count, and all of
+/// them get smaller. Else each bubble would push all others near by, thousands of them.
+inline void make_room_for_all(const Domain_2& domain, const Given_mesh_2& given, const Relaxation_options& options,
+                              Sizes_2& sizes)
+{
+  if (!keeps_given_bubbles(options) || options.population != Bubble_population::NONE || options.number_of_rounds == 0)
+    return;
+  const double number = static_cast<double>(given.free.size());
+  // several times, since what large sizes ask for is at least the ends of edges
+  for (double many = 4; number > many * sizes.expected_number; many = 1.1) {
+    sizes = scaled(sizes, std::sqrt(sizes.expected_number / number));
+    count_bubbles(domain, (std::numeric_limits<std::size_t>::max)(), "the given vertices", sizes);
+  }
+}
+
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
                                      const Relaxation_options& options, bool may_limit)
@@ -44,6 +62,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   const std::size_t maximum = options.maximum_number_of_bubbles;
   const double growth = options.size_growth;
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
+  make_room_for_all(domain, given, options, wanted);
   if (!may_limit)
     return {wanted, nullptr, nullptr, wanted};
   Limited_sizes_2 limited(wanted, domain.bbox(), growth);

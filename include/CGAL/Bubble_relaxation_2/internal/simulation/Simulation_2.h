@@ -290,6 +290,7 @@ public:
 
 private:
   static constexpr double coarse_tolerance = 3.3; // times that of the end
+  static constexpr double wide_radius = 3; // of sets so large that the neighbours of neighbours are too many to look at
 
   /// Tells which share of the simulation is over. Bubbles that may sleep need 3 to 30 moves, as the sizes have it: each
   /// counts less than the one before.
@@ -320,7 +321,7 @@ private:
   }
 
   /// Renews the neighbour sets when it is time: in the paper every `renewal_interval` steps from
-  /// neighbours of neighbours; by default for the bubbles that have used up their skin, with buckets.
+  /// neighbours of neighbours, unless sets are large; by default for the bubbles that have used up their skin, with buckets.
   bool renew_neighbors(std::size_t step)
   {
     const std::size_t interval = m_options.renewal_interval;
@@ -330,8 +331,12 @@ private:
       else
         m_neighbors.renew(m_bubbles, m_outrun, m_options.threads);
     } else if (interval != 0 && step != 0 && step % interval == 0) {
-      m_team.share_sets(m_bubbles, m_neighbors);
-      m_neighbors.renew_from_neighbors(m_bubbles);
+      if (m_options.neighbor_radius > wide_radius)
+        m_neighbors.build(m_bubbles, m_options.threads);
+      else {
+        m_team.share_sets(m_bubbles, m_neighbors);
+        m_neighbors.renew_from_neighbors(m_bubbles);
+      }
     } else
       return false;
     m_outrun.clear();
