@@ -66,7 +66,8 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options(),
   const Relaxation_options all;
   const Sizes_2 any_size([](double, double) { return 1.; });
   const Problem_2 problem{c.domain(), c.given(), all, any_size, any_size};
-  const Treatment_counts expected = treat_defects(Whole_treatment_2(problem), whole, first);
+  Outline_care care{false};
+  const Treatment_counts expected = treat_defects(Whole_treatment_2(problem), whole, care, first);
 
   Communicator comm(MPI_COMM_WORLD);
   const Hilbert_partition_2 partition =
@@ -75,7 +76,7 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options(),
   const Distributed_treatment_2 treat(problem, no_points, partition, comm, options.reach);
   Distributed_mesh_2 mesh =
     treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
-  const Treatment_counts counts = treat_defects(treat, mesh, first);
+  const Treatment_counts counts = treat_defects(treat, mesh, care, first);
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);
   EXPECT_EQ(counts.deleted, expected.deleted);
@@ -257,7 +258,8 @@ TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
     const Sizes_2 any_size([](double, double) { return 0.05; });
     const Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
     Bubble_mesh_2 whole = mesh_of(c);
-    const std::size_t expected = refine_small_angles(Whole_treatment_2(problem), whole);
+    Outline_care care{false};
+    const std::size_t expected = refine_small_angles(Whole_treatment_2(problem), whole, care);
     EXPECT_GT(expected, 30u);
 
     Communicator comm(MPI_COMM_WORLD);
@@ -266,7 +268,7 @@ TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
     const Distributed_treatment_2 treat(problem, no_points, partition, comm);
     Distributed_mesh_2 mesh =
       treat.triangulate_own(distributed::own_part(b, numbers_of(b), partition, comm.rank()));
-    EXPECT_EQ(refine_small_angles(treat, mesh), expected);
+    EXPECT_EQ(refine_small_angles(treat, mesh, care), expected);
     expect_bubbles_are_those(whole.bubbles, send_home(comm, partition, own_bubbles(mesh, comm.rank())));
   }
 }

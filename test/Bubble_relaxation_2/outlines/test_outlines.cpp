@@ -9,6 +9,7 @@
 // Outlines as they come: coasts, combs, stars, and graphs with pins, all at random. However sharp their corners and
 // narrow their channels, what is not forced by a corner is good, and the simulation comes to an end.
 
+#include "counted_memory.h"
 #include "domains.h"
 #include "random_seeds.h"
 #include "validation.h"
@@ -449,6 +450,18 @@ TEST_F(Outlines, growth_trades_vertices_for_quality)
     last = report.number_of_vertices;
     quality = report.quality.mean_quality();
   }
+}
+
+/// beyond the triangulation, also where angles are refined and treated once more
+TEST_F(Outlines, memory_is_bounded)
+{
+  std::set<Point> places;
+  CDT cdt = graph(random_seeds::seed(), 1000, 0.3, places);
+  const Pins pins = pins_at(cdt, places);
+  counted_memory::most_memory = counted_memory::memory;
+  const auto report = CGAL::npbs_relax(cdt, CGAL::Bubble_relaxation_parameters::minimum_angle(33.).vertex_is_constrained_map(
+                                              domains::Map_of_pins<CDT>{&pins}));
+  EXPECT_LE(double(counted_memory::most_memory - counted_memory::memory), 400 * double(report.number_of_vertices));
 }
 
 TEST_F(Outlines, small_angles_are_refined)

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 namespace test_treatment_parts {
@@ -170,7 +171,8 @@ std::size_t expect_the_triangulation_of_all(const bubbles::Case& c)
   internal::Bubble_mesh_2 mesh = bubbles::mesh_of(c);
   const std::vector<internal::Steiner_point_2> points = points_to_insert(c, mesh);
   EXPECT_GT(points.size(), c.bubbles.size() / 20);
-  EXPECT_TRUE(internal::insert_points(c.domain(), c.input->problem().sizes, points, true, mesh));
+  EXPECT_TRUE(internal::insert_points(c.domain(), c.input->problem().sizes, points, mesh));
+  EXPECT_TRUE(internal::rebuild_outside(c.domain(), mesh));
   EXPECT_EQ(mesh.bubbles.size(), c.bubbles.size() + points.size());
   internal::Bubble_mesh_2 anew{mesh.bubbles, {}};
   internal::triangulate(c.domain(), anew);
@@ -200,7 +202,7 @@ TEST(Defects, no_vertex_is_inserted_where_one_is)
   for (const internal::Point& p : {mesh.point(t, 0), internal::Point(-1, 4)}) {
     internal::Bubble_mesh_2 copy = mesh;
     EXPECT_FALSE(internal::insert_points(c.domain(), c.input->problem().sizes,
-                                         {{0, p.x(), p.y(), 0, 0, 0, internal::Bubbles_2::FACE, t}}, true, copy));
+                                         {{0, p.x(), p.y(), 0, 0, 0, internal::Bubbles_2::FACE, t}}, copy));
   }
 }
 
@@ -222,7 +224,7 @@ TEST(Defects, no_vertex_is_inserted_that_would_crowd_an_edge)
         internal::Bubble_mesh_2 copy = mesh;
         EXPECT_EQ(internal::insert_points(c.domain(), c.input->problem().sizes,
                                           {{0, p.x(), p.y(), s, 0, b.host[u], internal::Bubbles_2::EDGE,
-                                            static_cast<Index>(k)}}, true, copy),
+                                            static_cast<Index>(k)}}, copy),
                   share == 0.5);
       }
       ++number;
@@ -238,6 +240,18 @@ struct Treatment_found_broken : internal::Whole_treatment_2
   mutable int number_of_looks = 0;
 };
 
+/// one that finds that on the way
+struct Treatment_that_throws : internal::Whole_treatment_2
+{
+  using Whole_treatment_2::Whole_treatment_2;
+  void operate(Mesh& mesh, internal::Treatment_state& state) const
+  {
+    if (!state.care.is_careful)
+      throw std::runtime_error("edges cross");
+    Whole_treatment_2::operate(mesh, state);
+  }
+};
+
 void expect_equal(const internal::Bubble_mesh_2& a, const internal::Bubble_mesh_2& b)
 {
   EXPECT_EQ(a.bubbles.x, b.bubbles.x);
@@ -247,23 +261,29 @@ void expect_equal(const internal::Bubble_mesh_2& a, const internal::Bubble_mesh_
   EXPECT_EQ(a.triangles.inside.size(), b.triangles.inside.size());
 }
 
+void expect_equal(const internal::Treatment_counts& a, const internal::Treatment_counts& b)
+{
+  EXPECT_EQ(a.treated, b.treated);
+  EXPECT_EQ(a.inserted, b.inserted);
+  EXPECT_EQ(a.deleted, b.deleted);
+}
+
 TEST(Defects, all_is_done_carefully_once_more_when_the_outline_is_found_broken)
 {
   for (unsigned seed = 0; seed < 3; ++seed) {
     SCOPED_TRACE(seed);
     const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 600, seed);
     const internal::Problem_2 problem = c.input->problem();
-    internal::Bubble_mesh_2 expected = bubbles::mesh_of(c), mesh = expected;
+    internal::Bubble_mesh_2 expected = bubbles::mesh_of(c), mesh = expected, other = expected;
     const Treatment_found_broken treatment(problem);
-    const auto counts = treat_defects(internal::Whole_treatment_2(problem), expected),
-               counts_now = treat_defects(treatment, mesh);
+    const auto counts = treat_and_refine(internal::Whole_treatment_2(problem), expected);
     EXPECT_GT(counts.treated, 100u);
     EXPECT_GT(counts.inserted, 10u);
-    EXPECT_EQ(counts_now.treated, counts.treated);
-    EXPECT_EQ(counts_now.inserted, counts.inserted);
-    EXPECT_EQ(counts_now.deleted, counts.deleted);
+    expect_equal(treat_and_refine(treatment, mesh), counts);
     EXPECT_EQ(treatment.number_of_looks, 1);
     expect_equal(mesh, expected);
+    expect_equal(treat_and_refine(Treatment_that_throws(problem), other), counts);
+    expect_equal(other, expected);
   }
 }
 
@@ -271,35 +291,34 @@ TEST(Defects, all_is_done_carefully_once_more_when_the_outline_is_found_broken)
 struct Counting_treatment
 {
   using Mesh = std::size_t;
-  bool closes; ///< whether the outline does not cross itself; it does from the 12th vertex on
 
   bool is_to_be_refined(Mesh) const { return true; }
   bool is_stop_wanted() const { return false; }
   Mesh triangulated_anew(Mesh mesh) const { return mesh; }
   std::size_t number_of_bubbles(Mesh mesh) const { return mesh; }
   double smallest_free_sine(Mesh) const { return 0.5; }
-  bool closes_refined_outline(Mesh) const { return closes; }
 
   std::vector<internal::Steiner_point_2> wanted_points(Mesh mesh) const
   {
     return std::vector<internal::Steiner_point_2>(mesh < 13 ? 1 : 0);
   }
 
-  bool insert(const std::vector<internal::Steiner_point_2>& points, bool is_careful, Mesh& mesh) const
+  /// carefully, from the 12th vertex on the outline is seen to cross itself
+  bool insert(const std::vector<internal::Steiner_point_2>& points, internal::Outline_care& care, Mesh& mesh) const
   {
-    if (is_careful && !closes && mesh == 11)
-      return false;
     mesh += points.size();
-    return true;
+    return care.allows(true, [&mesh] { return mesh < 12; });
   }
 };
 
-TEST(Defects, refinement_is_done_carefully_once_more_when_the_outline_is_found_broken)
+TEST(Defects, refinement_ends_before_it_breaks_the_outline)
 {
-  for (bool closes : {true, false}) {
+  for (bool is_careful : {false, true}) {
     std::size_t mesh = 10;
-    EXPECT_EQ(internal::refine_small_angles(Counting_treatment{closes}, mesh), closes ? 3u : 1u);
-    EXPECT_EQ(mesh, closes ? 13u : 11u);
+    internal::Outline_care care{is_careful};
+    EXPECT_EQ(internal::refine_small_angles(Counting_treatment(), mesh, care), is_careful ? 1u : 3u);
+    EXPECT_EQ(mesh, is_careful ? 11u : 13u);
+    EXPECT_EQ(care.has_changed_outline, !is_careful); // to be looked at
   }
 }
 

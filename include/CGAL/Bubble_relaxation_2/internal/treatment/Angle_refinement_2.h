@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/rebuild_outside.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/Mesh_quality_2.h>
@@ -279,42 +280,45 @@ inline bool is_endless(std::size_t number_of_new_vertices, std::size_t number_of
   return number_of_new_vertices > 100 + number_of_vertices / 50;
 }
 
-/// Inserts vertices into a mesh until no angle is smaller than `minimum_angle` that need not be so; returns how many, none
-/// if that is endless. `is_careful`: as in `Treatment_state`
+/// Inserts vertices into a mesh until no angle is smaller than `minimum_angle` that need not be so, or they cannot be
+/// told from others; returns how many, none if that is endless.
 template <class Treatment>
-std::size_t insert_for_small_angles(const Treatment& treatment, bool is_careful, typename Treatment::Mesh& mesh)
+std::size_t insert_for_small_angles(const Treatment& treatment, const typename Treatment::Mesh& mesh, Outline_care& care,
+                                    typename Treatment::Mesh& refined)
 {
   const std::size_t number_of_vertices = treatment.number_of_bubbles(mesh);
+  std::vector<std::vector<Steiner_point_2>> rounds;
+  refined = treatment.triangulated_anew(mesh);
   for (std::size_t result = 0;;) {
-    std::vector<Steiner_point_2> points = treatment.wanted_points(mesh);
+    std::vector<Steiner_point_2> points = treatment.wanted_points(refined);
     if (is_endless(result + points.size(), number_of_vertices))
       return 0;
     points = Angle_refinement_2::independent(std::move(points));
-    if (points.empty() || treatment.is_stop_wanted() || !treatment.insert(points, is_careful, mesh))
+    if (points.empty() || treatment.is_stop_wanted())
       return result;
+    if (!treatment.insert(points, care, refined)) { // without the last ones then
+      refined = treatment.triangulated_anew(mesh);
+      for (const std::vector<Steiner_point_2>& round : rounds)
+        treatment.insert(round, care, refined);
+      return result;
+    }
     result += points.size();
+    rounds.push_back(std::move(points));
   }
 }
 
 /// The same, unless it makes angles in a crack smaller. `treatment`: by one rank or all
 template <class Treatment>
-std::size_t refine_small_angles(const Treatment& treatment, typename Treatment::Mesh& mesh)
+std::size_t refine_small_angles(const Treatment& treatment, typename Treatment::Mesh& mesh, Outline_care& care)
 {
   if (!treatment.is_to_be_refined(mesh))
     return 0;
-  for (bool is_careful : {false, true}) {
-    typename Treatment::Mesh refined = treatment.triangulated_anew(mesh);
-    const std::size_t result = insert_for_small_angles(treatment, is_careful, refined);
-    if (treatment.number_of_bubbles(refined) == treatment.number_of_bubbles(mesh))
-      return 0;
-    if (!is_careful && !treatment.closes_refined_outline(refined))
-      continue;
-    if (result == 0 || treatment.smallest_free_sine(refined) < treatment.smallest_free_sine(mesh))
-      return 0;
-    mesh = std::move(refined);
-    return result;
-  }
-  return 0;
+  typename Treatment::Mesh refined;
+  const std::size_t result = insert_for_small_angles(treatment, mesh, care, refined);
+  if (result == 0 || treatment.smallest_free_sine(refined) < treatment.smallest_free_sine(mesh))
+    return 0;
+  mesh = std::move(refined);
+  return result;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -18,7 +18,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Angle_refinement_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/rebuild_outside.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
 
@@ -139,10 +138,10 @@ private:
 };
 
 /// Inserts vertices into a mesh; returns whether that can be done, and none on an edge is so near to others that it would
-/// be removed, see `remove_confusing_on_edges()`. If not, the mesh is not to be used any more. `is_careful`: or if the outline
-/// crosses itself then; else the triangles outside of the domain are still to be made.
+/// be removed, see `remove_confusing_on_edges()`. If not, the mesh is not to be used any more. If there are some on edges,
+/// the triangles outside of the domain are still to be made.
 inline bool insert_points(const Domain_2& domain, const Sizes_2& sizes, const std::vector<Steiner_point_2>& points,
-                          bool is_careful, Bubble_mesh_2& mesh)
+                          Bubble_mesh_2& mesh)
 {
   label_edges(mesh.triangles);
   Vertex_insertion_2 insert(domain, sizes, mesh);
@@ -156,7 +155,7 @@ inline bool insert_points(const Domain_2& domain, const Sizes_2& sizes, const st
     if (!mesh.bubbles.is_in_face(i))
       outline.add(mesh.bubbles, i);
   remove_confusing_on_edges(domain, outline);
-  return outline.left().size() == outline.size() && (!is_careful || rebuild_outside(domain, mesh));
+  return outline.left().size() == outline.size();
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -89,6 +89,26 @@ inline bool rebuild_outside(const Domain_2& domain, Bubble_mesh_2& mesh)
   return true;
 }
 
+/// Parts of the outline can be as near to each other as the rounding of what is on it, and cross. That is seen when the
+/// triangles outside of the domain are made, which takes long: so it is looked at when all of a treatment is done, and if
+/// they do, all is done once more, carefully, which is after each part.
+struct Outline_care
+{
+  bool is_careful;
+  bool has_changed_outline = false; ///< and nobody has looked whether it crosses itself
+
+  /// Whether a part of the treatment may stay, as far as the outline is concerned. `closes()`: whether it does not cross
+  /// itself then
+  template <class Closes>
+  bool allows(bool changes_outline, const Closes& closes)
+  {
+    if (is_careful)
+      return !changes_outline || closes();
+    has_changed_outline = has_changed_outline || changes_outline;
+    return true;
+  }
+};
+
 } // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_REBUILD_OUTSIDE_H

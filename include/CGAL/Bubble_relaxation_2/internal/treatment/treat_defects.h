@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -60,27 +61,13 @@ constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 /// Sweeps before surgery: what they leave undone it changes anyhow, or the sweeps after it do.
 constexpr int sweeps_before_surgery = 2;
 
-/// How far the treatment of a mesh has come. Parts of the outline can be as near to each other as the rounding of what is
-/// on it, and cross. That is seen when the triangles outside of the domain are made, which takes long: so it is looked at
-/// when all is done, and if they do, all is done once more, carefully, which is after each part.
+/// How far the treatment of a mesh has come.
 struct Treatment_state
 {
   double smallest; ///< q, which does not get smaller
   std::int64_t first_number; ///< of the vertices whose triangles are treated
-  bool is_careful;
+  Outline_care& care;
   Treatment_counts counts{};
-  bool has_changed_outline = false; ///< since it was looked at
-  bool has_broken_outline = false; ///< for certain
-
-  /// Whether a part of the treatment may stay, as far as the outline is concerned. `check()`: whether none of them cross
-  template <class Check>
-  bool allows(bool changes_outline, const Check& check)
-  {
-    if (is_careful)
-      return !changes_outline || check();
-    has_changed_outline = has_changed_outline || changes_outline;
-    return true;
-  }
 };
 
 /// Moves vertices for the quality of their triangles.
@@ -94,7 +81,7 @@ inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubbl
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
   // the moves made none worse, but flips can
-  if (smallest_now < state.smallest || !state.allows(moves_outline, [&] { return rebuild_outside(domain, mesh); })) {
+  if (smallest_now < state.smallest || !state.care.allows(moves_outline, [&] { return rebuild_outside(domain, mesh); })) {
     treat.undo();
     return;
   }
@@ -107,20 +94,24 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
                                Treatment_state& state)
 {
   label_edges(mesh.triangles);
-  Bubble_mesh_2 changed = mesh;
-  Defect_surgery_2 surgery(domain, changed, state.smallest, state.first_number);
+  Bubbles_2 before = mesh.bubbles;
+  Defect_surgery_2 surgery(domain, mesh, state.smallest, state.first_number);
   for (double bad_quality : bad_qualities)
     if (is_stop_wanted() || !surgery(bad_quality))
       break;
-  const double smallest_now = smallest_quality(changed, threads);
-  // rounding can make a mess of a change; then what was there is good
-  if (surgery.number_of_insertions + surgery.number_of_deletions == 0 || smallest_now < state.smallest ||
-      !state.allows(surgery.has_changed_outline, [&] { return rebuild_outside(domain, changed); }))
+  if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
     return;
+  const double smallest_now = smallest_quality(mesh, threads);
+  // rounding can make a mess of a change; then what was there is good
+  if (smallest_now < state.smallest ||
+      !state.care.allows(surgery.has_changed_outline, [&] { return rebuild_outside(domain, mesh); })) {
+    mesh.bubbles = std::move(before);
+    triangulate(domain, mesh);
+    return;
+  }
   state.counts += Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
   state.smallest = smallest_now;
   state.first_number = surgery.first_number;
-  mesh = std::move(changed);
 }
 
 /// Whether a triangle is more than twice as large as an equilateral one with d as side, or less than half as large.
@@ -219,20 +210,18 @@ public:
     return internal::wanted_points(m_problem, mesh, positions_on_edges(mesh.bubbles), to_be_refined(mesh));
   }
 
-  /// returns whether that can be done; if not, the mesh is as it was
-  bool insert(const std::vector<Steiner_point_2>& points, bool is_careful, Mesh& mesh) const
+  /// returns whether that can be done; if not, the mesh is not to be used any more
+  bool insert(const std::vector<Steiner_point_2>& points, Outline_care& care, Mesh& mesh) const
   {
-    Mesh next = mesh;
-    if (!insert_points(m_problem.domain, m_problem.sizes, points, is_careful, next))
-      return false;
-    mesh = std::move(next);
-    return true;
+    const bool splits_outline = std::any_of(points.begin(), points.end(), [](const Steiner_point_2& p) {
+      return p.dimension == Bubbles_2::EDGE;
+    });
+    return insert_points(m_problem.domain, m_problem.sizes, points, mesh) &&
+           care.allows(splits_outline, [&] { return closes_outline(mesh); });
   }
 
-  bool closes_refined_outline(Mesh& mesh) const { return closes_outline(mesh); }
-
   double smallest_free_sine(const Mesh& mesh) const { return internal::smallest_free_sine(mesh, mesh.triangles.inside); }
-  Mesh to_be_treated_again(const Mesh& mesh) const { return mesh; }
+  static constexpr void prepare_to_treat_again(Mesh&) {}
 
   std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
   {
@@ -253,59 +242,80 @@ private:
 /// Treats the last defects of a mesh, or those of triangles with a vertex from `first` on, see `number_of()`: where such a
 /// vertex is deleted, only in its patch. The smallest q never gets smaller. Sizes of bubbles that move are not renewed.
 template <class Treatment>
-Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::Mesh& mesh, std::int64_t first = 0)
+Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::Mesh& mesh, Outline_care& care,
+                               std::int64_t first = 0)
 {
   const double smallest = treatment.smallest_quality(mesh);
   if (smallest >= Smoothing_sweeps_2::treated_quality)
     return {};
-  Bubbles_2 given = treatment.own_bubbles(mesh);
-  for (bool is_careful = false;; is_careful = true) {
-    Treatment_state state{smallest, first, is_careful};
-    typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
-    const auto goes_on = [&state] { return state.is_careful || !state.has_broken_outline; };
-    treatment.smooth(piece, sweeps_before_surgery, state);
-    if (treatment.problem().options.population != Bubble_population::NONE && goes_on())
-      treatment.operate(piece, state);
-    if (goes_on())
-      treatment.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, state);
-    if (is_careful || (goes_on() && (!state.has_changed_outline || treatment.closes_outline(piece)))) {
-      mesh = treatment.mesh_of(std::move(piece));
-      return state.counts;
-    }
-    mesh = treatment.triangulate_own(std::move(given));
-  }
+  Treatment_state state{smallest, first, care};
+  typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
+  treatment.smooth(piece, sweeps_before_surgery, state);
+  if (treatment.problem().options.population != Bubble_population::NONE)
+    treatment.operate(piece, state);
+  treatment.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, state);
+  mesh = treatment.mesh_of(std::move(piece));
+  return state.counts;
 }
 
 /// All bubbles were given by the user: then the mesh that they made is the result if its smallest q is larger, treated
 /// too, unless it fits d worse, if only in one place, and the number of bubbles was free.
 template <class Treatment>
-void keep_the_better(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
+void keep_the_better(const Treatment& treatment, typename Treatment::Mesh& mesh, Outline_care& care,
+                     Treatment_counts& counts)
 {
   typename Treatment::Mesh given;
-  const Treatment treatment_of_given = treatment.triangulate_given(given);
+  const auto treatment_of_given = treatment.triangulate_given(given);
   if (treatment.smallest_quality(given) <= treatment.smallest_quality(mesh) ||
       (treatment.problem().options.population != Bubble_population::NONE &&
        treatment.count_misfits(given).is_worse_than(treatment.count_misfits(mesh))))
     return;
-  counts = treat_defects(treatment_of_given, given);
+  counts = treat_defects(treatment_of_given, given, care);
   mesh = std::move(given);
 }
 
 /// Refines, and treats what has come of it: new vertices stand where angles ask for them, not where they fit in best.
 template <class Treatment>
-void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Treatment_counts& counts)
+void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Outline_care& care,
+                      Treatment_counts& counts)
 {
-  const std::size_t inserted = refine_small_angles(treatment, mesh);
+  const std::size_t inserted = refine_small_angles(treatment, mesh, care);
   if (inserted == 0)
     return;
   counts.inserted += inserted;
   const std::int64_t first_new = static_cast<std::int64_t>(treatment.number_of_bubbles(mesh) - inserted); // the last ones
-  typename Treatment::Mesh treated = treatment.to_be_treated_again(mesh);
-  const Treatment_counts more = treat_defects(treatment, treated, first_new);
-  if (treatment.left_to_refine(mesh) < treatment.left_to_refine(treated))
-    return;
-  mesh = std::move(treated);
-  counts += more;
+  const auto left_before = treatment.left_to_refine(mesh);
+  Bubbles_2 before = treatment.own_bubbles(mesh);
+  treatment.prepare_to_treat_again(mesh);
+  const Treatment_counts more = treat_defects(treatment, mesh, care, first_new);
+  if (left_before < treatment.left_to_refine(mesh))
+    mesh = treatment.triangulate_own(std::move(before));
+  else
+    counts += more;
+}
+
+/// Treats and refines a mesh, and once more, carefully, if its outline crosses itself then.
+template <class Treatment>
+Treatment_counts treat_and_refine(const Treatment& treatment, typename Treatment::Mesh& mesh)
+{
+  const Relaxation_options& options = treatment.problem().options;
+  Bubbles_2 simulated = treatment.own_bubbles(mesh);
+  for (bool is_careful = false;; is_careful = true) {
+    Outline_care care{is_careful};
+    try {
+      Treatment_counts counts = treat_defects(treatment, mesh, care);
+      if (keeps_given_bubbles(options))
+        keep_the_better(treatment, mesh, care, counts);
+      if (options.population != Bubble_population::NONE)
+        refine_and_treat(treatment, mesh, care, counts);
+      if (!care.has_changed_outline || treatment.closes_outline(mesh))
+        return counts;
+    } catch (const std::runtime_error&) { // ranks triangulate, and find that on the way
+      if (is_careful)
+        throw;
+    }
+    mesh = treatment.triangulate_own(Bubbles_2(simulated));
+  }
 }
 
 /// whether there is a result of a simulation to be treated
@@ -319,15 +329,8 @@ inline bool is_treatment_due(const Relaxation_options& options, const Report& re
 template <class Treatment>
 void treat(const Treatment& treatment, typename Treatment::Mesh& mesh, Report& report)
 {
-  const Relaxation_options& options = treatment.problem().options;
-  if (is_treatment_due(options, report)) {
-    Treatment_counts counts = treat_defects(treatment, mesh);
-    if (keeps_given_bubbles(options))
-      keep_the_better(treatment, mesh, counts);
-    if (options.population != Bubble_population::NONE)
-      refine_and_treat(treatment, mesh, counts);
-    counts.add_to(report);
-  }
+  if (is_treatment_due(treatment.problem().options, report))
+    treat_and_refine(treatment, mesh).add_to(report);
   if (treatment.is_stop_wanted()) // what was left of it was not done
     tell_that_it_was_stopped(report);
 }

@@ -242,10 +242,10 @@ public:
     state.first_number = first_number;
   }
 
-  bool closes_outline(const Piece& piece) const
+  bool closes_outline(const Mesh& mesh) const
   {
     Bubbles_2 bubbles;
-    for (const Bubble_record_2& r : gather_outline(m_comm, piece.mesh.bubbles, true))
+    for (const Bubble_record_2& r : gather_outline(m_comm, mesh.bubbles, true))
       add_own(bubbles, r);
     bubbles.sort_by_id();
     Marked_triangles_2 outline;
@@ -293,20 +293,18 @@ public:
     return gather_records(m_comm, points);
   }
 
-  bool insert(const std::vector<Steiner_point_2>& points, bool /* is_careful */, Mesh& mesh) const
+  bool insert(const std::vector<Steiner_point_2>& points, const Outline_care& care, Mesh& mesh) const
   {
+    const std::size_t number_before = number_of_bubbles(mesh);
     try {
-      Mesh next = with_points(points, mesh);
-      if (number_of_bubbles(next) != number_of_bubbles(mesh) + points.size())
-        return false; // finer than coordinates can tell
-      mesh = std::move(next);
-      return true;
-    } catch (const std::runtime_error&) { // the same, on all ranks
+      mesh = with_points(points, mesh);
+    } catch (const std::runtime_error&) { // on all ranks: the outline crosses itself
+      if (!care.is_careful)
+        throw;
       return false;
     }
+    return number_of_bubbles(mesh) == number_before + points.size(); // else they are finer than coordinates can tell
   }
-
-  static constexpr bool closes_refined_outline(const Mesh&) { return true; } // else it would not have been triangulated
 
   double smallest_free_sine(const Mesh& mesh) const
   {
@@ -314,7 +312,7 @@ public:
   }
 
   /// what refinement triangulates is no wider than it needs
-  Mesh to_be_treated_again(const Mesh& mesh) const { return triangulate_own(own_bubbles(mesh)); }
+  void prepare_to_treat_again(Mesh& mesh) const { mesh = triangulate_own(own_bubbles(mesh)); }
 
   std::pair<std::int64_t, double> left_to_refine(const Mesh& mesh) const
   {
@@ -336,10 +334,12 @@ private:
       changes_outline = m_comm.any(make(changed));
       smallest_now = smallest_quality(changed.mesh);
     } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
-      state.has_broken_outline = true;
+      if (!state.care.is_careful)
+        throw;
     }
     // moves make no triangle worse, but flips can, and rounding can make a mess of operations
-    if (smallest_now < state.smallest || !state.allows(changes_outline, [&] { return closes_outline(changed); }))
+    if (smallest_now < state.smallest ||
+        !state.care.allows(changes_outline, [&] { return closes_outline(changed.mesh); }))
       return false;
     state.smallest = smallest_now;
     piece = std::move(changed);
