@@ -220,6 +220,18 @@ TEST(Relax, number_of_vertices_follows_the_size)
   }
 }
 
+// all bubbles would be thrown about in half of the rounds, which takes 300 moves each
+TEST(Relax, steps_too_long_for_the_mass_get_shorter)
+{
+  for (double mass : {0.1, 0.05}) {
+    CDT cdt = paper::triangulate(paper::l_shape(1));
+    const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(0.05).mass(mass));
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT(report.number_of_moves, 200 * report.number_of_vertices);
+    EXPECT_GE(report.quality.mean_quality(), 0.95);
+  }
+}
+
 TEST(Relax, no_rounds_give_the_initial_placement)
 {
   for (auto placement : {CGAL::Bubble_placement::RHOMBIC, CGAL::Bubble_placement::FRONTAL}) {

@@ -21,7 +21,6 @@
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -47,15 +46,15 @@ inline std::size_t count_ours(const Bubbles_2& bubbles, const std::vector<Index>
     std::count_if(those.begin(), those.end(), [&bubbles](Index i) { return bubbles.is_ours(i); }));
 }
 
-/// In the second half of the rounds what still does not rest swings to and fro, which shorter and shorter steps end.
+/// In the second half of the rounds what still does not rest swings to and fro, which shorter and shorter steps end, and
+/// before that those that are too long for the parameters.
 inline void choose_step(std::size_t round, const Relaxation_options& options, Simulation_2& simulation)
 {
-  const std::size_t half = (options.number_of_rounds + 1) / 2;
-  if (round < half)
-    return;
-  simulation.rest_finely();
-  if (options.population == Bubble_population::DELAUNAY)
-    simulation.shorten_steps(std::ldexp(1., -1 - static_cast<int>((std::min)(round - half, std::size_t(20)))));
+  const bool is_late = round >= (options.number_of_rounds + 1) / 2;
+  if (is_late)
+    simulation.rest_finely();
+  if (simulation.is_wild() || (is_late && options.population == Bubble_population::DELAUNAY))
+    simulation.halve_steps();
 }
 
 /// Changes the population. When few bubbles come in, the time of coarse rest and insertions is over. In a mesh that was

@@ -114,7 +114,7 @@ class Simulation_2
 {
 public:
   Simulation_2(const Problem_2& problem, Bubbles_2& bubbles, Team& team)
-    : m_options(problem.options), m_tolerance(m_options.displacement_tolerance), m_boundary(problem.domain),
+    : m_options(problem.options), m_time_step(m_options.time_step), m_tolerance(m_options.displacement_tolerance), m_boundary(problem.domain),
       m_integrator(make_integrator(m_options)), m_bubbles(bubbles), m_team(team),
       m_neighbors(m_options.neighbor_radius),
       m_update_size(bubbles, problem.sizes, m_integrator->lets_bubbles_sleep() ? 0.03 : 0.01) // the paper's: 0.01
@@ -145,8 +145,16 @@ public:
     return true;
   }
 
-  /// shorter steps from here on: `share` of those that the options ask for
-  void shorten_steps(double share) { m_integrator->set_time_step(share * m_options.time_step); }
+  /// Whether steps are too long for forces and mass: at the end of the last round many bubbles still went far in each.
+  bool is_wild() const { return m_is_wild; }
+
+  void halve_steps()
+  {
+    constexpr double least = 1e-6; // of those that the options ask for
+    if (m_time_step > least * m_options.time_step)
+      m_time_step /= 2;
+    m_integrator->set_time_step(m_time_step);
+  }
 
   const Neighbor_sets_2& neighbors() const { return m_neighbors; }
   Neighbor_sets_2& neighbors() { return m_neighbors; }
@@ -235,6 +243,8 @@ public:
       if (Observer* observer = m_options.progress->observer())
         observer->step_ends(m_bubbles);
     }
+    m_is_wild = m_integrator->lets_bubbles_sleep() &&
+                3 * m_team.sum(Step_sums{count_far_moves(), 0}).restless > m_team.number_of_all(m_bubbles);
     m_team.end_steps(*this, m_bubbles);
     if (!keeps_references()) { // as in the paper before each round, and for the control of the population
       const Phase_timer timer(seconds.renewal);
@@ -394,6 +404,17 @@ private:
       std::count_if(m_outrun.begin(), m_outrun.end(), [this](Index i) { return m_bubbles.is_ours(i); }));
   }
 
+  /// the bubbles that moved more than a tenth of their size in the last step
+  std::size_t count_far_moves() const
+  {
+    const Bubbles_2& b = m_bubbles;
+    const double far = 0.1 / m_time_step;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < b.size(); ++i)
+      number += b.is_ours(i) && b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] > far * far;
+    return number;
+  }
+
   void move(std::size_t k, Index i)
   {
     Bubbles_2& b = m_bubbles;
@@ -411,7 +432,9 @@ private:
   const Relaxation_options& m_options;
   bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
   bool m_rests_coarsely = false;
+  bool m_is_wild = false;
   std::size_t m_number_of_moves = 0;
+  double m_time_step;
   double m_tolerance; // a displacement of less, in units of the size, is rest
   const Boundary_2 m_boundary;
   std::unique_ptr<Integrator> m_integrator;
