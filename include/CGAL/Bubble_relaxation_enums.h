@@ -64,7 +64,8 @@ enum class Bubble_stop_reason
 {
   CONVERGED,          ///< no bubble moved more than the tolerance and the population stayed as it was
   ITERATION_LIMIT,    ///< all rounds were done
-  STOPPED_BY_CALLBACK ///< the callback returned `false` before the phase `WRITING`, or in it with `restore_when_stopped`
+  STOPPED_BY_CALLBACK ///< the callback returned `false` before the phase `EVALUATION`, or later with
+                      ///< `restore_when_stopped`
 };
 
 /// How the nodes near a point are found. Both ways find the same nodes.
