@@ -24,7 +24,7 @@ cp bubbles.svg "$figures"
 ../release/demo/Bubble_relaxation_2/adaptive_poisson | tee "$figures/adaptive_poisson.txt"
 ../release/demo/Bubble_relaxation_2/adaptive_cycles | tee "$figures/adaptive_cycles.txt"
 ../release/demo/Bubble_relaxation_2/efg_poisson | tee "$figures/efg_poisson.txt"
-../release/examples/Bubble_relaxation_2/finite_volumes | head -n 5 | tee "$figures/finite_volumes.txt"
+../release/examples/Bubble_relaxation_2/finite_volumes | sed -n 1,5p | tee "$figures/finite_volumes.txt"
 ../release/benchmark/Bubble_relaxation_2/gradients | tee "$figures/gradients.txt"
 ../release/benchmark/Bubble_relaxation_2/local 1e4 1e5 1e6 3e6 | tee "$figures/local.txt"
 for seed in 1 2 3; do
