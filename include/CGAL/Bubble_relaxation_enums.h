@@ -40,8 +40,9 @@ enum class Bubble_placement
 /// How the number of bubbles is adjusted between two rounds of simulation.
 enum class Bubble_population
 {
-  /// the number stays as placed, but for bubbles that come to lie in one place; where vertices in faces are kept that are
-  /// more than four times as many as d asks for, d is divided by what makes it ask for as many
+  /// The number stays as placed, but for bubbles that come to lie in one place. Where vertices in faces of a mesh are kept
+  /// (`Bubble_placement::KEEP`), and are more than four times as many as d asks for, but not more than
+  /// `maximum_number_of_bubbles`, d is divided by what makes it ask for about as many; so it is in the report and in nodes.
   NONE,
   OVERLAP_RATIO,  ///< the paper's: delete where bubbles overlap too much, insert where too little
   DELAUNAY        ///< the default: insert at large circumcircles, delete crowded and ill-connected bubbles

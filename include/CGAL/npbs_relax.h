@@ -182,7 +182,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNEnd
   \cgalParamNBegin{time_step}
     \cgalParamDescription{the length of a step in time. With `Bubble_population::DELAUNAY` it is halved before each
-                          round in the second half of `number_of_rounds`, 21 times at most}
+                          round in the second half of `number_of_rounds`, and with any after a round of 10 steps or
+                          more at whose end a third of the bubbles still move by more than d/10 in a step, but with
+                          `RUNGE_KUTTA_4`; 20 times at most}
     \cgalParamType{`double`, positive}
     \cgalParamDefault{0.6; 0.02 with `RUNGE_KUTTA_4`}
   \cgalParamNEnd
@@ -192,7 +194,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{1.7}
   \cgalParamNEnd
   \cgalParamNBegin{renewal_interval}
-    \cgalParamDescription{steps between two renewals of the neighbour sets, k of the paper}
+    \cgalParamDescription{steps between two renewals of the neighbour sets, k of the paper; with a `neighbor_radius`
+                          of more than 3 they are made anew then, not from neighbours of neighbours}
     \cgalParamType{an integer, not negative}
     \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
   \cgalParamNEnd

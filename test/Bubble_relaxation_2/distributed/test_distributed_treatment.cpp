@@ -273,4 +273,60 @@ TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
   }
 }
 
+/// says at the end that the outline crosses itself
+struct Treatment_found_broken : Distributed_treatment_2
+{
+  using Distributed_treatment_2::Distributed_treatment_2;
+  bool closes_outline(const Mesh&) const { return ++number_of_looks, false; }
+  mutable int number_of_looks = 0;
+};
+
+/// finds that on the way
+struct Treatment_that_throws : Distributed_treatment_2
+{
+  Treatment_that_throws(const Problem_2& problem, const Bubbles_2& points, const Hilbert_partition_2& partition,
+                        Communicator& comm)
+    : Distributed_treatment_2(problem, points, partition, comm), m_comm(comm)
+  {}
+
+  void operate(Piece& piece, Treatment_state& state) const
+  {
+    if (!state.care.is_careful)
+      m_comm.throw_on_all(Edges_too_near());
+    Distributed_treatment_2::operate(piece, state);
+  }
+
+  Communicator& m_comm;
+};
+
+TEST(Distributed_treatment, all_is_done_carefully_once_more_when_the_outline_is_found_broken)
+{
+  const Case c = random(paper::square_with_hole(1), 600, 1);
+  Relaxation_options options;
+  options.minimum_angle = 30;
+  const Sizes_2 any_size([](double, double) { return 0.05; });
+  const Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
+  Bubble_mesh_2 whole = mesh_of(c);
+  const Treatment_counts expected = treat_and_refine(Whole_treatment_2(problem), whole);
+  EXPECT_GT(expected.inserted, 10u);
+
+  Communicator comm(MPI_COMM_WORLD);
+  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
+  const Bubbles_2 no_points;
+  const auto expect_the_same = [&](const auto& treatment) {
+    Distributed_mesh_2 mesh =
+      treatment.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+    const Treatment_counts counts = treat_and_refine(treatment, mesh);
+    EXPECT_EQ(counts.treated, expected.treated);
+    EXPECT_EQ(counts.inserted, expected.inserted);
+    EXPECT_EQ(counts.deleted, expected.deleted);
+    expect_bubbles_are_those(whole.bubbles, own_bubbles(mesh, comm.rank()));
+  };
+  expect_the_same(Distributed_treatment_2(problem, no_points, partition, comm));
+  const Treatment_found_broken broken(problem, no_points, partition, comm);
+  expect_the_same(broken);
+  EXPECT_EQ(broken.number_of_looks, 1);
+  expect_the_same(Treatment_that_throws(problem, no_points, partition, comm));
+}
+
 } // namespace test_distributed_treatment

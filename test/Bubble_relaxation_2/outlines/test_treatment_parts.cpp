@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 namespace test_treatment_parts {
@@ -247,7 +246,7 @@ struct Treatment_that_throws : internal::Whole_treatment_2
   void operate(Mesh& mesh, internal::Treatment_state& state) const
   {
     if (!state.care.is_careful)
-      throw std::runtime_error("edges cross");
+      throw internal::Edges_too_near();
     Whole_treatment_2::operate(mesh, state);
   }
 };
@@ -297,6 +296,7 @@ struct Counting_treatment
   Mesh triangulated_anew(Mesh mesh) const { return mesh; }
   std::size_t number_of_bubbles(Mesh mesh) const { return mesh; }
   double smallest_free_sine(Mesh) const { return 0.5; }
+  bool closes_outline(Mesh mesh) const { return mesh < 12; }
 
   std::vector<internal::Steiner_point_2> wanted_points(Mesh mesh) const
   {

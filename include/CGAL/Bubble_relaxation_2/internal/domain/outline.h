@@ -121,18 +121,20 @@ inline bool try_to_triangulate(const std::vector<Domain_edge_2>& edges, Bubble_m
   return mark_triangulation(points_of(mesh.bubbles), edges, mesh.triangles) == Marking_error::NONE;
 }
 
-inline std::runtime_error edges_too_near()
+struct Edges_too_near : std::runtime_error
 {
-  return std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the rounding of "
-                            "bubbles on them");
-}
+  Edges_too_near()
+    : std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the rounding of "
+                         "bubbles on them")
+  {}
+};
 
 /// The same with the edges of a domain.
 /// \pre no two bubbles are in one place, see `remove_coincident()`
 inline void triangulate(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
   if (!try_to_triangulate(cut_edges(domain, mesh.bubbles), mesh))
-    throw edges_too_near();
+    throw Edges_too_near();
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.

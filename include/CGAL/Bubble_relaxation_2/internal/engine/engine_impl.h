@@ -21,8 +21,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -44,13 +42,19 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
 inline void make_room_for_all(const Domain_2& domain, const Given_mesh_2& given, const Relaxation_options& options,
                               Sizes_2& sizes)
 {
-  if (!keeps_given_bubbles(options) || options.population != Bubble_population::NONE || options.number_of_rounds == 0)
+  if (!keeps_given_bubbles(options) || options.population != Bubble_population::NONE || options.number_of_rounds == 0 ||
+      given.free.size() > options.maximum_number_of_bubbles)
     return;
   const double number = static_cast<double>(given.free.size());
+  const Sizes_2 wanted = sizes;
+  double factor = 1;
   // several times, since what large sizes ask for is at least the ends of edges
   for (double many = 4; number > many * sizes.expected_number; many = 1.1) {
-    sizes = scaled(sizes, std::sqrt(sizes.expected_number / number));
-    count_bubbles(domain, (std::numeric_limits<std::size_t>::max)(), "the given vertices", sizes);
+    factor *= std::sqrt(sizes.expected_number / number);
+    sizes = scaled(wanted, factor);
+    Expected_number_of_bubbles count(domain, sizes, 2 * number);
+    sizes.expected_number = count();
+    sizes.number_without_corners = count.without_corners();
   }
 }
 

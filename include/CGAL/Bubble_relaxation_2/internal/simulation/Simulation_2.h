@@ -114,8 +114,8 @@ class Simulation_2
 {
 public:
   Simulation_2(const Problem_2& problem, Bubbles_2& bubbles, Team& team)
-    : m_options(problem.options), m_time_step(m_options.time_step), m_tolerance(m_options.displacement_tolerance), m_boundary(problem.domain),
-      m_integrator(make_integrator(m_options)), m_bubbles(bubbles), m_team(team),
+    : m_options(problem.options), m_time_step(m_options.time_step), m_tolerance(m_options.displacement_tolerance),
+      m_boundary(problem.domain), m_integrator(make_integrator(m_options)), m_bubbles(bubbles), m_team(team),
       m_neighbors(m_options.neighbor_radius),
       m_update_size(bubbles, problem.sizes, m_integrator->lets_bubbles_sleep() ? 0.03 : 0.01) // the paper's: 0.01
   {
@@ -243,7 +243,7 @@ public:
       if (Observer* observer = m_options.progress->observer())
         observer->step_ends(m_bubbles);
     }
-    m_is_wild = m_integrator->lets_bubbles_sleep() &&
+    m_is_wild = m_integrator->lets_bubbles_sleep() && result.steps >= least_steps_of_wild && !result.is_at_rest &&
                 3 * m_team.sum(Step_sums{count_far_moves(), 0}).restless > m_team.number_of_all(m_bubbles);
     m_team.end_steps(*this, m_bubbles);
     if (!keeps_references()) { // as in the paper before each round, and for the control of the population
@@ -300,7 +300,8 @@ public:
 
 private:
   static constexpr double coarse_tolerance = 3.3; // times that of the end
-  static constexpr double wide_radius = 3; // of sets so large that the neighbours of neighbours are too many to look at
+  static constexpr double wide_radius = 3; // sets are so large that neighbours of neighbours are too many to look at
+  static constexpr std::size_t least_steps_of_wild = 10; // before, bubbles may still be on their way
 
   /// Tells which share of the simulation is over. Bubbles that may sleep need 3 to 30 moves, as the sizes have it: each
   /// counts less than the one before.
@@ -411,7 +412,7 @@ private:
     const double far = 0.1 / m_time_step;
     std::size_t number = 0;
     for (std::size_t i = 0; i < b.size(); ++i)
-      number += b.is_ours(i) && b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] > far * far;
+      number += b.can_move(i) && b.is_ours(i) && b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] > far * far;
     return number;
   }
 

@@ -308,15 +308,20 @@ std::size_t insert_for_small_angles(const Treatment& treatment, const typename T
 }
 
 /// The same, unless it makes angles in a crack smaller. `treatment`: by one rank or all
+/// \throws Edges_too_near if the outline crosses itself then, unless that is left to those who have `care`
 template <class Treatment>
 std::size_t refine_small_angles(const Treatment& treatment, typename Treatment::Mesh& mesh, Outline_care& care)
 {
   if (!treatment.is_to_be_refined(mesh))
     return 0;
   typename Treatment::Mesh refined;
-  const std::size_t result = insert_for_small_angles(treatment, mesh, care, refined);
-  if (result == 0 || treatment.smallest_free_sine(refined) < treatment.smallest_free_sine(mesh))
+  Outline_care care_of_refined{care.is_careful};
+  const std::size_t result = insert_for_small_angles(treatment, mesh, care_of_refined, refined);
+  if (result == 0 || treatment.smallest_free_sine(refined) < treatment.smallest_free_sine(mesh)) {
+    check_before_leaving(treatment, refined, care_of_refined);
     return 0;
+  }
+  care.has_changed_outline = care.has_changed_outline || care_of_refined.has_changed_outline;
   mesh = std::move(refined);
   return result;
 }

@@ -109,6 +109,15 @@ struct Outline_care
   }
 };
 
+/// Ranks see on the way that the outline crosses itself: one rank does before it goes back to another mesh.
+/// \throws Edges_too_near
+template <class Treatment>
+void check_before_leaving(const Treatment& treatment, typename Treatment::Mesh& mesh, const Outline_care& care)
+{
+  if (care.has_changed_outline && !treatment.closes_outline(mesh))
+    throw Edges_too_near();
+}
+
 } // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_REBUILD_OUTSIDE_H

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -93,6 +92,8 @@ inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubbl
 inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
                                Treatment_state& state)
 {
+  if (state.smallest >= bad_qualities[0])
+    return;
   label_edges(mesh.triangles);
   Bubbles_2 before = mesh.bubbles;
   Defect_surgery_2 surgery(domain, mesh, state.smallest, state.first_number);
@@ -270,6 +271,8 @@ void keep_the_better(const Treatment& treatment, typename Treatment::Mesh& mesh,
       (treatment.problem().options.population != Bubble_population::NONE &&
        treatment.count_misfits(given).is_worse_than(treatment.count_misfits(mesh))))
     return;
+  check_before_leaving(treatment, mesh, care);
+  care.has_changed_outline = false;
   counts = treat_defects(treatment_of_given, given, care);
   mesh = std::move(given);
 }
@@ -286,12 +289,16 @@ void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh
   const std::int64_t first_new = static_cast<std::int64_t>(treatment.number_of_bubbles(mesh) - inserted); // the last ones
   const auto left_before = treatment.left_to_refine(mesh);
   Bubbles_2 before = treatment.own_bubbles(mesh);
+  Outline_care care_again{care.is_careful};
   treatment.prepare_to_treat_again(mesh);
-  const Treatment_counts more = treat_defects(treatment, mesh, care, first_new);
-  if (left_before < treatment.left_to_refine(mesh))
+  const Treatment_counts more = treat_defects(treatment, mesh, care_again, first_new);
+  if (left_before < treatment.left_to_refine(mesh)) {
+    check_before_leaving(treatment, mesh, care_again);
     mesh = treatment.triangulate_own(std::move(before));
-  else
-    counts += more;
+    return;
+  }
+  care.has_changed_outline = care.has_changed_outline || care_again.has_changed_outline;
+  counts += more;
 }
 
 /// Treats and refines a mesh, and once more, carefully, if its outline crosses itself then.
@@ -310,7 +317,7 @@ Treatment_counts treat_and_refine(const Treatment& treatment, typename Treatment
         refine_and_treat(treatment, mesh, care, counts);
       if (!care.has_changed_outline || treatment.closes_outline(mesh))
         return counts;
-    } catch (const std::runtime_error&) { // ranks triangulate, and find that on the way
+    } catch (const Edges_too_near&) { // ranks triangulate, and find that on the way
       if (is_careful)
         throw;
     }

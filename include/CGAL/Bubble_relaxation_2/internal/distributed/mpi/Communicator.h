@@ -170,6 +170,7 @@ private:
   T reduce(T value, MPI_Op operation) const
   {
     T result = value;
+    m_has_agreed = false; // what all have thrown before was handled
     check_mpi(MPI_Allreduce(&value, &result, 1, mpi_type(T()), operation, m_comm));
     return result;
   }

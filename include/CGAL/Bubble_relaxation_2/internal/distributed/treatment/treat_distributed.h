@@ -31,7 +31,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -298,7 +297,7 @@ public:
     const std::size_t number_before = number_of_bubbles(mesh);
     try {
       mesh = with_points(points, mesh);
-    } catch (const std::runtime_error&) { // on all ranks: the outline crosses itself
+    } catch (const Edges_too_near&) { // on all ranks
       if (!care.is_careful)
         throw;
       return false;
@@ -333,7 +332,7 @@ private:
     try {
       changes_outline = m_comm.any(make(changed));
       smallest_now = smallest_quality(changed.mesh);
-    } catch (const std::runtime_error&) { // of all ranks: edges have come too near to each other for a renewal
+    } catch (const Edges_too_near&) { // on all ranks: pieces cannot be renewed
       if (!state.care.is_careful)
         throw;
     }
