@@ -358,7 +358,7 @@ TEST_P(In_a_trap, no_bubble_ever_leaves)
           else {
             const auto edge = std::find_if(
               outline.constraints.begin(), outline.constraints.end(), [&](const validation::Segment& s) {
-                const double length = validation::length(s), margin = (std::min)(0.499 * trap.d, 0.333 * length);
+                const double length = validation::length(s), margin = (std::min)(0.499 * nodes.sizes[i], 0.333 * length);
                 return validation::off(s, p) < 1e-15 && validation::along(s, p) >= margin &&
                        validation::along(s, p) <= length - margin;
               });
