@@ -18,6 +18,7 @@ done
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun -n 4 --oversubscribe \
   ../release/demo/Bubble_relaxation_2/distributed_ring
 figures=$here/doc/Bubble_relaxation_2/fig
+without_messages() { grep -v '^\[\|^ninja\|^installing'; } # of what installs and builds
 cp bubbles.svg "$figures"
 ../release/demo/Bubble_relaxation_2/paper_figures | tee "$figures/figures.txt"
 ../release/demo/Bubble_relaxation_2/paper_figures --sizes | tee "$figures/sizes.txt"
@@ -33,15 +34,15 @@ done | tee "$figures/local_drift.txt"
 ../release/benchmark/Bubble_relaxation_2/progress "$here/demo/Bubble_relaxation_2/data/lake.poly" 1e6 |
   tee "$figures/progress.txt"
 ../release/benchmark/Bubble_relaxation_2/transfer | tee "$figures/transfer.txt"
-"$here/scripts/benchmark.sh" compare 10000 | grep -v '^\[\|^ninja\|^installing' | tee "$figures/compare_meshers.txt"
+"$here/scripts/benchmark.sh" compare 10000 | without_messages | tee "$figures/compare_meshers.txt"
 cp "$here/output/compare_meshers.svg" .
-"$here/scripts/benchmark.sh" influence 1e4 1e6 | grep -v '^\[\|^ninja\|^installing' | tee "$figures/influence_domains.txt"
+"$here/scripts/benchmark.sh" influence 1e4 1e6 | without_messages | tee "$figures/influence_domains.txt"
 "$here/scripts/benchmark.sh" coasts --size 5 norway_low > /dev/null # for the picture
 cp "$here/output/coast.svg" .
 "$here/scripts/benchmark.sh" coasts {superior,aegean,norway,patagonia,finland}_intermediate |
-  grep -v '^\[\|^ninja\|^installing' | tee "$figures/coasts.txt"
+  without_messages | tee "$figures/coasts.txt"
 "$here/scripts/benchmark.sh" dual 1000 10000 {superior,aegean,norway,patagonia,finland}_intermediate |
-  grep -v '^\[\|^ninja\|^installing' | tee "$figures/dual.txt"
+  without_messages | tee "$figures/dual.txt"
 "$here/scripts/same_bits.sh" | grep -v ' s to run' | tail -n 15 | tee "$figures/same_bits.txt" # those of the last one
 "$here/doc/Bubble_relaxation_2/draw_rooms.py" rooms.svg
 ../release/demo/Bubble_relaxation_2/moving_body | tail -n 1 | tee "$figures/moving_body.txt"

@@ -48,6 +48,8 @@ struct Steiner_point_2
   Bubbles_2::Dimension dimension;
   Index triangle; ///< that asks for it, on its rank
 
+  bool is_on_edge() const { return dimension == Bubbles_2::EDGE; }
+
   bool operator<(const Steiner_point_2& p) const
   {
     return std::tie(sine, x, y, radius, host) < std::tie(p.sine, p.x, p.y, p.radius, p.host);
@@ -321,7 +323,7 @@ std::size_t refine_small_angles(const Treatment& treatment, typename Treatment::
     check_before_leaving(treatment, refined, care_of_refined);
     return 0;
   }
-  care.has_changed_outline = care.has_changed_outline || care_of_refined.has_changed_outline;
+  care.add(care_of_refined);
   mesh = std::move(refined);
   return result;
 }

@@ -42,7 +42,7 @@ public:
   {
     const Index v = static_cast<Index>(m_mesh.bubbles.size());
     m_mesh.bubbles.add(Point(p.x, p.y), m_sizes(p.x, p.y), p.dimension, p.host, p.s);
-    return p.dimension == Bubbles_2::EDGE ? insert_on_edge(v, p) : insert_in_face(v, p.triangle);
+    return p.is_on_edge() ? insert_on_edge(v, p) : insert_in_face(v, p.triangle);
   }
 
 private:
@@ -145,10 +145,9 @@ inline bool insert_points(const Domain_2& domain, const Sizes_2& sizes, const st
 {
   label_edges(mesh.triangles);
   Vertex_insertion_2 insert(domain, sizes, mesh);
-  const auto is_on_edge = [](const Steiner_point_2& p) { return p.dimension == Bubbles_2::EDGE; };
   if (!std::all_of(points.begin(), points.end(), [&insert](const Steiner_point_2& p) { return insert(p); }))
     return false;
-  if (std::none_of(points.begin(), points.end(), is_on_edge))
+  if (std::none_of(points.begin(), points.end(), [](const Steiner_point_2& p) { return p.is_on_edge(); }))
     return true;
   Bubbles_2 outline;
   for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)

@@ -107,6 +107,9 @@ struct Outline_care
     has_changed_outline = has_changed_outline || changes_outline;
     return true;
   }
+
+  /// what was done with another one is part of this
+  void add(const Outline_care& other) { has_changed_outline = has_changed_outline || other.has_changed_outline; }
 };
 
 /// Ranks see on the way that the outline crosses itself: one rank does before it goes back to another mesh.

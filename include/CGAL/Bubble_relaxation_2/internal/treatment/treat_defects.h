@@ -214,9 +214,8 @@ public:
   /// returns whether that can be done; if not, the mesh is not to be used any more
   bool insert(const std::vector<Steiner_point_2>& points, Outline_care& care, Mesh& mesh) const
   {
-    const bool splits_outline = std::any_of(points.begin(), points.end(), [](const Steiner_point_2& p) {
-      return p.dimension == Bubbles_2::EDGE;
-    });
+    const bool splits_outline =
+      std::any_of(points.begin(), points.end(), [](const Steiner_point_2& p) { return p.is_on_edge(); });
     return insert_points(m_problem.domain, m_problem.sizes, points, mesh) &&
            care.allows(splits_outline, [&] { return closes_outline(mesh); });
   }
@@ -297,7 +296,7 @@ void refine_and_treat(const Treatment& treatment, typename Treatment::Mesh& mesh
     mesh = treatment.triangulate_own(std::move(before));
     return;
   }
-  care.has_changed_outline = care.has_changed_outline || care_again.has_changed_outline;
+  care.add(care_again);
   counts += more;
 }
 
