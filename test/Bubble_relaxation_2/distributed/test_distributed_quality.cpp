@@ -155,7 +155,7 @@ TEST(Team_of_ranks, sorted_positions_are_those_of_all_values)
       own.push_back(values[i]);
   std::sort(values.begin(), values.end());
   const std::vector<std::size_t> positions{0, 1, 2, 2, 250, 506, 507};
-  const auto found = all.sorted_at(own, positions);
+  const auto found = sorted_at(positions, own, all);
   for (std::size_t k = 0; k < positions.size(); ++k)
     EXPECT_EQ(found[k], values[positions[k]]) << positions[k];
 }

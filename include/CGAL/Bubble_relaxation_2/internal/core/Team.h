@@ -10,10 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_TEAM_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -64,33 +62,6 @@ struct Step_sums
 
 /// how much of a disc belongs to a rank
 enum class Share_of_disc { NONE, SOME, ALL };
-
-/// Brings the values from `begin` to `end` into an order in which those at some positions are where sorting
-/// would bring them. `first`, `last`: the positions, each greater than the last
-template <class Iterator>
-void sort_positions(std::vector<double>& values, std::size_t begin, std::size_t end, Iterator first,
-                    Iterator last)
-{
-  if (first == last)
-    return;
-  tick();
-  const Iterator middle = first + (last - first) / 2;
-  const auto at = [&values](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(*middle), at(end));
-  sort_positions(values, begin, *middle, first, middle);
-  sort_positions(values, *middle + 1, end, middle + 1, last);
-}
-
-/// the values that sorting would bring to some positions, which do not decrease
-inline std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions)
-{
-  std::vector<std::size_t> distinct = positions;
-  sort_positions(values, 0, values.size(), distinct.begin(), std::unique(distinct.begin(), distinct.end()));
-  std::vector<double> result;
-  for (std::size_t position : positions)
-    result.push_back(values[position]);
-  return result;
-}
 
 /// The contract between the stages and the ranks that go through them together, each with its own part of the domain:
 /// what a stage asks for, or tells, wherever that is more than what this rank has. A program without ranks is a team of
@@ -275,13 +246,6 @@ public:
   /// adds up counts of all ranks, so many
   virtual void add_up(std::size_t* /* counts */, std::size_t) const {}
   virtual void add_up(std::uint64_t& /* sum */) const {} ///< the same, of more than a count may be
-
-  /// The values that sorting those of all ranks would bring to some positions, which do not decrease.
-  /// \pre none is negative
-  virtual std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions) const
-  {
-    return internal::sorted_at(values, positions);
-  }
 
   /// @}
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/find_sorted.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
@@ -260,7 +261,7 @@ private:
       const std::size_t rank = (number * static_cast<std::size_t>(percent) + 99) / 100;
       positions.push_back((std::max)(rank, std::size_t(1)) - 1);
     }
-    const std::vector<double> sorted = all.sorted_at(values, positions);
+    const std::vector<double> sorted = sorted_at(positions, values, all);
     std::array<double, n> result{};
     std::copy(sorted.begin(), sorted.end(), result.begin());
     return result;

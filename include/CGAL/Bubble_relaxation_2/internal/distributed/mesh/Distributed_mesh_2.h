@@ -83,12 +83,14 @@ inline void ask_sizes(Distributed_mesh_2& mesh, const Sizes_2& sizing)
 /// The bubbles of a mesh that a rank owns, in the order of their numbers.
 inline Bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank)
 {
-  const Bubbles_2& known = mesh.bubbles;
-  Bubbles_2 result;
-  result.make_room_for(known.size());
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (known.owner[i] == rank)
-      add_own(result, record(known, i));
+  std::vector<Index> own;
+  own.reserve(mesh.bubbles.size());
+  for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
+    if (mesh.bubbles.owner[i] == rank)
+      own.push_back(static_cast<Index>(i));
+  Bubbles_2 result = mesh.bubbles;
+  result.select(own);
+  result.owner.clear();
   return result;
 }
 
@@ -114,6 +116,8 @@ public:
   /// another one is where its centre is. `edges`: of the triangle
   Index region(std::size_t t, const std::array<Index, 3>& edges)
   {
+    if (m_regions.number_of_regions() == 1) // nothing has to be looked for
+      return 0;
     for (int i = 0; i < 3; ++i)
       if (edges[i] != no_index) {
         const auto position = [&](int k) { return position_on(m_domain, m_mesh.bubbles, edges[i], end(t, k)); };

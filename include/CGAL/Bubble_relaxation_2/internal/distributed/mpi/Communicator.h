@@ -115,6 +115,14 @@ public:
                             mpi_type(typename Values::value_type()), operation, m_comm));
   }
 
+  /// sums of counts, so many
+  void add_up(std::size_t* counts, std::size_t n) const
+  {
+    std::vector<std::uint64_t> sums(counts, counts + n);
+    reduce_each(sums, MPI_SUM);
+    std::copy(sums.begin(), sums.end(), counts);
+  }
+
   /// @}
   /// \name Agreement
   /// @{
@@ -230,32 +238,6 @@ private:
   std::atomic<bool> m_has_failed{false}; // other threads may ask
   std::mutex m_mutex;
 };
-
-/// Collective. What sorting the elements of all ranks would bring to some positions. All are searched at once by
-/// halving: 64 times each rank counts its elements before each. No rank gets elements of others.
-/// \param sorted this rank's
-/// \param bits the number in whose order an element is
-/// \param count for how many so many of the first elements of `sorted` count
-/// \returns these numbers; the largest one that there is, for positions where there is no element
-template <class T, class Bits, class Count>
-std::vector<std::uint64_t> find_sorted(const Communicator& comm, const std::vector<T>& sorted, const Bits& bits,
-                                       const std::vector<std::int64_t>& positions, const Count& count)
-{
-  std::vector<std::uint64_t> found(positions.size(), 0); // the largest that are known to be small enough
-  std::vector<std::int64_t> counts(positions.size());
-  for (int bit = 63; bit >= 0 && !positions.empty(); --bit) {
-    const std::uint64_t half = std::uint64_t(1) << bit;
-    for (std::size_t k = 0; k < found.size(); ++k)
-      counts[k] = count(std::lower_bound(sorted.begin(), sorted.end(), found[k] | half,
-                                         [&bits](const T& t, std::uint64_t number) { return bits(t) < number; }) -
-                        sorted.begin());
-    comm.reduce_each(counts, MPI_SUM);
-    for (std::size_t k = 0; k < found.size(); ++k)
-      if (counts[k] <= positions[k])
-        found[k] |= half;
-  }
-  return found;
-}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

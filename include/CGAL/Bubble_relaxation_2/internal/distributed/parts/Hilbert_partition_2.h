@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HILBERT_PARTITION_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/find_sorted.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
@@ -148,16 +149,23 @@ inline bool add_once(Hilbert_partition_2::Ranks& ranks, int rank)
 /// Collective. Cuts the curve so that all ranks own equally many of some elements, which are on any ranks.
 /// \param sorted this rank's
 /// \param key where on the curve an element is
-/// \param count see `find_sorted()`
+/// \param count for how many so many of the first elements of `sorted` count
 template <class T, class Key_of, class Count>
 Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve_2& curve, const std::vector<T>& sorted,
                                    const Key_of& key, const Count& count)
 {
+  const auto count_before = [&](Hilbert_curve_2::Key end) {
+    const auto first = std::lower_bound(sorted.begin(), sorted.end(), end,
+                                        [&key](const T& t, Hilbert_curve_2::Key k) { return key(t) < k; });
+    return static_cast<std::size_t>(count(first - sorted.begin()));
+  };
   const std::int64_t all = comm.sum(count(static_cast<std::int64_t>(sorted.size())));
-  std::vector<std::int64_t> cuts;
+  std::vector<std::size_t> cuts;
   for (int rank = 1; rank < comm.size(); ++rank)
-    cuts.push_back(all * rank / comm.size());
-  return Hilbert_partition_2(curve, find_sorted(comm, sorted, key, cuts, count));
+    cuts.push_back(static_cast<std::size_t>(all * rank / comm.size()));
+  return Hilbert_partition_2(curve, find_sorted(cuts, count_before, [&comm](std::vector<std::size_t>& counts) {
+                               comm.add_up(counts.data(), counts.size());
+                             }));
 }
 
 /// cuts the curve so that all ranks own equally many of some bubbles, which all of them have
@@ -224,7 +232,7 @@ public:
 
 private:
   /// so many times the radius are tried, for those that come after
-  static constexpr std::array<double, 4> look_ahead = {1.2, 2, 4, 8};
+  static constexpr std::array<double, 4> look_ahead = {1.2, 3, 8, 24};
 
   const Hilbert_partition_2* m_partition;
   int m_rank;

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <unordered_map>
 #include <utility>
@@ -114,45 +113,11 @@ public:
   double smallest(double value) const override { return m_comm.smallest(value); }
   double largest(double value) const override { return m_comm.largest(value); }
 
-  void add_up(std::size_t* counts, std::size_t n) const override
-  {
-    std::vector<std::uint64_t> sums(counts, counts + n);
-    m_comm.reduce_each(sums, MPI_SUM);
-    std::copy(sums.begin(), sums.end(), counts);
-  }
-
+  void add_up(std::size_t* counts, std::size_t n) const override { m_comm.add_up(counts, n); }
   void add_up(std::uint64_t& sum) const override { sum = m_comm.sum(sum); }
-
-  std::vector<double> sorted_at(std::vector<double>& values, const std::vector<std::size_t>& positions) const override
-  {
-    std::sort(values.begin(), values.end());
-    std::vector<double> result;
-    for (std::uint64_t found :
-         find_sorted(m_comm, values, bits, std::vector<std::int64_t>(positions.begin(), positions.end()),
-                     [](std::int64_t count) { return count; }))
-      result.push_back(number(found));
-    return result;
-  }
 
 protected:
   Communicator& m_comm;
-
-private:
-  /// of numbers that are not negative; they have the order of their bits
-  static std::uint64_t bits(double value)
-  {
-    value += 0.; // there is a negative zero
-    std::uint64_t result;
-    std::memcpy(&result, &value, sizeof(result));
-    return result;
-  }
-
-  static double number(std::uint64_t bits)
-  {
-    double result;
-    std::memcpy(&result, &bits, sizeof(result));
-    return result;
-  }
 };
 
 /// Ranks of which each works on its own part of the plane, and which choose together among places for new bubbles.

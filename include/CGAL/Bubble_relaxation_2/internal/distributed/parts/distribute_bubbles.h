@@ -58,16 +58,23 @@ std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& par
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers
-inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, const Bubbles_2& bubbles)
+inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, Bubbles_2 bubbles)
 {
-  std::vector<Bubble_record_2> records;
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    records.push_back(record(bubbles, i));
-  Bubbles_2 home;
-  for (const Bubble_record_2& r : send_home(comm, partition, std::move(records)))
-    add_own(home, r);
-  home.sort_by_id();
-  return home;
+  std::vector<Index> at_home;
+  Messages<Bubble_record_2> out;
+  for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    const int owner = partition.owner(bubbles.x[i], bubbles.y[i]);
+    if (owner == comm.rank())
+      at_home.push_back(static_cast<Index>(i));
+    else
+      out[owner].push_back(record(bubbles, i));
+  }
+  bubbles.select(at_home);
+  for (const auto& message : deliver(comm, out))
+    for (const Bubble_record_2& r : message.second)
+      add_own(bubbles, r);
+  bubbles.sort_by_id();
+  return bubbles;
 }
 
 /// the keys and indices of bubbles along a curve

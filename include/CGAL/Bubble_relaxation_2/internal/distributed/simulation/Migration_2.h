@@ -114,6 +114,13 @@ private:
   template <class Work>
   void balance(const Bubbles_2& bubbles, double most, const Work& work) const
   {
+    std::int64_t here = 0;
+    for (std::size_t i = 0; i < bubbles.size(); ++i)
+      here += is_here(bubbles, i) ? work(i) : 0;
+    const double few = 160 * (most - 1); // more than that makes no difference
+    const double mean = double(m_comm.sum(here)) / m_comm.size();
+    if (!(double(m_comm.largest(here)) > most * mean + few))
+      return;
     std::vector<std::pair<Hilbert_curve_2::Key, std::int64_t>> places;
     for (std::size_t i = 0; i < bubbles.size(); ++i)
       if (is_here(bubbles, i))
@@ -122,12 +129,9 @@ private:
     std::vector<std::int64_t> before(1, 0); // the work of all before
     for (const auto& place : places)
       before.push_back(before.back() + place.second);
-    const double few = 160 * (most - 1); // more than that makes no difference
-    const double mean = double(m_comm.sum(before.back())) / m_comm.size();
-    if (double(m_comm.largest(before.back())) > most * mean + few)
-      *m_partition = even_partition(
-        m_comm, m_partition->curve(), places, [](const auto& place) { return place.first; },
-        [&before](std::int64_t n) { return before[static_cast<std::size_t>(n)]; });
+    *m_partition = even_partition(
+      m_comm, m_partition->curve(), places, [](const auto& place) { return place.first; },
+      [&before](std::int64_t n) { return before[static_cast<std::size_t>(n)]; });
   }
 
   Communicator& m_comm;

@@ -209,11 +209,11 @@ public:
     if (state.smallest >= Smoothing_sweeps_2::treated_quality)
       return;
     std::vector<Index> moved;
-    const auto move = [&](Piece& changed) {
-      Treatment_team_2 team(m_comm, changed, [&] { renew(changed, m_reach); });
-      moved = Smoothing_sweeps_2(m_domain, changed.mesh, team)(most_sweeps, state.first_number);
-      changed.mesh.mark_triangles(m_comm.rank());
-      return std::any_of(moved.begin(), moved.end(), [&](Index v) { return changed.mesh.bubbles.is_on_edge(v); });
+    const auto move = [&] {
+      Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
+      moved = Smoothing_sweeps_2(m_domain, piece.mesh, team)(most_sweeps, state.first_number);
+      piece.mesh.mark_triangles(m_comm.rank());
+      return std::any_of(moved.begin(), moved.end(), [&](Index v) { return piece.mesh.bubbles.is_on_edge(v); });
     };
     if (change(piece, state, move))
       state.counts.treated += number_of_all(moved.size());
@@ -225,11 +225,11 @@ public:
       return; // ranks need not know more of each other
     Treatment_counts counts;
     std::int64_t first_number = state.first_number;
-    const auto operate = [&](Piece& changed) {
-      Distributed_surgery_2 surgery(m_domain, changed, state.smallest, first_number, m_comm,
-                                    [&](double times) { renew(changed, times * m_reach); });
+    const auto operate = [&] {
+      Distributed_surgery_2 surgery(m_domain, piece, state.smallest, first_number, m_comm,
+                                    [&](double times) { renew(piece, times * m_reach); });
       for (double bad_quality : bad_qualities)
-        if (!surgery(bad_quality, static_cast<std::int64_t>(number_of_bubbles(changed.mesh))))
+        if (!surgery(bad_quality, static_cast<std::int64_t>(number_of_bubbles(piece.mesh))))
           break;
       counts = Treatment_counts{0, surgery.number_of_insertions, surgery.number_of_deletions};
       first_number = surgery.first_number;
@@ -321,27 +321,28 @@ public:
   }
 
 private:
-  /// Makes a change, unless the mesh gets worse by that; returns whether it was made. `make(piece)` returns whether it
-  /// moves the outline on this rank.
+  /// Makes a change, unless the mesh gets worse by that; returns whether it was made. `make()` returns whether it moves
+  /// the outline on this rank.
   template <class Make>
   bool change(Piece& piece, Treatment_state& state, const Make& make) const
   {
-    Piece changed = piece;
+    const Bubbles_2 before = own_bubbles(piece.mesh);
     bool changes_outline = false;
     double smallest_now = -1;
     try {
-      changes_outline = m_comm.any(make(changed));
-      smallest_now = smallest_quality(changed.mesh);
+      changes_outline = m_comm.any(make());
+      smallest_now = smallest_quality(piece.mesh);
     } catch (const Edges_too_near&) { // on all ranks: pieces cannot be renewed
       if (!state.care.is_careful)
         throw;
     }
     // moves make no triangle worse, but flips can, and rounding can make a mess of operations
     if (smallest_now < state.smallest ||
-        !state.care.allows(changes_outline, [&] { return closes_outline(changed.mesh); }))
+        !state.care.allows(changes_outline, [&] { return closes_outline(piece.mesh); })) {
+      piece = piece_around(before, m_reach);
       return false;
+    }
     state.smallest = smallest_now;
-    piece = std::move(changed);
     return true;
   }
 
@@ -358,9 +359,12 @@ private:
   void renew(Mesh_piece_2& piece, double reach) const
   {
     ++number_of_renewals;
-    const Bubbles_2 own = own_bubbles(piece.mesh);
-    const double stray = farthest_stray(m_comm, m_partition, own);
-    piece = piece_of_whole(m_comm, triangulate(own, reach, stray), m_partition, reach);
+    piece = piece_around(own_bubbles(piece.mesh), reach);
+  }
+
+  Mesh_piece_2 piece_around(const Bubbles_2& own, double reach) const
+  {
+    return piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(m_comm, m_partition, own)), m_partition, reach);
   }
 
   /// inserts points that all ranks want, each on the rank that owns its place, and triangulates
