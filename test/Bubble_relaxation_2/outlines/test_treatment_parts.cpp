@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 #include <vector>
 
 namespace test_treatment_parts {
@@ -320,6 +322,42 @@ TEST(Defects, refinement_ends_before_it_breaks_the_outline)
     EXPECT_EQ(mesh, is_careful ? 11u : 13u);
     EXPECT_EQ(care.has_changed_outline, !is_careful); // to be looked at
   }
+}
+
+/// a mesh of one triangle, with two corners at (0, 0) and (length, 0)
+internal::Bubble_mesh_2 triangle(double length, double x, double y)
+{
+  internal::Bubble_mesh_2 mesh;
+  for (const internal::Point& p : {internal::Point(0, 0), internal::Point(length, 0), internal::Point(length * x, length * y)})
+    mesh.bubbles.add(p, length, internal::Bubbles_2::CORNER, internal::no_index);
+  mesh.triangles.vertices.push_back({0, 1, 2});
+  mesh.triangles.inside.push_back(1);
+  return mesh;
+}
+
+TEST(Defects, bounds_of_qualities_are_none_too_large)
+{
+  std::mt19937 engine(random_seeds::seed());
+  std::uniform_real_distribution<double> coordinate(-1, 2), exponent(-90, 88);
+  for (int k = 0; k < 2000; ++k) {
+    const double flatness = k % 3 == 0 ? std::pow(10, exponent(engine) / 10) : 1;
+    const internal::Bubble_mesh_2 mesh =
+      triangle(std::pow(10, exponent(engine)), coordinate(engine), (std::min)(1., flatness) * coordinate(engine));
+    const double q = internal::quality(mesh, 0);
+    EXPECT_FALSE(internal::has_surely_more(mesh, 0, q));
+    for (double least : {0.5 * q, q, std::nextafter(q, 2.), 0.83, 0.95})
+      EXPECT_EQ(internal::has_quality(mesh, 0, least), q >= least) << least;
+    const double sine = std::abs(internal::Smallest_angle_2(mesh, 0).sine);
+    EXPECT_LE(q, (1 + 1e-12) * internal::quality_of_isosceles(std::asin((std::min)(sine, 1.)) / 2) + 1e-300);
+  }
+}
+
+TEST(Defects, bounds_of_qualities_tell_most)
+{
+  std::mt19937 engine(random_seeds::seed());
+  std::uniform_real_distribution<double> shift(-0.1, 0.1);
+  for (int k = 0; k < 100; ++k)
+    EXPECT_TRUE(internal::has_surely_more(triangle(1, 0.5 + shift(engine), 0.866 + shift(engine)), 0, 0.9));
 }
 
 TEST(Defects, star_gradient_is_that_of_the_energy)

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
@@ -150,6 +151,25 @@ inline std::array<int, 3> corners_in_order(const Triangles_2& tr, Index t)
   const std::array<Index, 3>& v = tr.vertices[t];
   const int first = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin());
   return {first, ccw(first), cw(first)};
+}
+
+/// Whether q of a triangle is surely more than that. Nearly always this tells, without square roots: with the sides a, b, c
+/// and the area A, q = 16 A^2 / (a b c (a + b + c)) >= 48 A^2 / (a^2 + b^2 + c^2)^2.
+inline bool has_surely_more(const Bubble_mesh_2& mesh, Index t, double quality)
+{
+  constexpr double margin = 1e-9; // for rounding
+  const Kernel::Vector_2 u = mesh.point(t, 1) - mesh.point(t, 0), v = mesh.point(t, 2) - mesh.point(t, 0);
+  const double twice_area = u.x() * v.y() - u.y() * v.x(), squares = 2 * (u * u + v * v - u * v);
+  const double ratio = twice_area / squares;
+  return 12 * ratio * ratio > (1 + margin) * quality;
+}
+
+/// q of the isosceles triangle with an angle of twice `half` at its tip, 8 sin(a) sin^2(45 - a/2): no triangle with such an
+/// angle, up to 60 degrees, has more, nor has one with a smaller one
+inline double quality_of_isosceles(double half)
+{
+  const double s = sine_of(half);
+  return 4 * s * (1 - s);
 }
 
 /// The sine of the smallest angle of a triangle, and the vertex where it is.

@@ -220,7 +220,8 @@ class Small_angles_2
 {
 public:
   Small_angles_2(const Domain_2& domain, double minimum_angle)
-    : m_sine(sine_of(minimum_angle * CGAL_PI / 180)), m_is_sharp(domain.corners().size(), 0)
+    : m_sine(sine_of(minimum_angle * CGAL_PI / 180)),
+      m_largest_quality(quality_of_isosceles(minimum_angle * CGAL_PI / 360)), m_is_sharp(domain.corners().size(), 0)
   {
     for (const Sharp_corner_2& c : sharp_corners(domain, default_size_growth))
       m_is_sharp[c.corner] = c.sharpest_angle() < minimum_angle * CGAL_PI / 180;
@@ -234,7 +235,8 @@ public:
       tick(k);
       const Index t = static_cast<Index>(k);
       const std::array<Index, 3>& v = mesh.triangles.vertices[k];
-      if (!mesh.triangles.inside[k] || !b.is_ours(*std::min_element(v.begin(), v.end())))
+      if (!mesh.triangles.inside[k] || has_surely_more(mesh, t, m_largest_quality) ||
+          !b.is_ours(*std::min_element(v.begin(), v.end())))
         continue;
       const Smallest_angle_2 smallest(mesh, t);
       if (!(smallest.sine < m_sine))
@@ -253,7 +255,7 @@ public:
   }
 
 private:
-  double m_sine;
+  double m_sine, m_largest_quality; // of a triangle with that angle
   std::vector<char> m_is_sharp;
   Counted_places_2 m_forced, m_others;
 };

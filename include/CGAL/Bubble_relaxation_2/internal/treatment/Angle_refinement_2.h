@@ -230,10 +230,13 @@ private:
   Index m_hint = 0;
 };
 
+/// triangles with less are refined, if any are
+constexpr double least_quality = 0.55;
+
 /// Whether a triangle has a smaller angle than it needs, or two hardly larger ones, so that it is blunt.
 inline bool is_to_be_refined(const Bubble_mesh_2& mesh, Index t, double sine)
 {
-  constexpr double least_quality = 0.55, sine_beyond = 0.545; // with a larger angle no q is less
+  constexpr double sine_beyond = 0.545; // with a larger angle no q is less
   const double smallest = smallest_free_sine(mesh, t);
   return smallest < sine || (sine > 0 && smallest < sine_beyond &&
                              radius_ratio_2(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2)) < least_quality);
@@ -244,11 +247,13 @@ inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bu
                                               const std::vector<char>& is_counted)
 {
   std::vector<Index> result;
-  const double sine = sine_of(problem.options.minimum_angle * CGAL_PI / 180);
-  for (std::size_t t = 0; t < is_counted.size(); ++t) {
-    tick(t);
-    if (is_counted[t] && is_to_be_refined(mesh, static_cast<Index>(t), sine))
-      result.push_back(static_cast<Index>(t));
+  const double angle = problem.options.minimum_angle * CGAL_PI / 180, sine = sine_of(angle);
+  const double enough = (std::max)(least_quality, quality_of_isosceles(angle / 2));
+  for (std::size_t k = 0; k < is_counted.size(); ++k) {
+    tick(k);
+    const Index t = static_cast<Index>(k);
+    if (is_counted[k] && !has_surely_more(mesh, t, enough) && is_to_be_refined(mesh, t, sine))
+      result.push_back(t);
   }
   return result;
 }

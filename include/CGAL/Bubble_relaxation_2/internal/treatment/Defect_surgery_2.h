@@ -43,13 +43,6 @@ struct Bad_triangle_2
   }
 };
 
-/// q of the isosceles triangle with an angle of twice `half` at its tip: 8 sin(a) sin^2(45 - a/2)
-inline double quality_of_isosceles(double half)
-{
-  const double s = sine_of(half);
-  return 4 * s * (1 - s);
-}
-
 /// what q can be at most where the input fixes angles between two edges, which one triangle has or two share
 inline double best_quality(const Bubble_mesh_2& mesh, Index t)
 {
@@ -74,8 +67,10 @@ inline std::vector<Bad_triangle_2> bad_triangles(const Bubble_mesh_2& mesh, doub
   for (std::size_t k = 0; k < m.inside.size(); ++k) {
     tick(k);
     const Index t = static_cast<Index>(k);
-    const double q = m.inside[k] && has_vertex_from(first, mesh, t) ? quality(mesh, t) : 1.;
-    if (!(q < bad_quality && q < 0.9 * best_quality(mesh, t)))
+    if (!m.inside[k] || !has_vertex_from(first, mesh, t) || has_quality(mesh, t, bad_quality))
+      continue;
+    const double q = quality(mesh, t);
+    if (!(q < 0.9 * best_quality(mesh, t)))
       continue;
     Bad_triangle_2 bad{q, {}, t};
     for (int i = 0; i < 3; ++i)

@@ -101,11 +101,8 @@ private:
   {
     Defects defects;
     for (Index t : triangles)
-      if (mesh.triangles.inside[t]) {
-        const double q = worth(mesh, t);
-        if (q < good_quality)
-          defects.push_back(q);
-      }
+      if (mesh.triangles.inside[t] && !has_quality(mesh, t, good_quality)) // better ones are acute
+        defects.push_back(worth(mesh, t));
     std::sort(defects.begin(), defects.end());
     return defects;
   }

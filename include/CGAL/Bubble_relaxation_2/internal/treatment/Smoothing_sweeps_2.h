@@ -34,6 +34,11 @@ inline double quality(const Bubble_mesh_2& mesh, Index t)
   return radius_ratio(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2));
 }
 
+inline bool has_quality(const Bubble_mesh_2& mesh, Index t, double least)
+{
+  return has_surely_more(mesh, t, least) || quality(mesh, t) >= least;
+}
+
 /// the number of a vertex among those of all ranks
 inline std::int64_t number_of(const Bubbles_2& b, Index v) { return b.id.empty() ? v : b.id[v]; }
 
@@ -44,24 +49,19 @@ inline bool has_vertex_from(std::int64_t first, const Bubble_mesh_2& mesh, Index
   return std::any_of(v.begin(), v.end(), [&](Index i) { return number_of(mesh.bubbles, i) >= first; });
 }
 
-/// q of each triangle of the domain, 1 outside
-inline std::vector<double> qualities(const Bubble_mesh_2& mesh, const Threads& threads)
+/// The smallest q of the triangles that count, 1 if there are none.
+inline double smallest_quality(const Bubble_mesh_2& mesh, const std::vector<char>& counts)
 {
-  std::vector<double> result;
-  resize_in_turn(result, mesh.triangles.number_of_triangles());
-  parallel_for(threads, result.size(), [&](std::size_t t) {
-    const Index i = static_cast<Index>(t);
-    result[t] = mesh.triangles.inside[t] != 0 ? quality(mesh, i) : 1.;
-  });
-  return result;
+  double smallest = 1;
+  for (std::size_t t = 0; t < counts.size(); ++t) {
+    tick(t);
+    if (counts[t] && !has_quality(mesh, static_cast<Index>(t), smallest))
+      smallest = quality(mesh, static_cast<Index>(t));
+  }
+  return smallest;
 }
 
-/// the smallest q of the triangles of the domain
-inline double smallest_quality(const Bubble_mesh_2& mesh, const Threads& threads = Threads())
-{
-  const std::vector<double> q = qualities(mesh, threads);
-  return q.empty() ? 1. : *std::min_element(q.begin(), q.end());
-}
+inline double smallest_quality(const Bubble_mesh_2& mesh) { return smallest_quality(mesh, mesh.triangles.inside); }
 
 /// The last defects. Where vertices have five and seven neighbours the forces press triangles more than
 /// they must be pressed. So the vertices of bad triangles are moved for the quality of their triangles
@@ -105,12 +105,14 @@ private:
 
   std::vector<Index> vertices_of_bad_triangles(std::int64_t first) const
   {
-    const std::vector<double> q = qualities(m_mesh, m_threads);
     std::vector<char> marks(m_bubbles.size(), 0);
-    for (std::size_t t = 0; t < q.size(); ++t)
-      if (q[t] < treated_quality && has_vertex_from(first, m_mesh, static_cast<Index>(t)))
-        for (Index v : m_mesh.triangles.vertices[t])
+    for (std::size_t k = 0; k < m_mesh.triangles.number_of_triangles(); ++k) {
+      tick(k);
+      const Index t = static_cast<Index>(k);
+      if (m_mesh.triangles.inside[k] && has_vertex_from(first, m_mesh, t) && !has_quality(m_mesh, t, treated_quality))
+        for (Index v : m_mesh.triangles.vertices[k])
           marks[v] = may_be_moved(v);
+    }
     return marked(marks);
   }
 

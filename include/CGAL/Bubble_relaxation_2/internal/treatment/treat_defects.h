@@ -76,7 +76,7 @@ inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubbl
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
   const std::vector<Index> moved = treat(most_sweeps, state.first_number);
-  const double smallest_now = smallest_quality(mesh, threads);
+  const double smallest_now = smallest_quality(mesh);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
   // the moves made none worse, but flips can
@@ -89,8 +89,7 @@ inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubbl
 }
 
 /// Inserts and removes single bubbles where moving is not enough.
-inline void operate_on_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh,
-                               Treatment_state& state)
+inline void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Treatment_state& state)
 {
   if (state.smallest >= bad_qualities[0])
     return;
@@ -102,7 +101,7 @@ inline void operate_on_defects(const Domain_2& domain, const Threads& threads, B
       break;
   if (surgery.number_of_insertions + surgery.number_of_deletions == 0)
     return;
-  const double smallest_now = smallest_quality(mesh, threads);
+  const double smallest_now = smallest_quality(mesh);
   // rounding can make a mess of a change; then what was there is good
   if (smallest_now < state.smallest ||
       !state.care.allows(surgery.has_changed_outline, [&] { return rebuild_outside(domain, mesh); })) {
@@ -163,7 +162,7 @@ public:
   static Piece piece_of(Mesh&& mesh) { return std::move(mesh); }
   static Mesh mesh_of(Piece&& piece) { return std::move(piece); }
 
-  double smallest_quality(const Mesh& mesh) const { return internal::smallest_quality(mesh, m_threads); }
+  double smallest_quality(const Mesh& mesh) const { return internal::smallest_quality(mesh); }
 
   /// as `triangulate_own()` makes a mesh of them
   Bubbles_2 own_bubbles(const Mesh& mesh) const { return mesh.bubbles; }
@@ -182,7 +181,7 @@ public:
 
   void operate(Piece& mesh, Treatment_state& state) const
   {
-    operate_on_defects(m_problem.domain, m_threads, mesh, state);
+    operate_on_defects(m_problem.domain, mesh, state);
   }
 
   /// whether the outline of a mesh, which was changed, does not cross itself

@@ -198,10 +198,7 @@ public:
 
   double smallest_quality(const Mesh& mesh) const
   {
-    double smallest = 1;
-    for (Index t : marked(mesh.is_owned))
-      smallest = (std::min)(smallest, quality(mesh, t));
-    return m_comm.smallest(smallest);
+    return m_comm.smallest(internal::smallest_quality(mesh, mesh.is_owned));
   }
 
   void smooth(Piece& piece, int most_sweeps, Treatment_state& state) const
