@@ -85,10 +85,12 @@ inline std::vector<std::pair<Hilbert_curve_2::Key, Index>> places_on(const Hilbe
   places.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     places.emplace_back(curve.key(bubbles[i].x, bubbles[i].y), static_cast<Index>(i));
-  std::sort(places.begin(), places.end(), [&bubbles](const auto& p, const auto& q) {
+  const auto is_before = [&bubbles](const auto& p, const auto& q) {
     const Bubble_record_2 &b = bubbles[p.second], &c = bubbles[q.second];
     return p.first != q.first ? p.first < q.first : std::tie(b.x, b.y, b.dimension) < std::tie(c.x, c.y, c.dimension);
-  });
+  };
+  const auto sorted_end = std::is_sorted_until(places.begin(), places.end(), is_before);
+  merge_tail(places, static_cast<std::size_t>(sorted_end - places.begin()), is_before);
   return places;
 }
 
@@ -243,6 +245,8 @@ private:
 /// counts those of an interval of numbers, which are mostly its own. \pre they ascend
 inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<std::int64_t>& numbers)
 {
+  if (comm.sum(static_cast<std::int64_t>(numbers.size())) == end)
+    return; // none is missing
   Messages<std::int64_t> out;
   for (std::int64_t number : numbers)
     out[static_cast<int>(number * comm.size() / end)].push_back(number);

@@ -167,9 +167,14 @@ private:
 
     const auto is_refused = [&](const Claim& c) { return !choice.is_chosen(static_cast<Index>(c.place)); };
     claims.erase(std::remove_if(claims.begin(), claims.end(), is_refused), claims.end());
+    std::vector<char> is_concerned(m_known.size(), 0);
+    for (const Claim& claim : claims)
+      for (std::int64_t number : claim.triangle)
+        if (const Index v = m_known.index_of(number); v != no_index)
+          is_concerned[v] = 1;
     std::vector<Index> result;
     for (std::size_t t = 0; t < m_triangles.inside.size() && !claims.empty(); ++t)
-      if (m_triangles.inside[t]) {
+      if (m_triangles.inside[t] && is_concerned[m_triangles.vertices[t][0]]) {
         const Claim claim{sorted_numbers(m_known, m_triangles.vertices[t]), 0};
         const auto found = std::lower_bound(claims.begin(), claims.end(), claim);
         if (found != claims.end() && found->triangle == claim.triangle)

@@ -163,9 +163,12 @@ inline std::vector<Numbers_of_triangle> triangles_around_part(Communicator& comm
   const Bubbles_2& b = mesh.bubbles;
   Messages<Numbers_of_triangle> out;
   Clearance_2 clearance(partition, comm.rank());
+  std::vector<char> is_near(b.size(), 0); // to others
+  for (std::size_t i = 0; i < is_near.size(); ++i)
+    is_near[i] = b.is_ours(i) && clearance(b.x[i], b.y[i], reach * b.d[i]) == 0;
   for (std::size_t t = 0; t < mesh.is_owned.size(); ++t) {
     const Index first = mesh.is_owned[t] ? mesh.first_vertex(t) : no_index;
-    if (first != no_index)
+    if (first != no_index && is_near[first])
       for (int rank : clearance.others_in_disc(b.x[first], b.y[first], reach * b.d[first]))
         out[rank].push_back(sorted_numbers(b, mesh.triangles.vertices[t]));
   }

@@ -323,7 +323,7 @@ private:
   template <class Make>
   bool change(Piece& piece, Treatment_state& state, const Make& make) const
   {
-    const Bubbles_2 before = own_bubbles(piece.mesh);
+    Bubbles_2 before = piece.mesh.bubbles;
     bool changes_outline = false;
     double smallest_now = -1;
     try {
@@ -336,7 +336,8 @@ private:
     // moves make no triangle worse, but flips can, and rounding can make a mess of operations
     if (smallest_now < state.smallest ||
         !state.care.allows(changes_outline, [&] { return closes_outline(piece.mesh); })) {
-      piece = piece_around(before, m_reach);
+      piece.mesh.bubbles = std::move(before);
+      renew(piece, m_reach);
       return false;
     }
     state.smallest = smallest_now;
@@ -352,16 +353,13 @@ private:
     return mesh;
   }
 
-  /// Makes pieces that are too narrow from where all bubbles are.
+  /// Makes pieces anew from where all bubbles are.
   void renew(Mesh_piece_2& piece, double reach) const
   {
     ++number_of_renewals;
-    piece = piece_around(own_bubbles(piece.mesh), reach);
-  }
-
-  Mesh_piece_2 piece_around(const Bubbles_2& own, double reach) const
-  {
-    return piece_of_whole(m_comm, triangulate(own, reach, farthest_stray(m_comm, m_partition, own)), m_partition, reach);
+    const Bubbles_2 own = own_bubbles(piece.mesh);
+    const double stray = farthest_stray(m_comm, m_partition, own);
+    piece = piece_of_whole(m_comm, triangulate(own, reach, stray), m_partition, reach);
   }
 
   /// inserts points that all ranks want, each on the rank that owns its place, and triangulates
