@@ -111,9 +111,9 @@ CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubble_mesh_2 make_mesh(const Problem_2& problem, Report& report)
 {
   Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, report), report);
+  problem.options.progress->start_phase(Bubble_phase::EVALUATION); // nothing is left undone from here on
   if (problem.cut != nullptr)
     problem.cut->join(mesh);
-  problem.options.progress->start_phase(Bubble_phase::EVALUATION);
   evaluate(mesh, problem, report);
   return mesh;
 }

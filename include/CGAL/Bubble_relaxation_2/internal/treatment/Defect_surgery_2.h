@@ -24,7 +24,6 @@
 #include <cstdint>
 #include <tuple>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -91,7 +90,7 @@ public:
   /// \param first triangles with a vertex from there on are operated on
   /// \pre the edges of `mesh` are labelled
   Defect_surgery_2(const Domain_2& domain, Bubble_mesh_2& mesh, double smallest, std::int64_t first)
-    : first_number(first), m_domain(domain), m_mesh(mesh), m_smallest(smallest)
+    : first_number(first), m_mesh(mesh), m_operate(domain, mesh, smallest)
   {}
 
   std::int64_t first_number; ///< of the vertices whose triangles are operated on; falls when others before it go
@@ -142,16 +141,10 @@ private:
     }
     std::vector<Operation> result;
     choice.decide([&](Index k) {
-      Mesh_patch_2 patch(m_mesh, std::move(triangles[k]));
-      const std::uint64_t signature = patch.signature(worst[k].triangle);
-      if (m_hopeless.count(signature) != 0)
-        return false;
-      Patch_operation_2 operate(m_domain, m_mesh, patch, m_smallest);
-      const bool has_helped = operate(worst[k].triangle);
+      Operation operation{Mesh_patch_2(m_mesh, std::move(triangles[k])), {}};
+      const bool has_helped = m_operate(operation.patch, worst[k].triangle, operation.outcome);
       if (has_helped)
-        result.push_back(Operation{std::move(patch), operate.best()});
-      else
-        m_hopeless.insert(signature);
+        result.push_back(std::move(operation));
       return has_helped;
     });
     return result;
@@ -208,11 +201,9 @@ private:
     m_mesh.bubbles.remove(i);
   }
 
-  const Domain_2& m_domain;
   Bubble_mesh_2& m_mesh;
-  const double m_smallest;
+  Patch_operations_2 m_operate;
   std::int64_t m_gone_before_first = 0;
-  std::unordered_set<std::uint64_t> m_hopeless; // signatures of what could not be made better
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -268,6 +270,37 @@ private:
   Defects m_defects; // of the best outcome
   Index m_hint = 0;  // a triangle of the domain near by
   Patch_outcome_2 m_best;
+};
+
+/// Operates on the patches of a mesh, and on none a second time in vain.
+class Patch_operations_2
+{
+public:
+  /// \param smallest see `Patch_operation_2`
+  Patch_operations_2(const Domain_2& domain, const Bubble_mesh_2& mesh, double smallest)
+    : m_domain(domain), m_mesh(mesh), m_smallest(smallest)
+  {}
+
+  /// tries what could help a triangle of a patch; returns whether it did
+  bool operator()(const Mesh_patch_2& patch, Index triangle, Patch_outcome_2& outcome)
+  {
+    const std::uint64_t signature = patch.signature(triangle);
+    if (m_hopeless.count(signature) != 0)
+      return false;
+    Patch_operation_2 operate(m_domain, m_mesh, patch, m_smallest);
+    const bool has_helped = operate(triangle);
+    if (has_helped)
+      outcome = operate.best();
+    else
+      m_hopeless.insert(signature);
+    return has_helped;
+  }
+
+private:
+  const Domain_2& m_domain;
+  const Bubble_mesh_2& m_mesh;
+  const double m_smallest;
+  std::unordered_set<std::uint64_t> m_hopeless; // signatures of what could not be made better
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -55,8 +55,8 @@ public:
   /// \param renew `renew(times)` makes the pieces of all ranks anew, so many times as wide as they usually are
   Distributed_surgery_2(const Domain_2& domain, Mesh_piece_2& piece, double smallest, std::int64_t first,
                         Communicator& comm, std::function<void(double)> renew)
-    : first_number(first), m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles),
-      m_triangles(piece.mesh.triangles), m_smallest(smallest), m_comm(comm), m_renew(std::move(renew))
+    : first_number(first), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
+      m_operate(domain, piece.mesh, smallest), m_comm(comm), m_renew(std::move(renew))
   {}
 
   /// what was done on all ranks
@@ -184,12 +184,9 @@ private:
   }
 
   /// returns whether it helped
-  bool operate_on(Ranked_operation_2& operation) const
+  bool operate_on(Ranked_operation_2& operation)
   {
-    Patch_operation_2 operate(m_domain, m_piece.mesh, operation.patch, m_smallest);
-    operation.is_chosen = operate(operation.triangle);
-    operation.outcome = operate.best();
-    return operation.is_chosen;
+    return operation.is_chosen = m_operate(operation.patch, operation.triangle, operation.outcome);
   }
 
   /// adds what an operation moves, inserts and deletes, and its triangles. `number`: of the first that it inserts
@@ -286,11 +283,10 @@ private:
     }
   }
 
-  const Domain_2& m_domain;
   Mesh_piece_2& m_piece;
   Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;
-  const double m_smallest;
+  Patch_operations_2 m_operate;
   Communicator& m_comm;
   const std::function<void(double)> m_renew;
   std::vector<Ranked_operation_2> m_operations;

@@ -89,9 +89,9 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK)
     mesh = treat_distributed(problem, given, part, ranks, report);
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK) {
+    input->options.progress->start_phase(Bubble_phase::EVALUATION);
     if (problem.cut != nullptr)
       mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
-    input->options.progress->start_phase(Bubble_phase::EVALUATION);
     Team_of_ranks team(ranks);
     evaluate(mesh, problem, team, report);
     input->options.progress->start_phase(Bubble_phase::WRITING);
