@@ -55,7 +55,8 @@ enum class Bubble_phase
   PLACEMENT,  ///< of the first bubbles
   SIMULATION, ///< rounds of steps, with changes of the population between them
   TREATMENT,  ///< triangulation, treatment of the last defects, refinement of small angles
-  EVALUATION, ///< statistics; a callback that stops them now has a complete mesh, unless it is to be restored
+  EVALUATION, ///< the triangles within the circles around sharp corners, and statistics; a callback that stops them now has
+              ///< a complete mesh, unless it is to be restored
   WRITING     ///< of the triangulation. Of the user's only the callback and `put()` of maps of tags are called; a stop is
               ///< obeyed only if the triangulation is to be restored, and then handles become invalid
 };

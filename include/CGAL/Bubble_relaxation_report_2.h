@@ -35,7 +35,7 @@ struct Bubble_relaxation_seconds
   double population = 0; ///< insertion and deletion of bubbles between rounds, and whether any is needed
   double treatment = 0;  ///< the triangulation of the bubbles in arrays, and the treatment of its last defects
   double writing = 0;    ///< from the bubbles to the triangulation
-  double evaluation = 0; ///< statistics of the mesh
+  double evaluation = 0; ///< the triangles within the circles around sharp corners, and statistics of the mesh
 
   /// the sum of all phases, less than the whole time
   double total() const

@@ -12,6 +12,7 @@
 #include "bubbles.h"
 #include "union_of_ranks.h"
 
+#include <CGAL/Bubble_relaxation_2/internal/core/find_sorted.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 

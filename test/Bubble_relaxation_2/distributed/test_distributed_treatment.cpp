@@ -59,6 +59,14 @@ struct Outcome
   std::size_t number_of_renewals;
 };
 
+/// the triangles that ranks own, by the numbers of their vertices
+auto owned_triangles(const Communicator& comm, const Distributed_mesh_2& mesh)
+{
+  auto owned = gather_records(comm, distributed::triangles(mesh.triangles, mesh.bubbles.id, mesh.is_owned));
+  std::sort(owned.begin(), owned.end());
+  return owned;
+}
+
 /// `first`: triangles with a vertex from there on are treated
 Outcome expect_same_treatment(const Case& c, const Options& options = Options(), std::int64_t first = 0)
 {
@@ -89,10 +97,8 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options(),
     EXPECT_EQ(partition.owner(part.x[i], part.y[i]), comm.rank());
 
   // the mesh has become that of the bubbles where they are now
-  auto owned = gather_records(comm, distributed::triangles(mesh.triangles, mesh.bubbles.id, mesh.is_owned));
-  std::sort(owned.begin(), owned.end());
   const Marked_triangles_2& t = whole.triangles;
-  EXPECT_TRUE(owned == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
+  EXPECT_TRUE(owned_triangles(comm, mesh) == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
   return Outcome{expected, treat.number_of_renewals};
 }
 
@@ -271,6 +277,36 @@ TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
     EXPECT_EQ(refine_small_angles(treat, mesh, care), expected);
     expect_bubbles_are_those(whole.bubbles, send_home(comm, partition, own_bubbles(mesh, comm.rank())));
   }
+}
+
+// they would make it worse than the state says it is
+TEST(Distributed_treatment, changes_are_taken_back)
+{
+  const Case c = random(paper::square_with_hole(1), 600, 1);
+  const Relaxation_options options;
+  const Sizes_2 any_size([](double, double) { return 1.; });
+  const Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
+  Communicator comm(MPI_COMM_WORLD);
+  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
+  const Bubbles_2 no_points;
+  const Distributed_treatment_2 treat(problem, no_points, partition, comm);
+  Distributed_mesh_2 mesh =
+    treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+  const auto triangles = owned_triangles(comm, mesh);
+  Mesh_piece_2 piece = treat.piece_of(std::move(mesh));
+  Outline_care care{false};
+  Treatment_state better{0.949, 0, care}, good{0.899, 0, care};
+  treat.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, better);
+  treat.operate(piece, good);
+  EXPECT_EQ(better.counts.treated, 0u);
+  EXPECT_EQ(better.smallest, 0.949);
+  EXPECT_EQ(good.counts.inserted + good.counts.deleted, 0u);
+  EXPECT_GE(treat.number_of_renewals, 2u);
+  expect_bubbles_are_those(c.bubbles, own_bubbles(piece.mesh, comm.rank()));
+  EXPECT_TRUE(owned_triangles(comm, piece.mesh) == triangles);
+  Treatment_state bad{0, 0, care};
+  treat.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, bad);
+  EXPECT_GT(bad.counts.treated, 300u); // that is what was taken back
 }
 
 /// says at the end that the outline crosses itself

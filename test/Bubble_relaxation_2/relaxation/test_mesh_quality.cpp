@@ -12,6 +12,7 @@
 #include "random_seeds.h"
 #include "validation.h"
 
+#include <CGAL/Bubble_relaxation_2/internal/core/find_sorted.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Mesh_quality_2.h>

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_FIND_SORTED_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_FIND_SORTED_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ std::vector<std::uint64_t> find_sorted(const std::vector<std::size_t>& positions
   return found;
 }
 
-/// Values that get sorted as far as it takes to find some of them.
+/// Values that get sorted as far as it takes to find some of them. \pre all are numbers
 class Partly_sorted_values
 {
 public:
@@ -55,33 +56,32 @@ public:
   {
     if (values.empty())
       return;
+    tick();
     const auto extremes = std::minmax_element(values.begin(), values.end());
-    m_before[rank_of(*extremes.first)] = 0;
-    m_before[rank_of(*extremes.second) + 1] = values.size();
+    m_before[key_of(*extremes.first)] = 0;
+    m_before[key_of(*extremes.second) + 1] = values.size();
   }
 
-  /// how many have smaller ranks, see `value_of()`
-  std::size_t number_before(std::uint64_t rank)
+  /// how many have smaller keys
+  std::size_t number_before(std::uint64_t key)
   {
-    const auto next = m_before.lower_bound(rank);
-    if (next->first == rank)
+    const auto next = m_before.lower_bound(key);
+    if (next->first == key)
       return next->second;
+    tick();
     const auto at = [this](std::size_t i) { return m_values.begin() + static_cast<std::ptrdiff_t>(i); };
     const auto middle = std::partition(at(std::prev(next)->second), at(next->second),
-                                       [rank](double value) { return rank_of(value) < rank; });
-    return m_before.emplace_hint(next, rank, static_cast<std::size_t>(middle - m_values.begin()))->second;
+                                       [key](double value) { return key_of(value) < key; });
+    return m_before.emplace_hint(next, key, static_cast<std::size_t>(middle - m_values.begin()))->second;
   }
 
-  /// the value with a rank; they are in the same order
-  static double value_of(std::uint64_t rank)
-  {
-    return reinterpreted<double>((rank & sign) != 0 ? rank ^ sign : ~rank);
-  }
+  /// the value with a key; keys have the order of the values
+  static double value_of(std::uint64_t key) { return reinterpreted<double>((key & sign) != 0 ? key ^ sign : ~key); }
 
 private:
   static constexpr std::uint64_t sign = std::uint64_t(1) << 63;
 
-  static std::uint64_t rank_of(double value)
+  static std::uint64_t key_of(double value)
   {
     const std::uint64_t bits = reinterpreted<std::uint64_t>(value + 0.); // there is a negative zero
     return (bits & sign) != 0 ? ~bits : bits | sign;
@@ -96,19 +96,20 @@ private:
   }
 
   std::vector<double>& m_values;
-  std::map<std::uint64_t, std::size_t> m_before; // of ranks that were asked about: those to the left are smaller
+  std::map<std::uint64_t, std::size_t> m_before; // of keys that were asked about: the values to the left are smaller
 };
 
-/// The values that sorting those of all of a team would bring to some positions. Changes the order of `values`.
+/// The values that sorting those of all of a team would bring to some positions; not a number where there is none. Changes
+/// the order of `values`. \pre all are numbers
 inline std::vector<double> sorted_at(const std::vector<std::size_t>& positions, std::vector<double>& values,
                                      const Team& all)
 {
   Partly_sorted_values sorting(values);
   std::vector<double> result;
-  for (std::uint64_t rank : find_sorted(
-         positions, [&sorting](std::uint64_t r) { return sorting.number_before(r); },
+  for (std::uint64_t key : find_sorted(
+         positions, [&sorting](std::uint64_t k) { return sorting.number_before(k); },
          [&all](std::vector<std::size_t>& counts) { all.add_up(counts.data(), counts.size()); }))
-    result.push_back(Partly_sorted_values::value_of(rank));
+    result.push_back(Partly_sorted_values::value_of(key));
   return result;
 }
 

@@ -112,8 +112,10 @@ Bubble_mesh_2 make_mesh(const Problem_2& problem, Report& report)
 {
   Bubble_mesh_2 mesh = triangulate_and_treat(problem, relax_bubbles(problem, report), report);
   problem.options.progress->start_phase(Bubble_phase::EVALUATION); // nothing is left undone from here on
-  if (problem.cut != nullptr)
+  if (problem.cut != nullptr) {
+    const Phase_timer timer(report.seconds.evaluation);
     problem.cut->join(mesh);
+  }
   evaluate(mesh, problem, report);
   return mesh;
 }

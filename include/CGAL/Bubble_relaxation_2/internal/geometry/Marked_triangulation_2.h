@@ -153,15 +153,15 @@ inline std::array<int, 3> corners_in_order(const Triangles_2& tr, Index t)
   return {first, ccw(first), cw(first)};
 }
 
-/// Whether q of a triangle is surely more than that. Nearly always this tells, without square roots: with the sides a, b, c
+/// Whether q of a triangle is surely more than `least`, seen without square roots, as it is of most: with the sides a, b, c
 /// and the area A, q = 16 A^2 / (a b c (a + b + c)) >= 48 A^2 / (a^2 + b^2 + c^2)^2.
-inline bool has_surely_more(const Bubble_mesh_2& mesh, Index t, double quality)
+inline bool has_surely_more(const Bubble_mesh_2& mesh, Index t, double least)
 {
-  constexpr double margin = 1e-9; // for rounding
+  constexpr double margin = 1e-9; // for rounding, also of flat triangles
   const Kernel::Vector_2 u = mesh.point(t, 1) - mesh.point(t, 0), v = mesh.point(t, 2) - mesh.point(t, 0);
   const double twice_area = u.x() * v.y() - u.y() * v.x(), squares = 2 * (u * u + v * v - u * v);
   const double ratio = twice_area / squares;
-  return 12 * ratio * ratio > (1 + margin) * quality;
+  return 12 * ratio * ratio > least + margin;
 }
 
 /// q of the isosceles triangle with an angle of twice `half` at its tip, 8 sin(a) sin^2(45 - a/2): no triangle with such an

@@ -231,7 +231,7 @@ private:
 };
 
 /// triangles with less are refined, if any are
-constexpr double least_quality = 0.55;
+inline constexpr double least_refined_quality = 0.55;
 
 /// Whether a triangle has a smaller angle than it needs, or two hardly larger ones, so that it is blunt.
 inline bool is_to_be_refined(const Bubble_mesh_2& mesh, Index t, double sine)
@@ -239,7 +239,7 @@ inline bool is_to_be_refined(const Bubble_mesh_2& mesh, Index t, double sine)
   constexpr double sine_beyond = 0.545; // with a larger angle no q is less
   const double smallest = smallest_free_sine(mesh, t);
   return smallest < sine || (sine > 0 && smallest < sine_beyond &&
-                             radius_ratio_2(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2)) < least_quality);
+                             radius_ratio_2(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2)) < least_refined_quality);
 }
 
 /// Those triangles that are to be refined and belong to the domain, or to a rank.
@@ -248,7 +248,7 @@ inline std::vector<Index> triangles_to_refine(const Problem_2& problem, const Bu
 {
   std::vector<Index> result;
   const double angle = problem.options.minimum_angle * CGAL_PI / 180, sine = sine_of(angle);
-  const double enough = (std::max)(least_quality, quality_of_isosceles(angle / 2));
+  const double enough = (std::max)(least_refined_quality, quality_of_isosceles(angle / 2));
   for (std::size_t k = 0; k < is_counted.size(); ++k) {
     tick(k);
     const Index t = static_cast<Index>(k);

@@ -15,6 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_smoothing_2.h>
 
 #include <CGAL/radius_ratio_2.h>
@@ -34,6 +35,7 @@ inline double quality(const Bubble_mesh_2& mesh, Index t)
   return radius_ratio(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2));
 }
 
+/// whether q of a triangle is at least that
 inline bool has_quality(const Bubble_mesh_2& mesh, Index t, double least)
 {
   return has_surely_more(mesh, t, least) || quality(mesh, t) >= least;

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_DISTRIBUTE_BUBBLES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_DISTRIBUTE_BUBBLES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
@@ -57,7 +58,7 @@ std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& par
   return home;
 }
 
-/// brings each bubble to the rank that owns its place, in the order of their numbers
+/// brings each bubble to the rank that owns its place, in the order of their numbers \pre they are without owners
 inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, Bubbles_2 bubbles)
 {
   std::vector<Index> at_home;

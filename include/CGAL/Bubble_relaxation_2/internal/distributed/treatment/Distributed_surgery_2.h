@@ -186,7 +186,8 @@ private:
   /// returns whether it helped
   bool operate_on(Ranked_operation_2& operation)
   {
-    return operation.is_chosen = m_operate(operation.patch, operation.triangle, operation.outcome);
+    operation.is_chosen = m_operate(operation.patch, operation.triangle, operation.outcome);
+    return operation.is_chosen;
   }
 
   /// adds what an operation moves, inserts and deletes, and its triangles. `number`: of the first that it inserts

@@ -182,7 +182,7 @@ public:
       m_reach(reach)
   {}
 
-  mutable std::size_t number_of_renewals = 0; ///< of pieces that had become too narrow
+  mutable std::size_t number_of_renewals = 0; ///< of pieces that had become too narrow, or whose change was refused
   const Problem_2& problem() const { return m_problem; }
 
   /// The mesh of all ranks' bubbles, each of which is at home.

@@ -90,8 +90,10 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     mesh = treat_distributed(problem, given, part, ranks, report);
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK) {
     input->options.progress->start_phase(Bubble_phase::EVALUATION);
-    if (problem.cut != nullptr)
+    if (problem.cut != nullptr) {
+      const Phase_timer joining_time(report.seconds.evaluation);
       mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
+    }
     Team_of_ranks team(ranks);
     evaluate(mesh, problem, team, report);
     input->options.progress->start_phase(Bubble_phase::WRITING);
