@@ -300,7 +300,6 @@ public:
 
 private:
   static constexpr double coarse_tolerance = 3.3; // times that of the end
-  static constexpr double wide_radius = 3; // sets are so large that neighbours of neighbours are too many to look at
   static constexpr std::size_t least_steps_of_wild = 10; // before, bubbles may still be on their way
 
   /// Tells which share of the simulation is over. Bubbles that may sleep need 3 to 30 moves, as the sizes have it: each
@@ -342,7 +341,7 @@ private:
       else
         m_neighbors.renew(m_bubbles, m_outrun, m_options.threads);
     } else if (interval != 0 && step != 0 && step % interval == 0) {
-      if (m_options.neighbor_radius > wide_radius)
+      if (have_large_sets())
         m_neighbors.build(m_bubbles, m_options.threads);
       else {
         m_team.share_sets(m_bubbles, m_neighbors);
@@ -352,6 +351,19 @@ private:
       return false;
     m_outrun.clear();
     return true;
+  }
+
+  /// Whether there are too many neighbours of neighbours to look at all: the radius is large, or bubbles are crowded.
+  bool have_large_sets() const
+  {
+    constexpr std::size_t usual = 36; // within three times the distance of neighbours
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
+      const Index k = static_cast<Index>(i);
+      const std::size_t size = static_cast<std::size_t>(m_neighbors.end(k) - m_neighbors.begin(k));
+      sum += m_bubbles.is_ours(i) ? size * size : 0;
+    }
+    return m_team.sum(Step_sums{sum, 0}).restless > usual * usual * m_team.number_of_all(m_bubbles);
   }
 
   void step(Round_result& result)
