@@ -194,8 +194,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{1.7}
   \cgalParamNEnd
   \cgalParamNBegin{renewal_interval}
-    \cgalParamDescription{steps between two renewals of the neighbour sets, k of the paper; with a `neighbor_radius`
-                          of more than 3 they are made anew then, not from neighbours of neighbours}
+    \cgalParamDescription{steps between two renewals of the neighbour sets, k of the paper; sets that are larger
+                          than within a `neighbor_radius` of about 3, or of a crowd, are made anew then, not from
+                          neighbours of neighbours}
     \cgalParamType{an integer, not negative}
     \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
   \cgalParamNEnd
