@@ -26,11 +26,11 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// What sorting the numbers of all ranks would bring to some positions. All are searched at once by halving: 64 times
 /// each rank counts its numbers before each. No rank gets numbers of others.
 /// \param count_before how many of this rank's numbers are smaller than one
-/// \param add_up makes counts of this rank those of all
+/// \param all adds up counts of all ranks: a `Team`, or what ranks talk by
 /// \returns the largest number that there is for positions where there is none
-template <class Count, class Add_up>
+template <class Count, class All>
 std::vector<std::uint64_t> find_sorted(const std::vector<std::size_t>& positions, const Count& count_before,
-                                       const Add_up& add_up)
+                                       const All& all)
 {
   std::vector<std::uint64_t> found(positions.size(), 0); // the largest that are known to be small enough
   std::vector<std::size_t> counts(positions.size());
@@ -38,7 +38,7 @@ std::vector<std::uint64_t> find_sorted(const std::vector<std::size_t>& positions
     const std::uint64_t half = std::uint64_t(1) << bit;
     for (std::size_t k = 0; k < found.size(); ++k)
       counts[k] = count_before(found[k] | half);
-    add_up(counts);
+    all.add_up(counts.data(), counts.size());
     for (std::size_t k = 0; k < found.size(); ++k)
       if (counts[k] <= positions[k])
         found[k] |= half;
@@ -106,9 +106,7 @@ inline std::vector<double> sorted_at(const std::vector<std::size_t>& positions, 
 {
   Partly_sorted_values sorting(values);
   std::vector<double> result;
-  for (std::uint64_t key : find_sorted(
-         positions, [&sorting](std::uint64_t k) { return sorting.number_before(k); },
-         [&all](std::vector<std::size_t>& counts) { all.add_up(counts.data(), counts.size()); }))
+  for (std::uint64_t key : find_sorted(positions, [&](std::uint64_t k) { return sorting.number_before(k); }, all))
     result.push_back(Partly_sorted_values::value_of(key));
   return result;
 }

@@ -163,9 +163,7 @@ Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve
   std::vector<std::size_t> cuts;
   for (int rank = 1; rank < comm.size(); ++rank)
     cuts.push_back(static_cast<std::size_t>(all * rank / comm.size()));
-  return Hilbert_partition_2(curve, find_sorted(cuts, count_before, [&comm](std::vector<std::size_t>& counts) {
-                               comm.add_up(counts.data(), counts.size());
-                             }));
+  return Hilbert_partition_2(curve, find_sorted(cuts, count_before, comm));
 }
 
 /// cuts the curve so that all ranks own equally many of some bubbles, which all of them have
