@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -90,7 +91,7 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options(),
   EXPECT_EQ(counts.deleted, expected.deleted);
   EXPECT_EQ(treat.smallest_quality(mesh), smallest_quality(whole));
 
-  const Bubbles_2 part = send_home(comm, partition, own_bubbles(mesh, comm.rank()));
+  const Bubbles_2 part = send_home(comm, partition, own_bubbles(mesh.bubbles));
   EXPECT_EQ(comm.sum(static_cast<std::int64_t>(part.size())), static_cast<std::int64_t>(whole.bubbles.size()));
   expect_bubbles_are_those(whole.bubbles, part);
   for (std::size_t i = 0; i < part.size(); ++i)
@@ -98,7 +99,12 @@ Outcome expect_same_treatment(const Case& c, const Options& options = Options(),
 
   // the mesh has become that of the bubbles where they are now
   const Marked_triangles_2& t = whole.triangles;
-  EXPECT_TRUE(owned_triangles(comm, mesh) == distributed::triangles(t, numbers_of(whole.bubbles), t.inside));
+  const auto all_triangles = distributed::triangles(t, numbers_of(whole.bubbles), t.inside);
+  EXPECT_TRUE(owned_triangles(comm, mesh) == all_triangles);
+  if (counts.treated > 0) { // also those that are known of other ranks are of that mesh
+    const auto known = distributed::triangles(mesh.triangles, mesh.bubbles.id, mesh.triangles.inside);
+    EXPECT_TRUE(std::includes(all_triangles.begin(), all_triangles.end(), known.begin(), known.end()));
+  }
   return Outcome{expected, treat.number_of_renewals};
 }
 
@@ -244,6 +250,63 @@ TEST(Distributed_treatment, defects_at_any_distance_from_other_ranks)
   EXPECT_EQ(renewed > 0, Communicator(MPI_COMM_WORLD).size() > 1);
 }
 
+/// One vertex goes far, and all ranks restore what they know of the mesh. Returns whether a rank that does not know the
+/// vertex had to forget a triangle; nothing if its piece was too narrow for that.
+std::optional<bool> has_forgotten(const Case& c, Index i, double dx, double dy, const Distributed_treatment_2& treat,
+                                  const Hilbert_partition_2& partition, Communicator& comm)
+{
+  Bubble_mesh_2 whole{c.bubbles, {}};
+  whole.bubbles.x[i] += dx;
+  whole.bubbles.y[i] += dy;
+  triangulate(c.domain(), whole);
+  Mesh_piece_2 piece = treat.piece_of(
+    treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank())));
+  Bubbles_2& b = piece.mesh.bubbles;
+  const std::vector<char>& inside = piece.mesh.triangles.inside;
+  const auto number_before = std::count(inside.begin(), inside.end(), 1);
+  std::vector<Index> moved;
+  std::vector<char> was_moved(b.size(), 0);
+  const Index here = b.index_of(i);
+  if (here != no_index && b.is_ours(here)) {
+    moved.push_back(here);
+    was_moved[here] = 1;
+    b.x[here] += dx;
+    b.y[here] += dy;
+  }
+  Treatment_team_2 team(comm, c.domain(), piece, [] {});
+  team.share_moved(piece.mesh, moved);
+  Editable_triangulation_2 mesh(piece.mesh);
+  mesh.restore_delaunay(moved);
+  if (team.restore_border(mesh, moved, was_moved))
+    return std::nullopt;
+  const auto all = distributed::triangles(whole.triangles, numbers_of(whole.bubbles), whole.triangles.inside);
+  const auto known = distributed::triangles(piece.mesh.triangles, b.id, inside);
+  EXPECT_TRUE(std::includes(all.begin(), all.end(), known.begin(), known.end())) << "bubble " << i;
+  return comm.any(here == no_index && std::count(inside.begin(), inside.end(), 1) < number_before);
+}
+
+// those who do not know the vertex know triangles into whose circles it comes
+TEST(Distributed_treatment, a_move_beyond_the_end_of_a_piece)
+{
+  const Case c = equilateral(24);
+  const Relaxation_options all;
+  const Sizes_2 any_size([](double, double) { return 1.; });
+  const Problem_2 problem{c.domain(), c.given(), all, any_size, any_size};
+  Communicator comm(MPI_COMM_WORLD);
+  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
+  const Bubbles_2 no_points;
+  const Distributed_treatment_2 treat(problem, no_points, partition, comm, 2);
+  std::size_t forgotten = 0, kept = 0;
+  for (const auto& bubbles : bubbles_by_clearance(c, 1.5, 3.5))
+    for (Index i : bubbles.second)
+      for (int k = 0; k < 6 && c.bubbles.is_in_face(i); ++k)
+        if (const auto has =
+              has_forgotten(c, i, 0.75 * std::cos(0.3 + k), 0.75 * std::sin(0.3 + k), treat, partition, comm))
+          ++(*has ? forgotten : kept);
+  EXPECT_GT(kept, 0u);
+  EXPECT_EQ(forgotten > 0, comm.size() > 1);
+}
+
 TEST(Distributed_treatment, ranks_without_bubbles)
 {
   expect_same_treatment(relaxed(paper::all_domains(2)[1]), Options{8, true});
@@ -275,7 +338,7 @@ TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
     Distributed_mesh_2 mesh =
       treat.triangulate_own(distributed::own_part(b, numbers_of(b), partition, comm.rank()));
     EXPECT_EQ(refine_small_angles(treat, mesh, care), expected);
-    expect_bubbles_are_those(whole.bubbles, send_home(comm, partition, own_bubbles(mesh, comm.rank())));
+    expect_bubbles_are_those(whole.bubbles, send_home(comm, partition, own_bubbles(mesh.bubbles)));
   }
 }
 
@@ -302,7 +365,7 @@ TEST(Distributed_treatment, changes_are_taken_back)
   EXPECT_EQ(better.smallest, 0.949);
   EXPECT_EQ(good.counts.inserted + good.counts.deleted, 0u);
   EXPECT_GE(treat.number_of_renewals, 2u);
-  expect_bubbles_are_those(c.bubbles, own_bubbles(piece.mesh, comm.rank()));
+  expect_bubbles_are_those(c.bubbles, own_bubbles(piece.mesh.bubbles));
   EXPECT_TRUE(owned_triangles(comm, piece.mesh) == triangles);
   Treatment_state bad{0, 0, care};
   treat.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, bad);
@@ -356,7 +419,7 @@ TEST(Distributed_treatment, all_is_done_carefully_once_more_when_the_outline_is_
     EXPECT_EQ(counts.treated, expected.treated);
     EXPECT_EQ(counts.inserted, expected.inserted);
     EXPECT_EQ(counts.deleted, expected.deleted);
-    expect_bubbles_are_those(whole.bubbles, own_bubbles(mesh, comm.rank()));
+    expect_bubbles_are_those(whole.bubbles, own_bubbles(mesh.bubbles));
   };
   expect_the_same(Distributed_treatment_2(problem, no_points, partition, comm));
   const Treatment_found_broken broken(problem, no_points, partition, comm);

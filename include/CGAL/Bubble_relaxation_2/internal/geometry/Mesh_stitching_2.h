@@ -70,6 +70,9 @@ public:
     return mesh;
   }
 
+  /// the triangles that were put in, as they are numbered when the mesh is finished
+  const std::vector<Index>& made() const { return m_made; }
+
 private:
   /// a side from one vertex to another, seen from the triangle on its left
   struct Side

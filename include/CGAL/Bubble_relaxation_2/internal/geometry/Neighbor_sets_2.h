@@ -60,9 +60,6 @@ public:
     return m_numbers->empty() ? i < j : (*m_numbers)[i] < (*m_numbers)[j];
   }
 
-  /// how often sets have changed
-  std::size_t number_of_changes() const { return m_number_of_changes; }
-
   /// finds all neighbours anew with buckets
   void build(const Bubbles_2& bubbles, const Threads& threads = Threads())
   {
@@ -112,7 +109,6 @@ public:
   /// takes bubble `i` out of all sets
   void remove(Index i)
   {
-    ++m_number_of_changes;
     for (const Index *j = begin(i), *last = end(i); j != last; ++j)
       m_sets.erase(*j, i, order());
     m_sets.clear(i);
@@ -127,7 +123,6 @@ public:
   /// the same, by its reference
   void add(Index i, double x, double y, double d)
   {
-    ++m_number_of_changes;
     m_x.push_back(x);
     m_y.push_back(y);
     m_d.push_back(d);
@@ -150,7 +145,6 @@ public:
   /// \pre the sets were made by `build()` from as many bubbles
   void renew(const Bubbles_2& bubbles, const std::vector<Index>& outrun, const Threads& threads = Threads())
   {
-    ++m_number_of_changes;
     for (Index i : outrun) {
       m_x[i] = bubbles.x[i];
       m_y[i] = bubbles.y[i];
@@ -216,7 +210,6 @@ public:
   /// replaces the set of a bubble of another rank by what that rank tells of it
   void assign(Index i, const std::vector<Index>& set)
   {
-    ++m_number_of_changes;
     m_sets.assign(i, set);
   }
 
@@ -312,7 +305,6 @@ private:
 
   void start(const Bubbles_2& bubbles, const Bubble_references_2& references)
   {
-    ++m_number_of_changes;
     const std::size_t n = bubbles.size() + bubbles.size() / 8; // with those that will be added
     m_sets.start(n);
     m_numbers = &bubbles.id;
@@ -378,7 +370,6 @@ private:
   std::unique_ptr<Bubble_buckets_2> m_buckets;
   std::vector<std::vector<Index>> m_new_sets; // of those that are renewed at once
   std::vector<Index> m_found, m_left, m_joined;
-  std::size_t m_number_of_changes = 0;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

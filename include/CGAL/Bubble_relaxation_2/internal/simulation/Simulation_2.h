@@ -161,9 +161,6 @@ public:
 
   unsigned evaluations_per_step() const { return m_integrator->evaluations_per_step(); }
 
-  /// whether neighbours were looked for, so that there is something to remember
-  bool has_begun() const { return m_has_begun; }
-
   /// whether bubbles are renewed before they go far from where their neighbours were last looked for
   bool keeps_references() const { return m_options.renewal_interval == 0; }
 

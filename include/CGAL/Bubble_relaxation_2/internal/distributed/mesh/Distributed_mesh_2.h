@@ -80,20 +80,6 @@ inline void ask_sizes(Distributed_mesh_2& mesh, const Sizes_2& sizing)
     known.d[i] = sizing(known.point(static_cast<std::size_t>(i)));
 }
 
-/// The bubbles of a mesh that a rank owns, in the order of their numbers.
-inline Bubbles_2 own_bubbles(const Distributed_mesh_2& mesh, int rank)
-{
-  std::vector<Index> own;
-  own.reserve(mesh.bubbles.size());
-  for (std::size_t i = 0; i < mesh.bubbles.size(); ++i)
-    if (mesh.bubbles.owner[i] == rank)
-      own.push_back(static_cast<Index>(i));
-  Bubbles_2 result = mesh.bubbles;
-  result.select(own);
-  result.owner.clear();
-  return result;
-}
-
 /// On which edges of the domain a rank's triangles have sides, and in which regions they are.
 class Triangle_places_2
 {

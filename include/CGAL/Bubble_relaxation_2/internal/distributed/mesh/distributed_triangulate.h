@@ -108,12 +108,11 @@ struct Bubble_answer_2
 
 /// Answers the questions of other ranks from the bubbles of this one, and none twice to the same rank. A
 /// triangle over a part of the domain that its rank hardly knows has a huge disc, so an answer names only
-/// some bubbles, those next to the asker; if the triangle outlives them it will be asked about again.
+/// some bubbles, those next to the asker; if the triangle outlives them it will be asked about again, and twice as many are
+/// named in each round.
 class Query_answers_2
 {
 public:
-  static constexpr std::size_t most_bubbles = 12; ///< in one answer: about two stars
-
   /// keeps a reference to this rank's bubbles
   explicit Query_answers_2(const Bubbles_2& own) : m_own(own) {}
 
@@ -126,6 +125,8 @@ public:
 
   /// the bubble `i` was sent to `rank`
   void note_sent(int rank, Index i) { m_sent[rank].insert(i); }
+
+  void start_round() { m_most_bubbles *= 2; }
 
   /// adds what a question of `rank` asks for
   void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
@@ -142,7 +143,7 @@ public:
       }
       return true;
     });
-    const std::size_t n = (std::min)(found.size(), most_bubbles);
+    const std::size_t n = (std::min)(found.size(), m_most_bubbles);
     std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(n), found.end());
     for (std::size_t k = 0; k < n; ++k) {
       answers.push_back({record(m_own, static_cast<std::size_t>(found[k].second)), question.number});
@@ -162,6 +163,7 @@ private:
   }
 
   const Bubbles_2& m_own;
+  std::size_t m_most_bubbles = 6; // in one answer; twelve in the first round: about two stars
   bool m_is_outline_known = false;
   std::optional<Bubble_buckets_2> m_inner; // those that others may not know
   std::map<int, std::unordered_set<Index>> m_sent;
@@ -318,6 +320,7 @@ private:
   void ask(const Messages<Triangle_question_2>& questions)
   {
     Messages<Bubble_answer_2> answers;
+    m_answers.start_round();
     for (const auto& message : deliver(m_comm, questions))
       for (const Triangle_question_2& question : message.second)
         m_answers(message.first, question, answers[message.first]);
@@ -376,7 +379,7 @@ inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, cons
 inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
                                            const Hilbert_partition_2& partition, Communicator& comm)
 {
-  Bubbles_2 own = own_bubbles(mesh, comm.rank());
+  Bubbles_2 own = own_bubbles(mesh.bubbles);
   cut.join(own);
   const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
   return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));

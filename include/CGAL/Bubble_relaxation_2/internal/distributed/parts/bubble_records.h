@@ -71,6 +71,19 @@ inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
   return result;
 }
 
+/// those of a rank, as far as they are left
+inline Bubbles_2 own_bubbles(Bubbles_2 bubbles)
+{
+  std::vector<Index> own;
+  own.reserve(bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    if (bubbles.is_ours(i) && !bubbles.is_gone(i))
+      own.push_back(static_cast<Index>(i));
+  bubbles.select(own);
+  bubbles.owner.clear();
+  return bubbles;
+}
+
 /// all that a simulation knows of a bubble, on its way from one rank to another
 struct Bubble_state_2
 {

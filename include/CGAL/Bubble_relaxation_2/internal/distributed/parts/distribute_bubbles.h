@@ -52,30 +52,22 @@ std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& par
     const int owner = clearance(r.x, r.y, r.d) > 0 ? comm.rank() : partition.owner(r.x, r.y);
     (owner == comm.rank() ? home : out[owner]).push_back(r);
   }
-  records.clear();
   for (const auto& message : deliver(comm, out))
     home.insert(home.end(), message.second.begin(), message.second.end());
   return home;
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers \pre they are without owners
-inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, Bubbles_2 bubbles)
+inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, const Bubbles_2& bubbles)
 {
-  std::vector<Index> at_home;
-  Messages<Bubble_record_2> out;
-  for (std::size_t i = 0; i < bubbles.size(); ++i) {
-    const int owner = partition.owner(bubbles.x[i], bubbles.y[i]);
-    if (owner == comm.rank())
-      at_home.push_back(static_cast<Index>(i));
-    else
-      out[owner].push_back(record(bubbles, i));
-  }
-  bubbles.select(at_home);
-  for (const auto& message : deliver(comm, out))
-    for (const Bubble_record_2& r : message.second)
-      add_own(bubbles, r);
-  bubbles.sort_by_id();
-  return bubbles;
+  std::vector<Bubble_record_2> records;
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    records.push_back(record(bubbles, i));
+  Bubbles_2 home;
+  for (const Bubble_record_2& r : send_home(comm, partition, std::move(records)))
+    add_own(home, r);
+  home.sort_by_id();
+  return home;
 }
 
 /// the keys and indices of bubbles along a curve
@@ -296,14 +288,7 @@ inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain,
 inline Bubbles_2 bring_home_and_number(Communicator& comm, const Hilbert_partition_2& partition, std::int64_t end,
                                        Bubbles_2 bubbles)
 {
-  std::vector<Index> left;
-  left.reserve(bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-      left.push_back(static_cast<Index>(i));
-  bubbles.select(left);
-  bubbles.owner.clear(); // all are ours
-  Bubbles_2 home = send_home(comm, partition, std::move(bubbles));
+  Bubbles_2 home = send_home(comm, partition, own_bubbles(std::move(bubbles)));
   remove_those_in_one_place(home);
   home.forget_gone();
   compact_numbers(comm, end, home.id);

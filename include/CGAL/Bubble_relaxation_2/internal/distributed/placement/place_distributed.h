@@ -22,6 +22,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 
 #include <algorithm>
@@ -129,32 +130,16 @@ private:
   /// Collective. How the mesh of all given bubbles looks around those in faces.
   void look_around()
   {
-    const Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm);
-    const Marked_triangles_2& tr = mesh.triangles;
-    std::vector<Index> beside(mesh.bubbles.size(), no_index); // a triangle at each vertex
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-      for (Index v : tr.vertices[t])
-        beside[v] = static_cast<Index>(t);
+    Distributed_mesh_2 mesh = distributed_triangulate(m_domain, m_points, m_distribution.partition(), m_comm);
+    const Editable_triangulation_2 triangulation(mesh);
     for (std::size_t i = 0; i < m_points.size(); ++i)
       if (m_points.is_in_face(i)) {
-        const Index v = mesh.bubbles.index_of(m_points.id[i]);
-        m_here.around.push_back(mesh_star(m_points.point(i), ring(mesh, beside[v], v)));
+        std::vector<Point> ring; // counterclockwise from the lexicographically smallest on
+        for (const Corner_2& c : triangulation.star(mesh.bubbles.index_of(m_points.id[i])))
+          ring.push_back(mesh.point(c.triangle, ccw(c.index)));
+        std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+        m_here.around.push_back(mesh_star(m_points.point(i), ring));
       }
-  }
-
-  /// the neighbours of an inner vertex of the triangle `t`, counterclockwise from the lexicographically smallest on
-  static std::vector<Point> ring(const Bubble_mesh_2& mesh, Index start, Index v)
-  {
-    const Marked_triangles_2& tr = mesh.triangles;
-    std::vector<Point> result;
-    Index t = start;
-    do {
-      const int i = tr.vertices[t][0] == v ? 0 : tr.vertices[t][1] == v ? 1 : 2;
-      result.push_back(mesh.point(t, ccw(i)));
-      t = tr.neighbors[t][ccw(i)];
-    } while (t != start);
-    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
-    return result;
   }
 
   Communicator& m_comm;

@@ -55,7 +55,7 @@ public:
   /// \param renew `renew(times)` makes the pieces of all ranks anew, so many times as wide as they usually are
   Distributed_surgery_2(const Domain_2& domain, Mesh_piece_2& piece, double smallest, std::int64_t first,
                         Communicator& comm, std::function<void(double)> renew)
-    : first_number(first), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
+    : first_number(first), m_domain(domain), m_piece(piece), m_known(piece.mesh.bubbles), m_triangles(piece.mesh.triangles),
       m_operate(domain, piece.mesh, smallest), m_comm(comm), m_renew(std::move(renew))
   {}
 
@@ -239,8 +239,14 @@ private:
     }
     stitching.replace(taken_away, made);
     Editable_triangulation_2 mesh = stitching.finish();
-    Border_certificate_2 certificate(m_piece.mesh);
-    const bool is_wide_enough = forget_doubtful(triangles_beside_others(m_piece.mesh), certificate, mesh);
+    std::vector<Index> changed = mesh.take_flipped();
+    changed.insert(changed.end(), stitching.made().begin(), stitching.made().end());
+    std::vector<Point> places; // all know all of them
+    for (const Bubble_record_2& r : bubbles)
+      if (!is_gone(r))
+        places.emplace_back(r.x, r.y);
+    Border_check_2 check(mesh, m_domain.bbox(), changed, std::move(places));
+    const bool is_wide_enough = check.forget_doubtful(triangles_beside_others(m_piece.mesh));
     close_gaps(bubbles);
     forget_lonely_ghosts(m_piece.mesh);
     link_with_others(m_comm, m_piece);
@@ -284,6 +290,7 @@ private:
     }
   }
 
+  const Domain_2& m_domain;
   Mesh_piece_2& m_piece;
   Bubbles_2& m_known;
   const Marked_triangles_2& m_triangles;

@@ -10,8 +10,10 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_TREATMENT_MESH_PIECE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
@@ -68,32 +70,44 @@ inline std::vector<Index> triangles_beside_others(const Bubble_mesh_2& piece)
   return result;
 }
 
-/// Finds the triangles of a piece of a mesh, Delaunay for itself, that the whole may not have: there can be bubbles
-/// beyond the sides where the piece ends, and in the circles of triangles that reach across. The triangles whose
-/// circle reaches a side hang together, so they are found from there. The mesh may change from one time to the next,
-/// but not the number of its triangles.
-class Border_certificate_2
+/// Finds the triangles of a piece of a mesh, Delaunay for itself, that the whole may not have any more: there can be
+/// bubbles beyond the sides where the piece ends. A triangle that is as it was stays one of the whole unless a bubble has
+/// come into its circle; others may be none if their circle reaches such a side. The triangles whose circle does so hang
+/// together, so they are found from there.
+class Border_check_2
 {
 public:
-  explicit Border_certificate_2(const Bubble_mesh_2& mesh)
-    : m_mesh(mesh), m_triangles(mesh.triangles), m_seen_from(mesh.triangles.inside.size(), 0),
-      m_is_doubtful(mesh.triangles.inside.size(), 0)
-  {}
-
-  /// `at_border`: at least all triangles with a side where the piece ends
-  const std::vector<Index>& doubtful(const std::vector<Index>& at_border)
+  /// `box`: of the domain; `changed`: at least the triangles that are not as they were; `places`: at least those of moved
+  /// and new bubbles, unknown here, that lie in the circle of a triangle
+  Border_check_2(Editable_triangulation_2& piece, const Bbox_2& box, const std::vector<Index>& changed,
+                 std::vector<Point> places)
+    : m_piece(piece), m_mesh(piece.mesh()), m_triangles(m_mesh.triangles), m_box(box), m_places(std::move(places)),
+      m_seen_from(m_triangles.inside.size(), 0), m_state(m_seen_from.size(), AS_IT_WAS)
   {
-    for (Index t : m_doubtful)
-      m_is_doubtful[t] = 0;
-    m_doubtful.clear();
+    std::sort(m_places.begin(), m_places.end());
+    for (Index t : changed)
+      m_state[t] = CHANGED;
+  }
+
+  /// Forgets those triangles; returns whether all were between others' bubbles, so that the piece is still wide enough.
+  /// `at_border`: at least all triangles with a side where the piece ends
+  bool forget_doubtful(const std::vector<Index>& at_border)
+  {
     for (Index t : at_border)
       for (int i = 0; i < 3 && m_triangles.inside[t]; ++i)
         if (m_triangles.neighbors[t][i] == no_index && m_triangles.edges[t][i] == no_index)
           find_from(t, i);
-    return m_doubtful;
+    for (Index t : m_doubtful) {
+      if (number_of_ours(m_mesh.bubbles, m_triangles.vertices[t]) > 0)
+        return false;
+      m_piece.cut_off(t);
+    }
+    return true;
   }
 
 private:
+  enum State : char { AS_IT_WAS, CHANGED, DOUBTFUL };
+
   void find_from(Index start, int side)
   {
     const Point p = m_mesh.point(start, ccw(side)), q = m_mesh.point(start, cw(side));
@@ -103,58 +117,49 @@ private:
     while (!m_stack.empty()) {
       const Index t = m_stack.back();
       m_stack.pop_back();
-      if (!m_is_doubtful[t])
+      if (m_state[t] == CHANGED || (m_state[t] == AS_IT_WAS && has_place_in_circle(t))) {
+        m_state[t] = DOUBTFUL;
         m_doubtful.push_back(t);
-      m_is_doubtful[t] = 1;
+      }
       for (int i = 0; i < 3; ++i) {
         const Index n = m_triangles.neighbors[t][i];
         if (n == no_index || m_triangles.edges[t][i] != no_index || m_seen_from[n] == m_number_of_sides)
           continue;
         m_seen_from[n] = m_number_of_sides;
-        if (may_reach(n, p, q))
+        if (reaches(disc_that_matters(m_mesh, n, m_box), p, q))
           m_stack.push_back(n);
       }
     }
   }
 
-  /// whether the circle of a triangle may reach a segment; with a margin for rounding
-  bool may_reach(Index t, const Point& p, const Point& q) const
+  bool has_place_in_circle(Index t) const
   {
-    constexpr double flat = 1e-4, margin = 1e-6;
-    const Point o = m_mesh.point(t, 0), r = m_mesh.point(t, 1), u = m_mesh.point(t, 2);
-    const double ax = r.x() - o.x(), ay = r.y() - o.y();
-    const double bx = u.x() - o.x(), by = u.y() - o.y();
-    const double a = ax * ax + ay * ay, b = bx * bx + by * by, area2 = ax * by - ay * bx;
-    if (!(area2 > flat * (std::max)(a, b)))
-      return true;
-    const double x = (by * a - ay * b) / (2 * area2), y = (ax * b - bx * a) / (2 * area2); // the centre
-    const double px = p.x() - o.x() - x, py = p.y() - o.y() - y, ux = q.x() - p.x(), uy = q.y() - p.y();
-    const double s = (std::min)(1., (std::max)(0., -(px * ux + py * uy) / (ux * ux + uy * uy)));
-    const double dx = px + s * ux, dy = py + s * uy;
-    return !(dx * dx + dy * dy > (1 + margin) * (x * x + y * y));
+    const Disc_2 disc = disc_that_matters(m_mesh, t, m_box);
+    const Point first(disc.x - disc.radius, disc.y - disc.radius), last(disc.x + disc.radius, disc.y + disc.radius);
+    const auto begin = std::lower_bound(m_places.begin(), m_places.end(), first);
+    return std::any_of(begin, std::upper_bound(begin, m_places.end(), last),
+                       [&](const Point& p) { return reaches(disc, p, p); });
   }
 
-  const Bubble_mesh_2& m_mesh;
+  /// whether a disc may reach a segment
+  static bool reaches(const Disc_2& disc, const Point& p, const Point& q)
+  {
+    const double px = p.x() - disc.x, py = p.y() - disc.y, ux = q.x() - p.x(), uy = q.y() - p.y();
+    const double squared = ux * ux + uy * uy;
+    const double s = squared > 0 ? (std::min)(1., (std::max)(0., -(px * ux + py * uy) / squared)) : 0.;
+    return length_of(px + s * ux, py + s * uy) <= disc.radius;
+  }
+
+  Editable_triangulation_2& m_piece;
+  const Bubble_mesh_2& m_mesh;           // of it
   const Marked_triangles_2& m_triangles; // of it
+  const Bbox_2 m_box;
+  std::vector<Point> m_places; // in order
   std::size_t m_number_of_sides = 0;
   std::vector<std::size_t> m_seen_from; // the last side from which a triangle was looked at
-  std::vector<char> m_is_doubtful;
+  std::vector<State> m_state;
   std::vector<Index> m_doubtful, m_stack;
 };
-
-/// Forgets the triangles at the border of a piece that the whole mesh may not have; returns whether only those between
-/// others' bubbles had to be forgotten, so that the piece is still wide enough. `beside_others`: at least all triangles
-/// with a bubble of another rank. `certificate`: of the piece
-inline bool forget_doubtful(const std::vector<Index>& beside_others, Border_certificate_2& certificate,
-                            Editable_triangulation_2& piece)
-{
-  for (Index t : certificate.doubtful(beside_others)) {
-    if (number_of_ours(piece.mesh().bubbles, piece.vertices(t)) > 0)
-      return false;
-    piece.cut_off(t);
-  }
-  return true;
-}
 
 /// Collective. The triangles that others own around this rank's part, sorted: each rank tells of its own ones.
 inline std::vector<Numbers_of_triangle> triangles_around_part(Communicator& comm, const Distributed_mesh_2& mesh,
@@ -183,19 +188,17 @@ inline std::vector<Numbers_of_triangle> triangles_around_part(Communicator& comm
 inline void forget_lonely_ghosts(Bubble_mesh_2& mesh)
 {
   std::vector<char> is_left(mesh.bubbles.size(), 0);
-  for (std::size_t i = 0; i < is_left.size(); ++i)
-    is_left[i] = mesh.bubbles.is_ours(i);
   for (const std::array<Index, 3>& vertices : mesh.triangles.vertices)
     for (Index v : vertices)
       is_left[v] = 1;
-  const std::vector<Index> left = marked(is_left);
-  std::vector<Index> number(is_left.size(), no_index);
-  for (std::size_t k = 0; k < left.size(); ++k)
-    number[left[k]] = static_cast<Index>(k);
+  for (std::size_t i = 0; i < is_left.size(); ++i)
+    if (!is_left[i] && !mesh.bubbles.is_ours(i))
+      mesh.bubbles.remove(i);
+  const std::vector<Index> number = mesh.bubbles.indices_left();
   for (std::array<Index, 3>& vertices : mesh.triangles.vertices)
     for (Index& v : vertices)
       v = number[v];
-  mesh.bubbles.select(left);
+  mesh.bubbles.forget_gone();
 }
 
 /// Collective. The triangles of a mesh that the whole has, too: own ones, and those that others own and told of. \pre

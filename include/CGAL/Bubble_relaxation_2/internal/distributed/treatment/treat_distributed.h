@@ -30,7 +30,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -43,8 +43,8 @@ class Treatment_team_2 : public Team_of_ranks
 {
 public:
   /// `renew`: makes the pieces of all ranks anew from where their bubbles are
-  Treatment_team_2(Communicator& comm, Mesh_piece_2& piece, std::function<void()> renew)
-    : Team_of_ranks(comm), m_piece(piece), m_renew(std::move(renew))
+  Treatment_team_2(Communicator& comm, const Domain_2& domain, Mesh_piece_2& piece, std::function<void()> renew)
+    : Team_of_ranks(comm), m_domain(domain), m_piece(piece), m_renew(std::move(renew))
   {
     start();
   }
@@ -82,12 +82,22 @@ public:
 
   bool restore_border(Editable_triangulation_2& mesh, std::vector<Index>& moved, std::vector<char>& was_moved) override
   {
+    const std::size_t first_flipped = m_beside_others.size();
     follow_flips(mesh);
     for (Index t : m_beside_others)
       if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
         mesh.restore_delaunay_around(t);
     follow_flips(mesh);
-    if (!m_comm.any(!forget_doubtful(m_beside_others, *m_certificate, mesh)))
+    const auto flipped = m_beside_others.begin() + static_cast<std::ptrdiff_t>(first_flipped);
+    std::vector<Index> changed(flipped, m_beside_others.end());
+    for (Index t : m_beside_others)
+      if (has_moved_vertex(mesh.vertices(t)))
+        changed.push_back(t);
+    for (Index v : moved)
+      for (const Corner_2& c : mesh.star(v))
+        changed.push_back(c.triangle);
+    Border_check_2 check(mesh, m_domain.bbox(), changed, moved_beyond(mesh, changed, was_moved));
+    if (!m_comm.any(!check.forget_doubtful(m_beside_others)))
       return false;
     renew(moved, was_moved);
     return true;
@@ -111,9 +121,12 @@ private:
   {
     const std::size_t n = m_piece.mesh.bubbles.size();
     m_beside_others = triangles_beside_others(m_piece.mesh);
-    m_certificate.emplace(m_piece.mesh);
     m_was_moved.assign(n, 0);
     m_moved.clear();
+    m_holders.assign(n, {});
+    for (const auto& list : m_piece.shared.sent)
+      for (Index v : list.second)
+        m_holders[v].push_back(list.first);
   }
 
   void renew(std::vector<Index>& moved, std::vector<char>& was_moved)
@@ -146,6 +159,38 @@ private:
     double x, y, s;
   };
 
+  /// Collective. Where vertices are that were moved, unknown to this rank, into circles of triangles that it has. Each
+  /// vertex of such a triangle is a neighbour of one of them now, so its owner, who knows that, tells those who have it, or
+  /// the owner of the moved one tells its owner.
+  std::vector<Point> moved_beyond(const Editable_triangulation_2& mesh, const std::vector<Index>& changed,
+                                  const std::vector<char>& was_moved) const
+  {
+    const Bubbles_2& b = m_piece.mesh.bubbles;
+    std::set<std::pair<int, Index>> told; // who, and of what
+    const auto tell = [&](int rank, Index v) {
+      if (rank != b.owner[v] && !is_among(m_holders[v], rank))
+        told.emplace(rank, v);
+    };
+    for (Index t : changed)
+      for (Index v : mesh.vertices(t))
+        for (Index w : mesh.vertices(t)) {
+          if (!was_moved[v] && !m_was_moved[v])
+            continue;
+          for (int rank : m_holders[w])
+            tell(rank, v);
+          if (b.is_ours(v))
+            tell(b.owner[w], v);
+        }
+    Messages<std::array<double, 2>> out;
+    for (const auto& [rank, v] : told)
+      out[rank].push_back({b.x[v], b.y[v]});
+    std::vector<Point> result;
+    for (const auto& message : deliver(m_comm, out))
+      for (const std::array<double, 2>& p : message.second)
+        result.emplace_back(p[0], p[1]);
+    return result;
+  }
+
   /// flipped triangles may have a bubble of another rank now
   void follow_flips(Editable_triangulation_2& mesh)
   {
@@ -158,12 +203,13 @@ private:
     return m_was_moved[v[0]] || m_was_moved[v[1]] || m_was_moved[v[2]];
   }
 
+  const Domain_2& m_domain;
   Mesh_piece_2& m_piece;
   const std::function<void()> m_renew;
   std::vector<Index> m_beside_others; // triangles, and all that were flipped, wherever they are
-  std::optional<Border_certificate_2> m_certificate;
   std::vector<char> m_was_moved; // of others' bubbles, in this sweep
   std::vector<Index> m_moved;    // those
+  std::vector<Hilbert_partition_2::Ranks> m_holders; // other ranks that have a bubble of ours
 };
 
 /// `Whole_treatment_2` by ranks: moves, insertions and deletions are those of one rank. Each works on a piece of the
@@ -188,7 +234,7 @@ public:
   /// The mesh of all ranks' bubbles, each of which is at home.
   Mesh triangulate_own(const Bubbles_2& own) const { return triangulate(own, m_reach, 0); }
 
-  Bubbles_2 own_bubbles(const Mesh& mesh) const { return internal::own_bubbles(mesh, m_comm.rank()); }
+  Bubbles_2 own_bubbles(const Mesh& mesh) const { return internal::own_bubbles(mesh.bubbles); }
 
   /// \pre `mesh` was made by `triangulate_own()`
   Piece piece_of(Mesh&& mesh) const { return piece_of_whole(m_comm, std::move(mesh), m_partition, m_reach); }
@@ -203,17 +249,15 @@ public:
 
   void smooth(Piece& piece, int most_sweeps, Treatment_state& state) const
   {
-    if (state.smallest >= Smoothing_sweeps_2::treated_quality)
-      return;
     std::vector<Index> moved;
     const auto move = [&] {
-      Treatment_team_2 team(m_comm, piece, [&] { renew(piece, m_reach); });
+      Treatment_team_2 team(m_comm, m_domain, piece, [&] { renew(piece, m_reach); });
       moved = Smoothing_sweeps_2(m_domain, piece.mesh, team)(most_sweeps, state.first_number);
       piece.mesh.mark_triangles(m_comm.rank());
       return std::any_of(moved.begin(), moved.end(), [&](Index v) { return piece.mesh.bubbles.is_on_edge(v); });
     };
     if (change(piece, state, move))
-      state.counts.treated += number_of_all(moved.size());
+      state.counts.treated += m_comm.sum(std::uint64_t(moved.size()));
   }
 
   void operate(Piece& piece, Treatment_state& state) const
@@ -266,8 +310,8 @@ public:
 
   std::size_t number_of_bubbles(const Mesh& mesh) const
   {
-    return number_of_all(static_cast<std::size_t>(
-      std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_comm.rank())));
+    const auto here = std::count(mesh.bubbles.owner.begin(), mesh.bubbles.owner.end(), m_comm.rank());
+    return static_cast<std::size_t>(m_comm.sum(std::int64_t(here)));
   }
 
   bool is_to_be_refined(const Mesh& mesh) const
@@ -377,11 +421,6 @@ private:
       }
     });
     return triangulate_from_anywhere(m_domain, m_partition, m_comm, end, std::move(own));
-  }
-
-  std::size_t number_of_all(std::size_t here) const
-  {
-    return static_cast<std::size_t>(m_comm.sum(static_cast<std::int64_t>(here)));
   }
 
   const Problem_2& m_problem;

@@ -101,7 +101,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     Bubbles_2 bubbles;
     ranks.agree_after([&] {
       ask_sizes(mesh, input->limits.sizes);
-      bubbles = own_bubbles(mesh, ranks.rank());
+      bubbles = own_bubbles(mesh.bubbles);
     });
     write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->reading, report);
     ranks.agree_after([&] { input->options.progress->finish(); });
