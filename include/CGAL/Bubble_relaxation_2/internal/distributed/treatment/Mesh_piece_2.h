@@ -155,8 +155,8 @@ private:
   const Marked_triangles_2& m_triangles; // of it
   const Bbox_2 m_box;
   std::vector<Point> m_places; // in order
-  std::size_t m_number_of_sides = 0;
-  std::vector<std::size_t> m_seen_from; // the last side from which a triangle was looked at
+  Index m_number_of_sides = 0;
+  std::vector<Index> m_seen_from; // the last side from which a triangle was looked at
   std::vector<State> m_state;
   std::vector<Index> m_doubtful, m_stack;
 };

@@ -388,7 +388,7 @@ private:
     return true;
   }
 
-  static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
+  static constexpr double usual_reach = 10; // enough for the sweeps of most meshes, before and after surgery
 
   Distributed_mesh_2 triangulate(const Bubbles_2& own, double reach, double stray) const
   {
