@@ -45,6 +45,16 @@ inline std::vector<Index> triangles_around(const Marked_triangles_2& m, Index tr
   return result;
 }
 
+/// whether a mesh, whose edges are labelled, ends at some of its triangles where the domain does not
+inline bool is_cut_off(const Marked_triangles_2& m, const std::vector<Index>& triangles)
+{
+  for (Index t : triangles)
+    for (int i = 0; i < 3; ++i)
+      if (m.neighbors[t][i] == no_index && m.edges[t][i] != OUTLINE)
+        return true;
+  return false;
+}
+
 /// The surroundings of a triangle as bubbles and edges of their own, so that a change can be tried and
 /// forgotten. Bubbles with triangles outside of the patch must stay; they look like corners.
 class Mesh_patch_2
@@ -90,16 +100,6 @@ public:
     for (Index v : m_triangles_of_mesh.vertices[triangle])
       add(m_all_bubbles, static_cast<std::size_t>(v));
     return result;
-  }
-
-  /// whether the mesh, whose edges are labelled, ends at the patch where the domain does not
-  bool is_cut_off() const
-  {
-    for (Index t : m_triangles)
-      for (int i = 0; i < 3; ++i)
-        if (m_triangles_of_mesh.neighbors[t][i] == no_index && m_triangles_of_mesh.edges[t][i] != OUTLINE)
-          return true;
-    return false;
   }
 
 private:

@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
@@ -19,16 +18,14 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/disc_of_triangle.h>
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -37,11 +34,6 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-struct Disc_2
-{
-  double x, y, radius;
-};
 
 /// The question whether any point that a rank does not know lies where it would change one of its triangles: in the
 /// circumscribed disc, and not beyond a side that is a constraint, unless it lies on that, and is beyond by a rounding.
@@ -68,22 +60,6 @@ struct Triangle_question_2
   }
 };
 
-/// The circumscribed disc of a triangle, or a bit more; that of the domain's box if rounding hides it.
-inline Disc_2 disc_that_matters(const Bubble_mesh_2& mesh, Index t, const Bbox_2& box)
-{
-  constexpr double margin = 1e-6;
-  const Point p = mesh.point(t, 0), q = mesh.point(t, 1), r = mesh.point(t, 2);
-  const double ax = q.x() - p.x(), ay = q.y() - p.y(), bx = r.x() - p.x(), by = r.y() - p.y();
-  const double a = ax * ax + ay * ay, b = bx * bx + by * by, area2 = ax * by - ay * bx;
-  if (!(area2 > margin * (a + b))) {
-    const double dx = (box.xmax() - box.xmin()) / 2, dy = (box.ymax() - box.ymin()) / 2;
-    return Disc_2{box.xmin() + dx, box.ymin() + dy, (1 + margin) * length_of(dx, dy)};
-  }
-  const double x = (by * a - ay * b) / (2 * area2), y = (ax * b - bx * a) / (2 * area2);
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * (std::abs(p.x()) + std::abs(p.y()));
-  return Disc_2{p.x() + x, p.y() + y, (1 + margin) * length_of(x, y) + rounding};
-}
-
 inline Triangle_question_2 make_question(const Bubble_mesh_2& mesh, Index t, const Disc_2& disc, int vertex,
                                          std::int32_t number)
 {
@@ -108,8 +84,8 @@ struct Bubble_answer_2
 
 /// Answers the questions of other ranks from the bubbles of this one, and none twice to the same rank. A
 /// triangle over a part of the domain that its rank hardly knows has a huge disc, so an answer names only
-/// some bubbles, those next to the asker; if the triangle outlives them it will be asked about again, and twice as many are
-/// named in each round.
+/// some bubbles, those next to the asker; if the triangle outlives them it will be asked about again, and the next answers
+/// name twice as many.
 class Query_answers_2
 {
 public:
@@ -126,7 +102,12 @@ public:
   /// the bubble `i` was sent to `rank`
   void note_sent(int rank, Index i) { m_sent[rank].insert(i); }
 
-  void start_round() { m_most_bubbles *= 2; }
+  /// all that was asked at once is answered
+  void end_round()
+  {
+    if (m_most_bubbles < m_own.size())
+      m_most_bubbles *= 2;
+  }
 
   /// adds what a question of `rank` asks for
   void operator()(int rank, const Triangle_question_2& question, std::vector<Bubble_answer_2>& answers)
@@ -163,7 +144,7 @@ private:
   }
 
   const Bubbles_2& m_own;
-  std::size_t m_most_bubbles = 6; // in one answer; twelve in the first round: about two stars
+  std::size_t m_most_bubbles = 12; // in one answer: about two stars at first
   bool m_is_outline_known = false;
   std::optional<Bubble_buckets_2> m_inner; // those that others may not know
   std::map<int, std::unordered_set<Index>> m_sent;
@@ -294,7 +275,7 @@ private:
       const int vertex = m_mesh.triangles.inside[k] ? own_vertex(t) : -1;
       if (vertex == -1)
         continue;
-      const Disc_2 disc = disc_that_matters(m_mesh, t, m_domain.bbox());
+      const Disc_2 disc = disc_of_triangle(m_mesh, t, m_domain.bbox());
       const auto ranks = clearance.others_in_disc(disc.x, disc.y, disc.radius + m_stray);
       if (ranks.empty() || m_is_certain.count(triangle(t)) != 0)
         continue;
@@ -320,10 +301,10 @@ private:
   void ask(const Messages<Triangle_question_2>& questions)
   {
     Messages<Bubble_answer_2> answers;
-    m_answers.start_round();
     for (const auto& message : deliver(m_comm, questions))
       for (const Triangle_question_2& question : message.second)
         m_answers(message.first, question, answers[message.first]);
+    m_answers.end_round();
     answers = deliver(m_comm, answers);
     std::vector<char> is_open(m_asked.size(), 0);
     for (const auto& message : answers)

@@ -71,7 +71,7 @@ inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
   return result;
 }
 
-/// those of a rank, as far as they are left
+/// those of its bubbles that a rank owns and that are left, in the same order, without owners
 inline Bubbles_2 own_bubbles(Bubbles_2 bubbles)
 {
   std::vector<Index> own;

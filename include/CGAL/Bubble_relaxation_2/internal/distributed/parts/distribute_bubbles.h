@@ -61,9 +61,11 @@ std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& par
 inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, const Bubbles_2& bubbles)
 {
   std::vector<Bubble_record_2> records;
+  records.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     records.push_back(record(bubbles, i));
   Bubbles_2 home;
+  home.make_room_for(bubbles.size() + bubbles.size() / 8);
   for (const Bubble_record_2& r : send_home(comm, partition, std::move(records)))
     add_own(home, r);
   home.sort_by_id();

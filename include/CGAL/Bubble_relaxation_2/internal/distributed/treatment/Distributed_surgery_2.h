@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
@@ -23,6 +24,7 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -34,13 +36,14 @@ struct Ranked_operation_2
 {
   Index place; ///< among the worst triangles of all ranks: who comes first
   Index triangle;
-  Mesh_patch_2 patch;
+  std::vector<Index> triangles; ///< of its patch
+  std::optional<Mesh_patch_2> patch; ///< when it is operated on
   Patch_outcome_2 outcome;
   bool is_chosen;
 
   bool is_inserted(std::size_t k) const ///< of a bubble of the outcome
   {
-    return static_cast<std::size_t>(outcome.original[k]) >= patch.indices().size();
+    return static_cast<std::size_t>(outcome.original[k]) >= patch->indices().size();
   }
 };
 
@@ -120,7 +123,7 @@ private:
   /// Collective. Finds the bad triangles of all and their patches; returns whether all ranks' pieces are wide enough.
   bool find_patches(double bad_quality)
   {
-    bool is_cut_off = false;
+    bool is_any_cut_off = false;
     std::vector<Bad_triangle_2> own = bad_triangles(m_piece.mesh, bad_quality, first_number);
     own.erase(std::remove_if(own.begin(), own.end(),
                              [this](const Bad_triangle_2& t) { return !m_piece.mesh.is_owned[t.triangle]; }),
@@ -131,11 +134,11 @@ private:
     m_operations.clear();
     for (const Bad_triangle_2& bad : own) {
       const auto place = std::lower_bound(worst.begin(), worst.end(), bad) - worst.begin();
-      Mesh_patch_2 patch(m_piece.mesh, triangles_around(m_triangles, bad.triangle));
-      is_cut_off = is_cut_off || patch.is_cut_off();
-      m_operations.push_back(Ranked_operation_2{static_cast<Index>(place), bad.triangle, std::move(patch), {}, false});
+      std::vector<Index> triangles = triangles_around(m_triangles, bad.triangle);
+      is_any_cut_off = is_any_cut_off || is_cut_off(m_triangles, triangles);
+      m_operations.push_back({static_cast<Index>(place), bad.triangle, std::move(triangles), std::nullopt, {}, false});
     }
-    return !m_comm.any(is_cut_off);
+    return !m_comm.any(is_any_cut_off);
   }
 
   /// Collective. Operates where that is worth it, the first ones first, and nowhere if a triangle is shared with one
@@ -144,7 +147,7 @@ private:
   {
     std::vector<Claim> claims;
     for (const Ranked_operation_2& operation : m_operations)
-      for (Index t : operation.patch.triangles())
+      for (Index t : operation.triangles)
         claims.push_back(Claim{sorted_numbers(m_known, m_triangles.vertices[t]), operation.place});
     claims = gather_records(m_comm, claims);
     std::sort(claims.begin(), claims.end());
@@ -186,7 +189,8 @@ private:
   /// returns whether it helped
   bool operate_on(Ranked_operation_2& operation)
   {
-    operation.is_chosen = m_operate(operation.patch, operation.triangle, operation.outcome);
+    operation.patch.emplace(m_piece.mesh, std::move(operation.triangles));
+    operation.is_chosen = m_operate(*operation.patch, operation.triangle, operation.outcome);
     return operation.is_chosen;
   }
 
@@ -194,7 +198,7 @@ private:
   void describe(const Ranked_operation_2& operation, std::int64_t number, std::vector<Bubble_record_2>& bubbles,
                 std::vector<Made_triangle>& triangles) const
   {
-    const std::vector<Index>& indices = operation.patch.indices();
+    const std::vector<Index>& indices = operation.patch->indices();
     const Bubbles_2& b = operation.outcome.mesh.bubbles;
     std::vector<char> is_left(indices.size(), 0);
     std::vector<std::int64_t> numbers; // of the bubbles of the outcome
@@ -216,7 +220,7 @@ private:
       }
     std::vector<Index> same(numbers.size());
     std::iota(same.begin(), same.end(), Index(0));
-    for (const New_triangle_2& t : operation.outcome.triangles(operation.patch, same)) {
+    for (const New_triangle_2& t : operation.outcome.triangles(*operation.patch, same)) {
       const std::array<Index, 3>& v = t.vertices;
       triangles.push_back(Made_triangle{{numbers[v[0]], numbers[v[1]], numbers[v[2]]}, t.edges});
     }

@@ -13,12 +13,14 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/disc_of_triangle.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <array>
@@ -72,13 +74,13 @@ inline std::vector<Index> triangles_beside_others(const Bubble_mesh_2& piece)
 
 /// Finds the triangles of a piece of a mesh, Delaunay for itself, that the whole may not have any more: there can be
 /// bubbles beyond the sides where the piece ends. A triangle that is as it was stays one of the whole unless a bubble has
-/// come into its circle; others may be none if their circle reaches such a side. The triangles whose circle does so hang
-/// together, so they are found from there.
+/// come into its circle. One that was changed may be wrong if its circle reaches such a side. The triangles whose circle
+/// does so hang together, so they are found from there.
 class Border_check_2
 {
 public:
   /// `box`: of the domain; `changed`: at least the triangles that are not as they were; `places`: at least those of moved
-  /// and new bubbles, unknown here, that lie in the circle of a triangle
+  /// and new bubbles in circles of triangles that do not know of them
   Border_check_2(Editable_triangulation_2& piece, const Bbox_2& box, const std::vector<Index>& changed,
                  std::vector<Point> places)
     : m_piece(piece), m_mesh(piece.mesh()), m_triangles(m_mesh.triangles), m_box(box), m_places(std::move(places)),
@@ -106,7 +108,7 @@ public:
   }
 
 private:
-  enum State : char { AS_IT_WAS, CHANGED, DOUBTFUL };
+  enum State : char { AS_IT_WAS, CHANGED, SEEN };
 
   void find_from(Index start, int side)
   {
@@ -117,16 +119,15 @@ private:
     while (!m_stack.empty()) {
       const Index t = m_stack.back();
       m_stack.pop_back();
-      if (m_state[t] == CHANGED || (m_state[t] == AS_IT_WAS && has_place_in_circle(t))) {
-        m_state[t] = DOUBTFUL;
+      if (m_state[t] == CHANGED || (m_state[t] == AS_IT_WAS && has_place_in_circle(t)))
         m_doubtful.push_back(t);
-      }
+      m_state[t] = SEEN;
       for (int i = 0; i < 3; ++i) {
         const Index n = m_triangles.neighbors[t][i];
         if (n == no_index || m_triangles.edges[t][i] != no_index || m_seen_from[n] == m_number_of_sides)
           continue;
         m_seen_from[n] = m_number_of_sides;
-        if (reaches(disc_that_matters(m_mesh, n, m_box), p, q))
+        if (reaches(disc_of_triangle(m_mesh, n, m_box), p, q))
           m_stack.push_back(n);
       }
     }
@@ -134,7 +135,7 @@ private:
 
   bool has_place_in_circle(Index t) const
   {
-    const Disc_2 disc = disc_that_matters(m_mesh, t, m_box);
+    const Disc_2 disc = disc_of_triangle(m_mesh, t, m_box);
     const Point first(disc.x - disc.radius, disc.y - disc.radius), last(disc.x + disc.radius, disc.y + disc.radius);
     const auto begin = std::lower_bound(m_places.begin(), m_places.end(), first);
     return std::any_of(begin, std::upper_bound(begin, m_places.end(), last),

@@ -19,6 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Distributed_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/Mesh_piece_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
@@ -82,21 +83,9 @@ public:
 
   bool restore_border(Editable_triangulation_2& mesh, std::vector<Index>& moved, std::vector<char>& was_moved) override
   {
-    const std::size_t first_flipped = m_beside_others.size();
-    follow_flips(mesh);
-    for (Index t : m_beside_others)
-      if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
-        mesh.restore_delaunay_around(t);
-    follow_flips(mesh);
-    const auto flipped = m_beside_others.begin() + static_cast<std::ptrdiff_t>(first_flipped);
-    std::vector<Index> changed(flipped, m_beside_others.end());
-    for (Index t : m_beside_others)
-      if (has_moved_vertex(mesh.vertices(t)))
-        changed.push_back(t);
-    for (Index v : moved)
-      for (const Corner_2& c : mesh.star(v))
-        changed.push_back(c.triangle);
-    Border_check_2 check(mesh, m_domain.bbox(), changed, moved_beyond(mesh, changed, was_moved));
+    const std::vector<Index> changed = restore_delaunay(mesh, moved);
+    const std::vector<Point> places = places_of_moved(mesh, changed, was_moved);
+    Border_check_2 check(mesh, m_domain.bbox(), changed, places);
     if (!m_comm.any(!check.forget_doubtful(m_beside_others)))
       return false;
     renew(moved, was_moved);
@@ -159,11 +148,32 @@ private:
     double x, y, s;
   };
 
-  /// Collective. Where vertices are that were moved, unknown to this rank, into circles of triangles that it has. Each
-  /// vertex of such a triangle is a neighbour of one of them now, so its owner, who knows that, tells those who have it, or
-  /// the owner of the moved one tells its owner.
-  std::vector<Point> moved_beyond(const Editable_triangulation_2& mesh, const std::vector<Index>& changed,
-                                  const std::vector<char>& was_moved) const
+  /// flips edges around vertices of others, too; returns the triangles that were flipped or have a vertex that was moved
+  std::vector<Index> restore_delaunay(Editable_triangulation_2& mesh, const std::vector<Index>& moved)
+  {
+    const std::size_t first_flipped = m_beside_others.size();
+    follow_flips(mesh);
+    for (Index t : m_beside_others)
+      if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
+        mesh.restore_delaunay_around(t);
+    follow_flips(mesh);
+    const auto flipped = m_beside_others.begin() + static_cast<std::ptrdiff_t>(first_flipped);
+    std::vector<Index> changed(flipped, m_beside_others.end());
+    for (Index t : m_beside_others)
+      if (has_moved_vertex(mesh.vertices(t)))
+        changed.push_back(t);
+    for (Index v : moved)
+      for (const Corner_2& c : mesh.star(v))
+        changed.push_back(c.triangle);
+    return changed;
+  }
+
+  /// Collective. Where vertices of others are that were moved: such as are known here, which may have lost all their
+  /// triangles, and unknown ones that have come into the circle of a triangle. Each vertex w of that is a neighbour of such
+  /// a moved vertex v now. Who owns w tells those who have it; and who owns v tells the owner of w, who may not have v.
+  /// `was_moved`: in this sweep or before, so that too much is told at most
+  std::vector<Point> places_of_moved(const Editable_triangulation_2& mesh, const std::vector<Index>& changed,
+                                     const std::vector<char>& was_moved) const
   {
     const Bubbles_2& b = m_piece.mesh.bubbles;
     std::set<std::pair<int, Index>> told; // who, and of what
@@ -188,6 +198,8 @@ private:
     for (const auto& message : deliver(m_comm, out))
       for (const std::array<double, 2>& p : message.second)
         result.emplace_back(p[0], p[1]);
+    for (Index v : m_moved)
+      result.push_back(b.point(v));
     return result;
   }
 
@@ -388,7 +400,7 @@ private:
     return true;
   }
 
-  static constexpr double usual_reach = 10; // enough for the sweeps of most meshes, before and after surgery
+  static constexpr double usual_reach = 12; // enough for the sweeps of most meshes, before and after surgery
 
   Distributed_mesh_2 triangulate(const Bubbles_2& own, double reach, double stray) const
   {
