@@ -190,7 +190,7 @@ TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
     mesh.triangles.edges = {{no_index, no_index, no_index}};
     if (hidden < 3)
       mesh.triangles.edges[0][hidden] = 0;
-    const Disc_2 disc = disc_that_matters(mesh, 0, domain);
+    const Disc_2 disc = disc_of_triangle(mesh, 0, domain);
     const Triangle_question_2 question = make_question(mesh, 0, disc, 0, 0);
     for (int i = 0; i < 50; ++i) {
       // at all distances from the vertices

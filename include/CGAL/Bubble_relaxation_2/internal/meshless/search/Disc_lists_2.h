@@ -64,6 +64,7 @@ public:
   }
 
   std::size_t number_of_cells() const { return m_cells.size(); }
+  std::size_t number_of_entries() const { return m_lists.size(); } ///< of all lists
 
 private:
   struct Cell
