@@ -320,6 +320,27 @@ TEST(Distributed_treatment, moves_beyond_the_end_of_a_piece)
   EXPECT_EQ(kept > 0, comm.size() > 1);
 }
 
+// Vacancies are filled where others' pieces end: what these know is still of the mesh of all ranks, and they have not become
+// so narrow by seven operations and six sweeps that they are made anew.
+TEST(Distributed_treatment, operations_at_the_end_of_a_piece)
+{
+  std::mt19937 random(random_seeds::seed(11)); // the same on all ranks
+  std::size_t inserted = 0;
+  for (double clearance = 4; clearance < 9; clearance += 0.5) {
+    Case c = equilateral(64);
+    for (const auto& bubbles : bubbles_by_clearance(c, clearance, clearance + 1)) {
+      const Index i = bubbles.second[random() % bubbles.second.size()];
+      if (c.bubbles.is_in_face(i))
+        c.bubbles.remove(i);
+    }
+    c.bubbles.forget_gone();
+    const Outcome outcome = expect_same_treatment(c, Options{6, false});
+    inserted += outcome.counts.inserted;
+    EXPECT_EQ(outcome.number_of_renewals, 0u);
+  }
+  EXPECT_GT(inserted, 0u);
+}
+
 TEST(Distributed_treatment, ranks_without_bubbles)
 {
   expect_same_treatment(relaxed(paper::all_domains(2)[1]), Options{8, true});
