@@ -252,8 +252,8 @@ TEST(Distributed_treatment, defects_at_any_distance_from_other_ranks)
 
 struct Border_outcome
 {
-  bool is_renewed, has_forgotten; ///< triangles, on any rank
-  bool is_unknown;                ///< the vertex that moves, on any rank
+  bool has_forgotten; ///< whether any rank had to forget triangles
+  bool is_unknown;    ///< whether any rank does not know the vertex that moves
 };
 
 /// One vertex goes far in two sweeps, and all ranks restore what they know of the mesh.
@@ -286,13 +286,13 @@ Border_outcome move_in_two_sweeps(const Case& c, Index i, double dx, double dy, 
     team.share_moved(piece.mesh, moved);
     mesh.restore_delaunay(moved);
     if (team.restore_border(mesh, moved, was_moved))
-      return {true, true, comm.any(here == no_index)};
+      return {true, comm.any(here == no_index)};
     team.add_neighbors_of_others(mesh, neighbors);
     const auto all = distributed::triangles(whole.triangles, numbers_of(whole.bubbles), whole.triangles.inside);
     const auto known = distributed::triangles(piece.mesh.triangles, b.id, inside);
     EXPECT_TRUE(std::includes(all.begin(), all.end(), known.begin(), known.end())) << "bubble " << i;
   }
-  return {false, comm.any(std::count(inside.begin(), inside.end(), 1) < number_before), comm.any(here == no_index)};
+  return {comm.any(std::count(inside.begin(), inside.end(), 1) < number_before), comm.any(here == no_index)};
 }
 
 // Those who do not know the vertex know triangles into whose circles it comes, and others that it has nothing to do with.

@@ -208,10 +208,7 @@ public:
   }
 
   /// replaces the set of a bubble of another rank by what that rank tells of it
-  void assign(Index i, const std::vector<Index>& set)
-  {
-    m_sets.assign(i, set);
-  }
+  void assign(Index i, const std::vector<Index>& set) { m_sets.assign(i, set); }
 
   /// Replaces all sets: those of the bubbles of this rank are as `set_of(i)` tells, and those of others' have them.
   template <class Set_of>

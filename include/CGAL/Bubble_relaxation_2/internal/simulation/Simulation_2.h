@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -354,13 +355,14 @@ private:
   bool have_large_sets() const
   {
     constexpr std::size_t usual = 36; // within three times the distance of neighbours
-    std::size_t sum = 0;
+    std::uint64_t sum = 0;
     for (std::size_t i = 0; i < m_bubbles.size(); ++i) {
       const Index k = static_cast<Index>(i);
       const std::size_t size = static_cast<std::size_t>(m_neighbors.end(k) - m_neighbors.begin(k));
       sum += m_bubbles.is_ours(i) ? size * size : 0;
     }
-    return m_team.sum(Step_sums{sum, 0}).restless > usual * usual * m_team.number_of_all(m_bubbles);
+    m_team.add_up(sum);
+    return sum > usual * usual * m_team.number_of_all(m_bubbles);
   }
 
   void step(Round_result& result)
