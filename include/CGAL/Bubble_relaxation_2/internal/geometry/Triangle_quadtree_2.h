@@ -39,13 +39,15 @@ public:
     }
   };
 
-  /// `fill(square, things, leaf, divide)` either puts something into the leaf or calls `divide(part)`, where `part(k)`
-  /// are the things for the quarter `k` of the square.
+  /// one leaf
+  explicit Quadtree_2(const Square& root) : m_root(root), m_cells(1) {}
+
+  /// From the root on, `fill(square, things, leaf, divide)` either puts something into the leaf or calls `divide(part)`,
+  /// where `part(k)` are the things for the quarter `k` of the square. `leaf`: `nullptr` where a square was divided before
   template <class Things, class Fill>
-  Quadtree_2(const Square& root, const Things& things, Fill&& fill) : m_root(root)
+  void put(const Things& things, Fill&& fill)
   {
-    m_cells.emplace_back();
-    build(0, root, things, fill);
+    put(0, m_root, things, fill);
   }
 
   const Leaf& operator()(double x, double y) const
@@ -69,14 +71,17 @@ private:
   };
 
   template <class Things, class Fill>
-  void build(std::size_t cell, const Square& square, const Things& things, Fill& fill)
+  void put(std::size_t cell, const Square& square, const Things& things, Fill& fill)
   {
-    fill(square, things, m_cells[cell].leaf, [&](const auto& part) {
-      const std::size_t first = m_cells.size();
-      m_cells[cell].first_child = static_cast<Index>(first);
-      m_cells.resize(first + 4);
+    const bool is_divided = m_cells[cell].first_child != 0;
+    fill(square, things, is_divided ? nullptr : &m_cells[cell].leaf, [&](const auto& part) {
+      if (!is_divided) {
+        m_cells[cell].first_child = static_cast<Index>(m_cells.size());
+        m_cells.resize(m_cells.size() + 4);
+      }
+      const std::size_t first = static_cast<std::size_t>(m_cells[cell].first_child);
       for (int k = 0; k < 4; ++k)
-        build(first + static_cast<std::size_t>(k), square.quarter(k), part(k), fill);
+        put(first + static_cast<std::size_t>(k), square.quarter(k), part(k), fill);
     });
   }
 
@@ -111,9 +116,9 @@ private:
     std::vector<Index> vertices(tr.points.size());
     std::iota(vertices.begin(), vertices.end(), 0);
     Index last = 0; // neighbouring leaves follow each other, so the last one's triangle is near
-    const auto fill = [&](const Tree::Square& s, const Range& r, Index& triangle, const auto& divide) {
+    const auto fill = [&](const Tree::Square& s, const Range& r, Index* triangle, const auto& divide) {
       if (r.second - r.first <= most_vertices || s.depth == deepest) {
-        triangle = last = locate_or_exit(tr, last, Point(s.x, s.y)).triangle;
+        *triangle = last = locate_or_exit(tr, last, Point(s.x, s.y)).triangle;
         return;
       }
       const auto is_left = [&](Index v) { return !(tr.points[v].x() >= s.x); };
@@ -123,8 +128,9 @@ private:
                                 std::partition(upper, r.second, is_left), r.second};
       divide([&ends](int k) { return Range(ends[k], ends[k + 1]); });
     };
-    return Tree({box.xmin() + width / 2, box.ymin() + height / 2, 0.5 * (std::max)(width, height), 0},
-                Range(vertices.begin(), vertices.end()), fill);
+    Tree result({box.xmin() + width / 2, box.ymin() + height / 2, 0.5 * (std::max)(width, height), 0});
+    result.put(Range(vertices.begin(), vertices.end()), fill);
+    return result;
   }
 
   Tree m_triangles;

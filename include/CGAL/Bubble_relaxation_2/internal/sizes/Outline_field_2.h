@@ -14,11 +14,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -34,24 +35,31 @@ struct Size_source_2
 ///
 /// A quadtree holds in each leaf the few sources that are the least somewhere in it, so a query does not
 /// look at all of them; where there would be many, d may be a little too large. The result depends neither
-/// on the order of the sources nor on former queries.
+/// on the order of sources that come together nor on former queries.
 class Outline_field_2
 {
 public:
-  /// `growth`: g
+  /// `growth`: g \pre there are sources
   Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box, double growth)
-    : m_growth(growth), m_sources(sources),
-      m_leaves({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
-                0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), 0},
-               Range{0, static_cast<Index>(sources.size())}, Fill(*this))
-  {}
+    : m_growth(growth), m_leaves({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
+                                  0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), 0})
+  {
+    add(sources);
+  }
+
+  /// takes more sources, and looks only where they count
+  void add(const std::vector<Size_source_2>& more)
+  {
+    m_sources.insert(m_sources.end(), more.begin(), more.end());
+    m_leaves.put(Range{0, static_cast<Index>(more.size())}, Insertion(*this, more.size()));
+  }
 
   double operator()(double x, double y) const
   {
     const Range& leaf = m_leaves(x, y);
-    double least = size_from(m_in_leaves[leaf.first], x, y);
+    double least = size_from(m_sources[m_in_leaves[leaf.first]], x, y);
     for (Index k = leaf.first + 1; k < leaf.last; ++k)
-      least = (std::min)(least, size_from(m_in_leaves[k], x, y));
+      least = (std::min)(least, size_from(m_sources[m_in_leaves[k]], x, y));
     return least;
   }
 
@@ -71,88 +79,128 @@ private:
 
   using Tree = Quadtree_2<Range>;
 
-  double size_from(Index source, double x, double y) const
+  double size_from(const Size_source_2& s, double x, double y) const
   {
-    const Size_source_2& s = m_sources[source];
     const double dx = x - s.point.x(), dy = y - s.point.y();
     return s.d + m_growth * std::sqrt(dx * dx + dy * dy);
   }
 
-  /// Finds what counts in a square among what counts in the square around it.
-  class Fill
+  /// Brings sources to the leaves where they count: finds what counts in a square among what counts in the square
+  /// around it.
+  class Insertion
   {
   public:
-    explicit Fill(Outline_field_2& field) : m_field(field), m_stack(field.m_sources.size())
+    /// `number`: of sources to be inserted, the last ones of the field
+    Insertion(Outline_field_2& field, std::size_t number) : m_field(field)
     {
-      std::iota(m_stack.begin(), m_stack.end(), 0);
+      for (std::size_t s = field.m_sources.size() - number; s < field.m_sources.size(); ++s)
+        push(static_cast<Index>(s));
     }
 
     template <class Divide>
-    void operator()(const Tree::Square& c, const Range& around, Range& leaf, const Divide& divide)
+    void operator()(const Tree::Square& c, const Range& around, Range* leaf, const Divide& divide)
     {
       tick();
-      // within the cell two sources cannot change their order if they differ by more than this
-      const double slack = 2 * m_field.m_growth * std::sqrt(2.) * c.half;
-      const double least = find_sizes(c, around);
-      Range kept{static_cast<Index>(m_stack.size()), 0};
-      for (Index k = around.first; k < around.last; ++k)
-        if (m_sizes[k - around.first] <= least + slack)
-          m_stack.push_back(Index(m_stack[k]));
-      kept.last = static_cast<Index>(m_stack.size());
-      // far from a finely divided outline many sources stay, but d hardly changes within the cell
-      const bool is_even = slack <= 0.5 * least || c.depth == deepest;
-      if (kept.size() > most_sources && !is_even)
-        divide([&kept](int) -> const Range& { return kept; });
-      else
-        fill_leaf(c, kept, leaf);
-      m_stack.resize(kept.first);
+      const std::size_t before = m_stack.size();
+      const Range all = leaf != nullptr ? with_leaf(around, *leaf) : around;
+      // of former sources a square that is divided knows the size alone
+      const double known = leaf != nullptr ? std::numeric_limits<double>::infinity() : m_field(c.x, c.y);
+      const Index best = all.size() != 0 ? nearest(all, c.x, c.y) : no_index;
+      if (best != no_index) {
+        const double least = (std::min)(known, m_stack[best].size);
+        const Range kept = keep(c, all, best, least);
+        // far from a finely divided outline many sources stay, but d hardly changes within the square
+        const bool is_even = most_change(c) <= 0.5 * least || c.depth == deepest;
+        if (leaf != nullptr && (kept.size() <= most_sources || is_even))
+          fill_leaf(c, kept, *leaf);
+        else
+          divide([&kept](int) -> const Range& { return kept; });
+      }
+      m_stack.resize(before);
     }
 
   private:
-    /// the sizes that sources ask for at the centre of a square; returns the least
-    double find_sizes(const Tree::Square& c, const Range& sources)
+    struct Candidate
     {
-      m_sizes.clear();
-      for (Index k = sources.first; k < sources.last; ++k)
-        m_sizes.push_back(m_field.size_from(m_stack[k], c.x, c.y));
-      return *std::min_element(m_sizes.begin(), m_sizes.end());
+      Size_source_2 source;
+      Index number;
+      double size; // that it asks for at the place that was looked at last
+    };
+
+    void push(Index s) { m_stack.push_back(Candidate{m_field.m_sources[s], s, 0}); }
+
+    Range with_leaf(const Range& around, const Range& leaf)
+    {
+      const Index first = static_cast<Index>(m_stack.size());
+      for (Index k = around.first; k < around.last; ++k)
+        m_stack.push_back(Candidate(m_stack[k]));
+      for (Index k = leaf.first; k < leaf.last; ++k)
+        push(m_field.m_in_leaves[k]);
+      return Range{first, static_cast<Index>(m_stack.size())};
     }
 
-    void fill_leaf(const Tree::Square& c, const Range& sources, Range& leaf)
+    /// which candidate asks for the least at a place
+    Index nearest(const Range& candidates, double x, double y)
     {
-      std::vector<Index>& result = m_field.m_in_leaves;
-      leaf.first = static_cast<Index>(result.size());
-      if (sources.size() > most_sources)
-        for (int k = 0; k < 9; ++k)
-          result.push_back(nearest(sources, c.x + (k % 3 - 1) * c.half, c.y + (k / 3 - 1) * c.half));
-      else
-        for (Index k = sources.first; k < sources.last; ++k)
-          result.push_back(m_stack[k]);
-      leaf.last = static_cast<Index>(result.size());
-    }
-
-    Index nearest(const Range& sources, double x, double y) const
-    {
-      Index best = m_stack[sources.first];
-      double least = m_field.size_from(best, x, y);
-      for (Index k = sources.first + 1; k < sources.last; ++k) {
-        const Index s = m_stack[k];
-        const double d = m_field.size_from(s, x, y);
-        if (d < least || (d == least && m_field.m_sources[s].point < m_field.m_sources[best].point)) {
-          best = s;
-          least = d;
-        }
+      Index best = candidates.first;
+      for (Index k = candidates.first; k < candidates.last; ++k) {
+        Candidate& s = m_stack[k];
+        s.size = m_field.size_from(s.source, x, y);
+        const Candidate& b = m_stack[best];
+        if (s.size < b.size || (s.size == b.size && s.source.point < b.source.point))
+          best = k;
       }
       return best;
     }
 
+    /// by how much the sizes that two sources ask for can come nearer to each other from the centre of a square to a
+    /// place in it
+    double most_change(const Tree::Square& c) const { return 2 * m_field.m_growth * std::sqrt(2.) * c.half; }
+
+    /// those that may ask for the least somewhere in a square
+    Range keep(const Tree::Square& c, const Range& candidates, Index best, double least)
+    {
+      const double change = most_change(c);
+      Range kept{static_cast<Index>(m_stack.size()), 0};
+      for (Index k = candidates.first; k < candidates.last; ++k)
+        if (m_stack[k].size <= least + change && !is_beaten(m_stack[k], m_stack[best], change))
+          m_stack.push_back(Candidate(m_stack[k]));
+      kept.last = static_cast<Index>(m_stack.size());
+      return kept;
+    }
+
+    /// Whether `s` asks for more than `b` in all of a square. Two sources with a distance t are seen from places with
+    /// distances u and v in directions that differ by no more than 2 t / (u + v) (Dunkl and Williams 1964): far from both
+    /// the sizes change alike.
+    bool is_beaten(const Candidate& s, const Candidate& b, double change) const
+    {
+      const double both_distances = s.size - s.source.d + b.size - b.source.d - change; // times g
+      return both_distances > 0 &&
+             (s.size - b.size) * both_distances >
+               change * m_field.m_growth * std::sqrt(CGAL::squared_distance(s.source.point, b.source.point));
+    }
+
+    void fill_leaf(const Tree::Square& c, const Range& candidates, Range& leaf)
+    {
+      std::vector<Index>& result = m_field.m_in_leaves;
+      leaf.first = static_cast<Index>(result.size());
+      if (candidates.size() > most_sources) {
+        for (int k = 0; k < 9; ++k)
+          result.push_back(m_stack[nearest(candidates, c.x + (k % 3 - 1) * c.half, c.y + (k / 3 - 1) * c.half)].number);
+        std::sort(result.begin() + leaf.first, result.end());
+        result.erase(std::unique(result.begin() + leaf.first, result.end()), result.end());
+      } else
+        for (Index k = candidates.first; k < candidates.last; ++k)
+          result.push_back(m_stack[k].number);
+      leaf.last = static_cast<Index>(result.size());
+    }
+
     Outline_field_2& m_field;
-    std::vector<Index> m_stack; // what counts in the squares from the root down to the present one
-    std::vector<double> m_sizes;
+    std::vector<Candidate> m_stack; // what counts in the squares from the root down to the present one
   };
 
-  const double m_growth;
-  const std::vector<Size_source_2> m_sources;
+  double m_growth;
+  std::vector<Size_source_2> m_sources;
   std::vector<Index> m_in_leaves; // numbers of sources, leaf by leaf
   Tree m_leaves;
 };

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,21 +89,24 @@ public:
 
   const Sizes_2& sizes() const { return m_sizes; }
   const Sizes_2& wanted() const { return m_wanted; }
-  bool is_limited() const { return !m_sources.empty(); }
+  bool is_limited() const { return m_field.has_value(); }
 
   void add(const std::vector<Size_source_2>& more)
   {
     if (more.empty())
       return;
-    m_sources.insert(m_sources.end(), more.begin(), more.end());
-    m_sizes = smaller_of(m_wanted, Sizes_2(Outline_field_2(m_sources, m_box, m_growth)));
+    if (is_limited())
+      m_field->add(more);
+    else
+      m_field.emplace(more, m_box, m_growth);
+    m_sizes = smaller_of(m_wanted, Sizes_2(*m_field));
   }
 
 private:
   const Sizes_2 m_wanted;
   const Bbox_2 m_box;
   const double m_growth;
-  std::vector<Size_source_2> m_sources;
+  std::optional<Outline_field_2> m_field;
   Sizes_2 m_sizes;
 };
 

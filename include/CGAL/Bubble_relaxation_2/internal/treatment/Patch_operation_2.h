@@ -56,8 +56,9 @@ public:
         try_without(m_triangles.vertices[n][m_triangles.index_of_neighbor(n, t)]);
       try_with_on_side(t, i);
     }
-    try_with(CGAL::centroid(m_mesh.point(t, corners[0]), m_mesh.point(t, corners[1]), m_mesh.point(t, corners[2])),
-             m_mean_size);
+    const Point p = m_mesh.point(t, corners[0]), q = m_mesh.point(t, corners[1]), r = m_mesh.point(t, corners[2]);
+    if (has_room(CGAL::area(p, q, r) / unit_area))
+      try_with(CGAL::centroid(p, q, r), m_mean_size);
     move_vertices(quality(m_mesh, t) < hard_quality);
     return m_is_better;
   }
@@ -69,6 +70,9 @@ private:
   static constexpr double least_gain = 0.0005;
   /// triangles with less count as defects
   static constexpr double good_quality = 0.9;
+  /// in units of the size at a triangle the shortest side that a vertex can help
+  static constexpr double least_room = 0.8;
+  static constexpr double unit_area = 0.4330127018922193; // of an equilateral triangle
   /// so many outcomes get their vertices moved
   static constexpr std::size_t number_of_favourites = 3;
   /// The others get it too, until one helps, where the triangle has less: it may be obtuse. So do they get all sweeps.
@@ -137,7 +141,7 @@ private:
   void try_without(Index v)
   {
     const Index removed = m_patch.local(v);
-    if (!m_patch.bubbles().can_move(removed))
+    if (!m_patch.bubbles().can_move(removed) || !is_crowded(v))
       return;
     Bubbles_2 bubbles = m_patch.bubbles();
     std::vector<Domain_edge_2> edges = m_patch.edges();
@@ -145,6 +149,22 @@ private:
       return;
     bubbles.remove(removed);
     try_patch(std::move(bubbles), std::move(edges));
+  }
+
+  /// whether a vertex that may move has no more triangles than six, three where the domain ends beside it: with more it is
+  /// not the one too many
+  bool is_crowded(Index v) const
+  {
+    int number = 0, most = 6;
+    for (Index t : m_patch.triangles())
+      for (int i = 0; i < 3; ++i) {
+        if (m_triangles.vertices[t][i] != v)
+          continue;
+        ++number;
+        if (m_triangles.edges[t][ccw(i)] == OUTLINE || m_triangles.edges[t][cw(i)] == OUTLINE)
+          most = 3;
+      }
+    return number <= most;
   }
 
   /// makes one edge of the two that meet in a bubble
@@ -174,6 +194,13 @@ private:
     std::swap(e.inside_left, e.inside_right);
   }
 
+  /// whether there is room for one more vertex on a side with this squared length, or in a triangle with the area of an
+  /// equilateral one with such sides
+  bool has_room(double squared_length) const
+  {
+    return squared_length >= least_room * least_room * m_mean_size * m_mean_size;
+  }
+
   void try_with(const Point& p, double d)
   {
     const Index triangle = m_domain.locate_inside(p, m_hint);
@@ -187,6 +214,8 @@ private:
   void try_with_on_side(Index t, int i)
   {
     const Point p = m_mesh.point(t, ccw(i)), q = m_mesh.point(t, cw(i));
+    if (!has_room(CGAL::squared_distance(p, q)))
+      return;
     if (m_triangles.edges[t][i] == no_index) {
       try_with(CGAL::midpoint(p, q), m_mean_size);
       return;
