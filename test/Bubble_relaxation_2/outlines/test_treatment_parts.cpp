@@ -233,6 +233,34 @@ TEST(Defects, no_vertex_is_inserted_that_would_crowd_an_edge)
   EXPECT_GT(number, 4u);
 }
 
+/// A piece of the outline ends at a bubble that is too far inside, and leaves another one outside.
+TEST(Defects, a_bubble_that_a_bent_edge_leaves_outside_stays_a_vertex)
+{
+  using internal::Bubbles_2;
+  const std::vector<internal::Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  internal::Domain_2 domain;
+  std::vector<internal::Domain_edge_2> edges;
+  internal::Bubble_mesh_2 mesh;
+  for (Index i = 0; i < 4; ++i) {
+    edges.push_back({i, (i + 1) % 4, true, false});
+    mesh.bubbles.add(square[i], 1, Bubbles_2::CORNER, i);
+  }
+  ASSERT_EQ(domain.build(square, edges), internal::Marking_error::NONE);
+  mesh.bubbles.add({0.5, 1e-3}, 1, Bubbles_2::EDGE, 0, 0.5);
+  mesh.bubbles.add({0.5, 5e-4}, 1, Bubbles_2::FACE, 0);
+  mesh.bubbles.add({0.5, 0.5}, 1, Bubbles_2::FACE, 0);
+  internal::triangulate(domain, mesh);
+  EXPECT_TRUE(internal::rebuild_outside(domain, mesh));
+  const std::vector<char> inside{1, 1, 1, 1, 1, 0, 1}, outside{1, 1, 0, 0, 1, 1, 0};
+  EXPECT_EQ(internal::vertices_of_triangles(mesh.triangles, true, mesh.bubbles.size()), inside);
+  EXPECT_EQ(internal::vertices_of_triangles(mesh.triangles, false, mesh.bubbles.size()), outside);
+
+  mesh.bubbles.y[4] = 0; // it would have to come into the domain
+  const internal::Marked_triangles_2 before = mesh.triangles;
+  EXPECT_FALSE(internal::rebuild_outside(domain, mesh));
+  expect_equal(mesh.triangles, before);
+}
+
 /// says at the end that the outline crosses itself
 struct Treatment_found_broken : internal::Whole_treatment_2
 {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
 #include <CGAL/npbs_place_nodes.h>
 
 #include <functional>
@@ -105,6 +106,27 @@ TEST(Neighbor_sets, of_groups_with_gaps)
   Neighbor_sets_2 sets(2.);
   sets.build(b);
   expect_equal_to_brute_force(b, sets);
+}
+
+/// Each of the small ones has all of the large ones for neighbours, and each of these has all of the small ones, which
+/// takes minutes if they are looked at from each small one.
+TEST(Local_triangulation, of_small_bubbles_among_large_ones)
+{
+  constexpr int side = 200;
+  constexpr double small = 1e-3;
+  Bubbles_2 b;
+  std::vector<Index> all;
+  for (int i = 0; i < side * side; ++i) // a lattice with gaps, in which circles are wide
+    if (i % 3 == 0)
+      b.add(Point(small * (i % side + 0.5 * (i / side % 2)), 0.87 * small * (i / side)), small, Bubbles_2::FACE, 0);
+  for (int i = 0; i < 20; ++i)
+    b.add(Point(0.2 + 0.01 * i, -0.1 - 0.001 * i * i), 1, Bubbles_2::FACE, 0);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    all.push_back(static_cast<Index>(i));
+  Neighbor_sets_2 sets(1.7);
+  sets.build(b);
+  const Local_triangulation_2 mesh(b, sets, all, Threads());
+  EXPECT_GT(mesh.triangles().size(), b.size());
 }
 
 TEST(Neighbor_sets, adversarial_sets)

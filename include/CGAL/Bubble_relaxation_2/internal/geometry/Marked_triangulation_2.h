@@ -135,6 +135,16 @@ std::vector<Index> keep_triangles(Marked_triangles_2& m, const Is_kept& is_kept)
   return number;
 }
 
+/// of each of so many vertices whether a triangle inside of the domain, or outside, has it
+inline std::vector<char> vertices_of_triangles(const Marked_triangles_2& m, bool inside, std::size_t number_of_vertices)
+{
+  std::vector<char> marks(number_of_vertices, 0);
+  for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
+    for (Index v : m.vertices[t])
+      marks[v] |= (m.inside[t] != 0) == inside;
+  return marks;
+}
+
 /// Bubbles and the triangles between them, whose vertices are indices of bubbles.
 struct Bubble_mesh_2
 {

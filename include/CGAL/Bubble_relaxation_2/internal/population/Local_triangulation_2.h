@@ -220,9 +220,9 @@ private:
   /// a hole of up to `widest_hole`.
   static constexpr double certain_diameter = 1.5;
 
-  /// Sets larger than that, of a large radius or of bubbles piled up, have so many neighbours of neighbours that it
-  /// is faster to look around.
-  static constexpr std::size_t most_with_neighbors = 48;
+  /// Sets that are larger than that on average, of a large radius or of bubbles piled up, have so many neighbours of
+  /// neighbours that it is faster to look around.
+  static constexpr std::size_t most_neighbors = 48;
 
   static constexpr std::size_t block_size = 512;
 
@@ -281,7 +281,8 @@ private:
     candidates.assign(neighbors.begin(i), neighbors.end(i));
     star.wrap(candidates);
     if (!is_within(certain_diameter)) {
-      if (candidates.size() > most_with_neighbors)
+      if (candidates.size() > most_neighbors ||
+          number_of_neighbors(neighbors, candidates) > most_neighbors * most_neighbors)
         return false;
       add_neighbors_of_neighbors(bubbles, neighbors, i, candidates);
       star.wrap(candidates);
@@ -310,6 +311,14 @@ private:
     }
     const unsigned empty = (~sectors & 0xffffu) | (~sectors & 0xffffu) << 16; // twice around
     return (empty & empty >> 1 & empty >> 2 & empty >> 3) == 0;
+  }
+
+  static std::size_t number_of_neighbors(const Neighbor_sets_2& neighbors, const Delaunay_star_2::Indices& bubbles)
+  {
+    std::size_t number = 0;
+    for (Index i : bubbles)
+      number += static_cast<std::size_t>(neighbors.end(i) - neighbors.begin(i));
+    return number;
   }
 
   static void add_neighbors_of_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i,

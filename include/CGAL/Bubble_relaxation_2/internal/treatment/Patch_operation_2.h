@@ -77,7 +77,7 @@ private:
   static constexpr std::size_t number_of_favourites = 3;
   /// The others get it too, until one helps, where the triangle has less: it may be obtuse. So do they get all sweeps.
   static constexpr double hard_quality = 0.84;
-  static constexpr int easy_sweeps = Smoothing_sweeps_2::number_of_sweeps - 1;
+  static constexpr int easy_sweeps = 3;
 
   using Defects = std::vector<double>; // what bad triangles are worth, the worst first
 
@@ -243,10 +243,7 @@ private:
   /// A bubble that comes to an edge, or goes from it, may put a pinned vertex beside the edge out of the domain.
   static bool holds_all_bubbles(const Bubble_mesh_2& mesh)
   {
-    std::vector<char> is_held(mesh.bubbles.size(), 0);
-    for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t)
-      for (Index v : mesh.triangles.vertices[t])
-        is_held[v] |= mesh.triangles.inside[t];
+    const std::vector<char> is_held = vertices_of_triangles(mesh.triangles, true, mesh.bubbles.size());
     return std::find(is_held.begin(), is_held.end(), 0) == is_held.end();
   }
 
@@ -277,7 +274,10 @@ private:
         return;
       Bubble_mesh_2& mesh = m_candidates[k].outcome.mesh;
       Team alone;
-      Smoothing_sweeps_2(m_domain, mesh, alone)(is_hard ? Smoothing_sweeps_2::number_of_sweeps : easy_sweeps);
+      Sweeps_2 sweeps;
+      if (!is_hard)
+        sweeps.most = easy_sweeps;
+      Smoothing_sweeps_2(m_domain, mesh, alone)(sweeps);
       Defects defects = defects_of(mesh);
       if (is_better(defects, m_defects, m_is_better ? 0. : least_gain) && smallest_quality(mesh) >= m_smallest) {
         m_defects = std::move(defects);

@@ -22,14 +22,16 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Makes the triangulation of the bubbles on the outline of a domain, whose vertices are numbered as the bubbles
-/// are; returns whether it can be made.
-inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, Marked_triangles_2& outline)
+/// Makes the triangulation of the bubbles on the outline of a domain, and of others that are in none of its triangles:
+/// pieces of the outline end at rounded places, so one beside them may have come to lie outside. Vertices are numbered as
+/// the bubbles are. Returns whether it can be made.
+inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, const std::vector<char>& is_in_domain,
+                                Marked_triangles_2& outline)
 {
   std::vector<Index> number(b.size(), no_index), vertices;
   std::vector<Point> points;
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index)) {
+    if (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index) || !is_in_domain[i]) {
       number[i] = static_cast<Index>(points.size());
       points.push_back(b.point(i));
       vertices.push_back(static_cast<Index>(i));
@@ -71,10 +73,14 @@ inline void link_across_edges(Marked_triangles_2& m)
 /// make a bend of a slanted edge. Returns whether they could be made; if not, the mesh is as it was.
 inline bool rebuild_outside(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
-  Marked_triangles_2 outside;
-  if (!triangulate_outline(domain, mesh.bubbles, outside))
+  Marked_triangles_2 &m = mesh.triangles, outside;
+  const std::vector<char> is_in_domain = vertices_of_triangles(m, true, mesh.bubbles.size());
+  if (!triangulate_outline(domain, mesh.bubbles, is_in_domain, outside))
     return false;
-  Marked_triangles_2& m = mesh.triangles;
+  const std::vector<char> is_outside = vertices_of_triangles(outside, false, mesh.bubbles.size());
+  for (std::size_t i = 0; i < is_in_domain.size(); ++i)
+    if (!is_in_domain[i] && !is_outside[i])
+      return false; // what was outside would have to come back in
   keep_triangles(m, [&m](std::size_t t) { return m.inside[t] != 0; });
   keep_triangles(outside, [&outside](std::size_t t) { return outside.inside[t] == 0; });
   const Index first = static_cast<Index>(m.number_of_triangles());
