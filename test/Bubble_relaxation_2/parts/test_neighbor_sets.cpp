@@ -14,7 +14,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/population/Local_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/population/adjust_population.h>
 #include <CGAL/npbs_place_nodes.h>
 
 #include <functional>
