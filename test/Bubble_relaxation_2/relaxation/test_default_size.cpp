@@ -117,7 +117,6 @@ TEST(Outline_field, takes_sources_one_after_the_other)
   }
 }
 
-/// what is far from all sources of a cluster looks at few of them
 TEST(Outline_field, is_the_least_far_from_clusters)
 {
   std::mt19937 random(random_seeds::seed());
@@ -127,9 +126,24 @@ TEST(Outline_field, is_the_least_far_from_clusters)
     for (int i = 0; i < 300; ++i) {
       const double x = off(random), y = off(random);
       sources.push_back({{center.x() + x, center.y() + y}, 0.001});
+      if (i % 10 == 0) // several in one place
+        sources.push_back({sources.back().point, i % 20 == 0 ? 0.001 : 0.0005});
     }
   const Outline_field_2 field(sources, box, growth);
-  expect_least_over_all(field, field, sources, random);
+  std::shuffle(sources.begin(), sources.end(), random);
+  expect_least_over_all(field, Outline_field_2(sources, box, growth), sources, random);
+}
+
+TEST(Outline_field, is_the_same_with_sources_that_are_nowhere_the_least)
+{
+  std::mt19937 random(random_seeds::seed());
+  Sources sources = random_sources(random, 1000, 0.02), more;
+  const Outline_field_2 before(sources, box, growth);
+  for (const Size_source_2& s : sources)
+    more.push_back({s.point, s.d + 0.01});
+  Outline_field_2 field = before;
+  field.add(more);
+  expect_least_over_all(field, before, sources, random);
 }
 
 TEST(Outline_field, asks_few_sources_on_the_axis_of_a_circle)

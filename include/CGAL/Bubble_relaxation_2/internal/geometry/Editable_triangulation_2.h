@@ -37,6 +37,15 @@ public:
   /// where a bubble is
   static Vertex vertex(const Bubbles_2& b, Index v) { return Vertex{v, b.host[v], b.x[v], b.y[v], b.s[v]}; }
 
+  /// puts a bubble where it was
+  static void put(const Vertex& v, Bubbles_2& b)
+  {
+    b.host[v.bubble] = v.host;
+    b.x[v.bubble] = v.x;
+    b.y[v.bubble] = v.y;
+    b.s[v.bubble] = v.s;
+  }
+
   /// a bubble was moved, or is going to be
   void note(const Vertex& before) { m_vertices.push_back(before); }
 
@@ -50,14 +59,9 @@ public:
   /// makes all what it was when the log was empty, and empties it
   void undo(Bubble_mesh_2& mesh)
   {
-    Bubbles_2& b = mesh.bubbles;
     Marked_triangles_2& triangles = mesh.triangles;
-    for (auto v = m_vertices.rbegin(); v != m_vertices.rend(); ++v) {
-      b.host[v->bubble] = v->host;
-      b.x[v->bubble] = v->x;
-      b.y[v->bubble] = v->y;
-      b.s[v->bubble] = v->s;
-    }
+    for (auto v = m_vertices.rbegin(); v != m_vertices.rend(); ++v)
+      put(*v, mesh.bubbles);
     for (auto t = m_triangles.rbegin(); t != m_triangles.rend(); ++t) {
       triangles.inside[t->triangle] = t->is_inside;
       triangles.vertices[t->triangle] = t->vertices;

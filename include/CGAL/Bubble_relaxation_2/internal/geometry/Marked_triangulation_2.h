@@ -139,9 +139,11 @@ std::vector<Index> keep_triangles(Marked_triangles_2& m, const Is_kept& is_kept)
 inline std::vector<char> vertices_of_triangles(const Marked_triangles_2& m, bool inside, std::size_t number_of_vertices)
 {
   std::vector<char> marks(number_of_vertices, 0);
-  for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
+  for (std::size_t t = 0; t < m.number_of_triangles(); ++t) {
+    tick(t);
     for (Index v : m.vertices[t])
       marks[v] |= (m.inside[t] != 0) == inside;
+  }
   return marks;
 }
 
@@ -173,6 +175,9 @@ inline bool has_surely_more(const Bubble_mesh_2& mesh, Index t, double least)
   const double ratio = twice_area / squares;
   return 12 * ratio * ratio > least + margin;
 }
+
+/// of the equilateral triangle with sides of length 1
+inline constexpr double area_of_unit_triangle = 0.4330127018922193;
 
 /// q of the isosceles triangle with an angle of twice `half` at its tip, 8 sin(a) sin^2(45 - a/2): no triangle with such an
 /// angle, up to 60 degrees, has more, nor has one with a smaller one

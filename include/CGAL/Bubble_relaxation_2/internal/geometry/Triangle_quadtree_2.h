@@ -42,8 +42,9 @@ public:
   /// one leaf
   explicit Quadtree_2(const Square& root) : m_root(root), m_cells(1) {}
 
-  /// From the root on, `fill(square, things, leaf, divide)` either puts something into the leaf or calls `divide(part)`,
-  /// where `part(k)` are the things for the quarter `k` of the square. `leaf`: `nullptr` where a square was divided before
+  /// From the root on, `fill(square, things, leaf, divide)` puts something into the leaf, or leaves all as it is, or calls
+  /// `divide(part)`, where `part(k)` are the things for the quarter `k` of the square. `leaf`: `nullptr` where a square was
+  /// divided before
   template <class Things, class Fill>
   void put(const Things& things, Fill&& fill)
   {

@@ -199,7 +199,7 @@ public:
   /// sets times the mean of this times the size and their size: up to about five sizes away.
   static constexpr double widest_hole = 2.4, far = 5;
 
-  /// whether a bubble lies beside such a hole
+  /// whether a bubble lies beside such a hole, or neighbour sets do not tell
   static bool is_beside_wide_hole(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i)
   {
     if (!bubbles.is_in_face(i) || is_surrounded(bubbles, neighbors, i))
@@ -220,8 +220,8 @@ private:
   /// a hole of up to `widest_hole`.
   static constexpr double certain_diameter = 1.5;
 
-  /// Sets that are larger than that on average, of a large radius or of bubbles piled up, have so many neighbours of
-  /// neighbours that it is faster to look around.
+  /// With more neighbours, or more than the square of that of theirs, with a large radius, or where bubbles are piled up or
+  /// lie among much larger ones, it is faster to look around.
   static constexpr std::size_t most_neighbors = 48;
 
   static constexpr std::size_t block_size = 512;

@@ -14,12 +14,11 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -47,7 +46,7 @@ public:
     add(sources);
   }
 
-  /// takes more sources, and looks only where they count
+  /// Takes more sources, and looks only where they count. If this throws, the field is not to be used any more.
   void add(const std::vector<Size_source_2>& more)
   {
     m_sources.insert(m_sources.end(), more.begin(), more.end());
@@ -100,22 +99,21 @@ private:
     template <class Divide>
     void operator()(const Tree::Square& c, const Range& around, Range* leaf, const Divide& divide)
     {
+      if (around.size() == 0)
+        return;
       tick();
       const std::size_t before = m_stack.size();
       const Range all = leaf != nullptr ? with_leaf(around, *leaf) : around;
+      const Index best = nearest(all, c.x, c.y);
       // of former sources a square that is divided knows the size alone
-      const double known = leaf != nullptr ? std::numeric_limits<double>::infinity() : m_field(c.x, c.y);
-      const Index best = all.size() != 0 ? nearest(all, c.x, c.y) : no_index;
-      if (best != no_index) {
-        const double least = (std::min)(known, m_stack[best].size);
-        const Range kept = keep(c, all, best, least);
-        // far from a finely divided outline many sources stay, but d hardly changes within the square
-        const bool is_even = most_change(c) <= 0.5 * least || c.depth == deepest;
-        if (leaf != nullptr && (kept.size() <= most_sources || is_even))
-          fill_leaf(c, kept, *leaf);
-        else
-          divide([&kept](int) -> const Range& { return kept; });
-      }
+      const double least = leaf != nullptr ? m_stack[best].size : (std::min)(m_stack[best].size, m_field(c.x, c.y));
+      const Range kept = keep(c, all, best, least);
+      // far from a finely divided outline many sources stay, but d hardly changes within the square
+      const bool is_even = most_change(c) <= 0.5 * least || c.depth == deepest;
+      if (leaf != nullptr && (kept.size() <= most_sources || is_even))
+        fill_leaf(c, kept, *leaf);
+      else
+        divide([&kept](int) -> const Range& { return kept; });
       m_stack.resize(before);
     }
 
@@ -131,6 +129,8 @@ private:
 
     Range with_leaf(const Range& around, const Range& leaf)
     {
+      if (leaf.size() == 0)
+        return around;
       const Index first = static_cast<Index>(m_stack.size());
       for (Index k = around.first; k < around.last; ++k)
         m_stack.push_back(Candidate(m_stack[k]));
@@ -144,10 +144,11 @@ private:
     {
       Index best = candidates.first;
       for (Index k = candidates.first; k < candidates.last; ++k) {
-        Candidate& s = m_stack[k];
+        tick(static_cast<std::size_t>(k));
+        Candidate &s = m_stack[k], &b = m_stack[best];
         s.size = m_field.size_from(s.source, x, y);
-        const Candidate& b = m_stack[best];
-        if (s.size < b.size || (s.size == b.size && s.source.point < b.source.point))
+        if (s.size < b.size ||
+            (s.size == b.size && std::tie(s.source.point, s.source.d) < std::tie(b.source.point, b.source.d)))
           best = k;
       }
       return best;
@@ -162,9 +163,11 @@ private:
     {
       const double change = most_change(c);
       Range kept{static_cast<Index>(m_stack.size()), 0};
-      for (Index k = candidates.first; k < candidates.last; ++k)
+      for (Index k = candidates.first; k < candidates.last; ++k) {
+        tick(static_cast<std::size_t>(k));
         if (m_stack[k].size <= least + change && !is_beaten(m_stack[k], m_stack[best], change))
           m_stack.push_back(Candidate(m_stack[k]));
+      }
       kept.last = static_cast<Index>(m_stack.size());
       return kept;
     }
@@ -174,10 +177,11 @@ private:
     /// the sizes change alike.
     bool is_beaten(const Candidate& s, const Candidate& b, double change) const
     {
+      const double dx = s.source.point.x() - b.source.point.x(), dy = s.source.point.y() - b.source.point.y();
       const double both_distances = s.size - s.source.d + b.size - b.source.d - change; // times g
       return both_distances > 0 &&
              (s.size - b.size) * both_distances >
-               change * m_field.m_growth * std::sqrt(CGAL::squared_distance(s.source.point, b.source.point));
+               change * m_field.m_growth * std::sqrt(dx * dx + dy * dy);
     }
 
     void fill_leaf(const Tree::Square& c, const Range& candidates, Range& leaf)

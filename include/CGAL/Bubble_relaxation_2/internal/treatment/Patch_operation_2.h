@@ -26,15 +26,16 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its
-/// vertices or of the three beyond its sides, or to insert one in its middle or on a side. The patch is triangulated;
-/// where that has left the best triangles vertices are moved, which takes longest. The best outcome counts if the worst
-/// triangle of the patch gets better, or stays as it is and the second worst gets better, and so on. Obtuse triangles are
-/// worse than their q, but no triangle gets worse than the worst of the mesh.
+/// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its vertices or of the
+/// three beyond its sides, or to insert one in its middle or on a side, if there is room. The patch is triangulated; where
+/// that has left the best triangles vertices are moved, which takes longest. The best outcome counts if the worst triangle
+/// of the patch gets better, or stays as it is and the second worst gets better, and so on. Obtuse triangles are worse than
+/// their q, but no triangle gets worse than the worst of the mesh.
 class Patch_operation_2
 {
 public:
   /// \param smallest the smallest q of all meshes that come out
+  /// \pre the edges of `mesh` are labelled
   Patch_operation_2(const Domain_2& domain, const Bubble_mesh_2& mesh, const Mesh_patch_2& patch, double smallest)
     : m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_triangles(mesh.triangles), m_patch(patch),
       m_smallest(smallest)
@@ -57,7 +58,7 @@ public:
       try_with_on_side(t, i);
     }
     const Point p = m_mesh.point(t, corners[0]), q = m_mesh.point(t, corners[1]), r = m_mesh.point(t, corners[2]);
-    if (has_room(CGAL::area(p, q, r) / unit_area))
+    if (has_room(CGAL::area(p, q, r) / area_of_unit_triangle))
       try_with(CGAL::centroid(p, q, r), m_mean_size);
     move_vertices(quality(m_mesh, t) < hard_quality);
     return m_is_better;
@@ -72,12 +73,11 @@ private:
   static constexpr double good_quality = 0.9;
   /// in units of the size at a triangle the shortest side that a vertex can help
   static constexpr double least_room = 0.8;
-  static constexpr double unit_area = 0.4330127018922193; // of an equilateral triangle
   /// so many outcomes get their vertices moved
   static constexpr std::size_t number_of_favourites = 3;
   /// The others get it too, until one helps, where the triangle has less: it may be obtuse. So do they get all sweeps.
   static constexpr double hard_quality = 0.84;
-  static constexpr int easy_sweeps = 3;
+  static constexpr int easy_sweeps = Sweeps_2().most - 1;
 
   using Defects = std::vector<double>; // what bad triangles are worth, the worst first
 
@@ -141,7 +141,7 @@ private:
   void try_without(Index v)
   {
     const Index removed = m_patch.local(v);
-    if (!m_patch.bubbles().can_move(removed) || !is_crowded(v))
+    if (!m_patch.bubbles().can_move(removed) || !may_be_too_many(v))
       return;
     Bubbles_2 bubbles = m_patch.bubbles();
     std::vector<Domain_edge_2> edges = m_patch.edges();
@@ -151,9 +151,9 @@ private:
     try_patch(std::move(bubbles), std::move(edges));
   }
 
-  /// whether a vertex that may move has no more triangles than six, three where the domain ends beside it: with more it is
-  /// not the one too many
-  bool is_crowded(Index v) const
+  /// A vertex that may move and has more than six triangles, or three where the domain ends beside it, is not the one too
+  /// many.
+  bool may_be_too_many(Index v) const
   {
     int number = 0, most = 6;
     for (Index t : m_patch.triangles())

@@ -65,10 +65,10 @@ inline double smallest_quality(const Bubble_mesh_2& mesh, const std::vector<char
 
 inline double smallest_quality(const Bubble_mesh_2& mesh) { return smallest_quality(mesh, mesh.triangles.inside); }
 
-/// What sweeps are for.
+/// Which triangles sweeps treat, those with less, and how many sweeps there are at most.
 struct Sweeps_2
 {
-  double treated_quality = 0.95; ///< triangles with less are treated
+  double treated_quality = 0.95;
   int most = 4;
 };
 

@@ -10,11 +10,13 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_REBUILD_OUTSIDE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -22,31 +24,50 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Makes the triangulation of the bubbles on the outline of a domain, and of others that are in none of its triangles:
-/// pieces of the outline end at rounded places, so one beside them may have come to lie outside. Vertices are numbered as
-/// the bubbles are. Returns whether it can be made.
-inline bool triangulate_outline(const Domain_2& domain, const Bubbles_2& b, const std::vector<char>& is_in_domain,
-                                Marked_triangles_2& outline)
+/// whether a bubble lies on an edge of the domain, or at an end of one
+inline bool is_on_outline(const Bubbles_2& b, std::size_t i)
 {
-  std::vector<Index> number(b.size(), no_index), vertices;
+  return b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index);
+}
+
+/// The vertices that a mesh may have outside of the domain: those on its outline, and others that none of the domain's
+/// triangles has. Pieces of the outline end at rounded places, and may leave a bubble beside them outside.
+inline std::vector<Index> vertices_outside(const Bubble_mesh_2& mesh)
+{
+  std::vector<char> marks = vertices_of_triangles(mesh.triangles, true, mesh.bubbles.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    tick(i);
+    marks[i] = !mesh.bubbles.is_gone(i) && (!marks[i] || is_on_outline(mesh.bubbles, i));
+  }
+  return marked(marks);
+}
+
+/// Triangulates what lies outside of a domain, whose vertices are numbered as the bubbles are; returns whether that can be
+/// made, and each vertex beside the outline is outside. `vertices`: what `vertices_outside()` found
+inline bool triangulate_outside(const Domain_2& domain, const Bubbles_2& b, const std::vector<Index>& vertices,
+                                Marked_triangles_2& outside)
+{
+  std::vector<Index> number(b.size(), no_index);
   std::vector<Point> points;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    if (b.is_on_edge(i) || (b.is_corner(i) && b.host[i] != no_index) || !is_in_domain[i]) {
-      number[i] = static_cast<Index>(points.size());
-      points.push_back(b.point(i));
-      vertices.push_back(static_cast<Index>(i));
-    }
+  for (Index v : vertices) {
+    number[v] = static_cast<Index>(points.size());
+    points.push_back(b.point(static_cast<std::size_t>(v)));
+  }
   std::vector<Domain_edge_2> edges = cut_edges(domain, b);
   for (Domain_edge_2& e : edges) {
     e.source = number[e.source];
     e.target = number[e.target];
   }
-  if (mark_triangulation(points, edges, outline) != Marking_error::NONE)
+  if (mark_triangulation(points, edges, outside) != Marking_error::NONE)
     return false;
-  for (auto& triangle : outline.vertices)
+  keep_triangles(outside, [&outside](std::size_t t) { return outside.inside[t] == 0; });
+  for (auto& triangle : outside.vertices)
     for (Index& v : triangle)
       v = vertices[v];
-  return true;
+  const std::vector<char> is_outside = vertices_of_triangles(outside, false, b.size());
+  return std::all_of(vertices.begin(), vertices.end(), [&](Index v) {
+    return is_outside[v] || is_on_outline(b, static_cast<std::size_t>(v));
+  });
 }
 
 /// Makes triangles neighbours that have the same constrained side and do not know of each other.
@@ -73,16 +94,11 @@ inline void link_across_edges(Marked_triangles_2& m)
 /// make a bend of a slanted edge. Returns whether they could be made; if not, the mesh is as it was.
 inline bool rebuild_outside(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
-  Marked_triangles_2 &m = mesh.triangles, outside;
-  const std::vector<char> is_in_domain = vertices_of_triangles(m, true, mesh.bubbles.size());
-  if (!triangulate_outline(domain, mesh.bubbles, is_in_domain, outside))
+  Marked_triangles_2 outside;
+  if (!triangulate_outside(domain, mesh.bubbles, vertices_outside(mesh), outside))
     return false;
-  const std::vector<char> is_outside = vertices_of_triangles(outside, false, mesh.bubbles.size());
-  for (std::size_t i = 0; i < is_in_domain.size(); ++i)
-    if (!is_in_domain[i] && !is_outside[i])
-      return false; // what was outside would have to come back in
+  Marked_triangles_2& m = mesh.triangles;
   keep_triangles(m, [&m](std::size_t t) { return m.inside[t] != 0; });
-  keep_triangles(outside, [&outside](std::size_t t) { return outside.inside[t] == 0; });
   const Index first = static_cast<Index>(m.number_of_triangles());
   for (auto& neighbors : outside.neighbors)
     for (Index& n : neighbors)

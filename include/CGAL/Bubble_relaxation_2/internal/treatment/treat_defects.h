@@ -55,11 +55,11 @@ struct Treatment_counts
 
 /// Triangles with less than the first are operated on at first, and so on. A triangle with more than the last is acute:
 /// 2 (sqrt 2 - 1) is the q of the right-angled triangle with two equal sides.
-constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
+inline constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 
-/// What sweeps before surgery leave undone it changes anyhow, or the sweeps after it do. Before it all but the best
-/// triangles are treated, for the mean of q.
-constexpr Sweeps_2 sweeps_before_surgery{0.98, 2}, last_sweeps{};
+/// What sweeps before surgery leave undone it changes anyhow, or the sweeps after it do. But where there is anything to be
+/// treated they treat all but the best triangles, for the mean of q.
+inline constexpr Sweeps_2 sweeps_before_surgery{0.98, 2};
 
 /// How far the treatment of a mesh has come.
 struct Treatment_state
@@ -119,10 +119,10 @@ inline void operate_on_defects(const Domain_2& domain, Bubble_mesh_2& mesh, Trea
 template <class Mesh>
 bool is_misfit(const Mesh& mesh, Index t)
 {
-  constexpr double equilateral = 0.4330127018922193, most = 2;
+  constexpr double most = 2;
   const auto& v = mesh.triangles.vertices[t];
   const Bubbles_2& b = mesh.bubbles;
-  const double d = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3, wanted = equilateral * d * d;
+  const double d = (b.d[v[0]] + b.d[v[1]] + b.d[v[2]]) / 3, wanted = area_of_unit_triangle * d * d;
   const double area = CGAL::area(b.point(v[0]), b.point(v[1]), b.point(v[2]));
   return area > most * wanted || wanted > most * area;
 }
@@ -246,14 +246,14 @@ Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::M
                                std::int64_t first = 0)
 {
   const double smallest = treatment.smallest_quality(mesh);
-  if (smallest >= last_sweeps.treated_quality)
+  if (smallest >= Sweeps_2().treated_quality)
     return {};
   Treatment_state state{smallest, first, care};
   typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
   treatment.smooth(piece, sweeps_before_surgery, state);
   if (treatment.problem().options.population != Bubble_population::NONE)
     treatment.operate(piece, state);
-  treatment.smooth(piece, last_sweeps, state);
+  treatment.smooth(piece, Sweeps_2(), state);
   mesh = treatment.mesh_of(std::move(piece));
   return state.counts;
 }

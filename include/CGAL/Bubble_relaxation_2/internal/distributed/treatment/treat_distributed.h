@@ -63,18 +63,18 @@ public:
     std::vector<char> is_told(b.size(), 0);
     for (Index v : moved)
       is_told[v] = 1;
-    Shared_delivery<Move> delivery(m_comm);
-    delivery.start(m_piece.shared, [&](Index v, std::size_t position, std::vector<Move>& message) {
-      if (is_told[v])
-        message.push_back(Move{static_cast<std::int32_t>(position), b.host[v], b.x[v], b.y[v], b.s[v]});
+    using Vertex = Undo_log_2::Vertex; // in messages by its position among those that are shared
+    Shared_delivery<Vertex> delivery(m_comm);
+    delivery.start(m_piece.shared, [&](Index v, std::size_t position, std::vector<Vertex>& message) {
+      if (!is_told[v])
+        return;
+      message.push_back(Undo_log_2::vertex(b, v));
+      message.back().bubble = static_cast<Index>(position);
     });
-    delivery.finish(m_piece.shared, [&](const std::vector<Index>& list, const std::vector<Move>& message) {
-      for (const Move& m : message) {
-        const Index v = list[m.position];
-        b.host[v] = m.host;
-        b.x[v] = m.x;
-        b.y[v] = m.y;
-        b.s[v] = m.s;
+    delivery.finish(m_piece.shared, [&](const std::vector<Index>& list, const std::vector<Vertex>& message) {
+      for (Vertex moved_there : message) {
+        const Index v = moved_there.bubble = list[moved_there.bubble];
+        Undo_log_2::put(moved_there, b);
         m_was_moved[v] = 1;
         m_moved.push_back(v);
       }
@@ -141,13 +141,6 @@ private:
     m_moved = marked(m_was_moved);
   }
 
-  struct Move
-  {
-    std::int32_t position;
-    Index host;
-    double x, y, s;
-  };
-
   /// flips edges around vertices of others, too; returns the triangles that were flipped or have a vertex that was moved
   std::vector<Index> restore_delaunay(Editable_triangulation_2& mesh, const std::vector<Index>& moved)
   {
@@ -157,8 +150,7 @@ private:
       if (mesh.is_inside(t) && has_moved_vertex(mesh.vertices(t)))
         mesh.restore_delaunay_around(t);
     follow_flips(mesh);
-    const auto flipped = m_beside_others.begin() + static_cast<std::ptrdiff_t>(first_flipped);
-    std::vector<Index> changed(flipped, m_beside_others.end());
+    std::vector<Index> changed(m_beside_others.begin() + static_cast<std::ptrdiff_t>(first_flipped), m_beside_others.end());
     for (Index t : m_beside_others)
       if (has_moved_vertex(mesh.vertices(t)))
         changed.push_back(t);
@@ -182,15 +174,16 @@ private:
         told.emplace(rank, v);
     };
     for (Index t : changed)
-      for (Index v : mesh.vertices(t))
+      for (Index v : mesh.vertices(t)) {
+        if (!was_moved[v] && !m_was_moved[v])
+          continue;
         for (Index w : mesh.vertices(t)) {
-          if (!was_moved[v] && !m_was_moved[v])
-            continue;
           for (int rank : m_holders[w])
             tell(rank, v);
           if (b.is_ours(v))
             tell(b.owner[w], v);
         }
+      }
     Messages<std::array<double, 2>> out;
     for (const auto& [rank, v] : told)
       out[rank].push_back({b.x[v], b.y[v]});
@@ -296,12 +289,16 @@ public:
 
   bool closes_outline(const Mesh& mesh) const
   {
+    std::vector<Bubble_record_2> own;
+    for (Index v : vertices_outside(mesh))
+      if (mesh.bubbles.is_ours(v))
+        own.push_back(record(mesh.bubbles, v));
     Bubbles_2 bubbles;
-    for (const Bubble_record_2& r : gather_outline(m_comm, mesh.bubbles, true))
+    for (const Bubble_record_2& r : gather_records(m_comm, own))
       add_own(bubbles, r);
     bubbles.sort_by_id();
-    Marked_triangles_2 outline;
-    return triangulate_outline(m_domain, bubbles, std::vector<char>(bubbles.size(), 1), outline);
+    Marked_triangles_2 outside;
+    return triangulate_outside(m_domain, bubbles, bubbles.left(), outside);
   }
 
   Distributed_treatment_2 triangulate_given(Mesh& given) const
