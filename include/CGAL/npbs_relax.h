@@ -201,8 +201,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
   \cgalParamNEnd
   \cgalParamNBegin{defect_treatment}
-    \cgalParamDescription{whether vertices of triangles with q < 0.98 are moved after the simulation for the
-                          quality of the triangles around them if any has q < 0.95, and single vertices inserted or deleted where
+    \cgalParamDescription{whether vertices of triangles with q < 0.95 are moved after the simulation for the
+                          quality of the triangles around them, and single vertices inserted or deleted where
                           a triangle with q < 0.9 stays; the smallest q does not get smaller by it. Refinement for
                           `minimum_angle`, which comes after it, does not look at q}
     \cgalParamType{`bool`}

@@ -15,6 +15,8 @@
 
 #include <CGAL/Bbox_2.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -120,12 +122,12 @@ private:
   private:
     struct Candidate
     {
-      Size_source_2 source;
       Index number;
       double size; // that it asks for at the place that was looked at last
     };
 
-    void push(Index s) { m_stack.push_back(Candidate{m_field.m_sources[s], s, 0}); }
+    void push(Index s) { m_stack.push_back(Candidate{s, 0}); }
+    const Size_source_2& source(const Candidate& s) const { return m_field.m_sources[s.number]; }
 
     Range with_leaf(const Range& around, const Range& leaf)
     {
@@ -146,9 +148,9 @@ private:
       for (Index k = candidates.first; k < candidates.last; ++k) {
         tick(static_cast<std::size_t>(k));
         Candidate &s = m_stack[k], &b = m_stack[best];
-        s.size = m_field.size_from(s.source, x, y);
-        if (s.size < b.size ||
-            (s.size == b.size && std::tie(s.source.point, s.source.d) < std::tie(b.source.point, b.source.d)))
+        s.size = m_field.size_from(source(s), x, y);
+        if (s.size < b.size || (s.size == b.size && std::tie(source(s).point, source(s).d) <
+                                                      std::tie(source(b).point, source(b).d)))
           best = k;
       }
       return best;
@@ -177,8 +179,9 @@ private:
     /// the sizes change alike.
     bool is_beaten(const Candidate& s, const Candidate& b, double change) const
     {
-      const double dx = s.source.point.x() - b.source.point.x(), dy = s.source.point.y() - b.source.point.y();
-      const double both_distances = s.size - s.source.d + b.size - b.source.d - change; // times g
+      const Size_source_2 &p = source(s), &q = source(b);
+      const double dx = p.point.x() - q.point.x(), dy = p.point.y() - q.point.y();
+      const double both_distances = s.size - p.d + b.size - q.d - change; // times g
       return both_distances > 0 &&
              (s.size - b.size) * both_distances >
                change * m_field.m_growth * std::sqrt(dx * dx + dy * dy);
@@ -186,17 +189,23 @@ private:
 
     void fill_leaf(const Tree::Square& c, const Range& candidates, Range& leaf)
     {
-      std::vector<Index>& result = m_field.m_in_leaves;
-      leaf.first = static_cast<Index>(result.size());
+      boost::container::small_vector<Index, most_sources> result;
       if (candidates.size() > most_sources) {
         for (int k = 0; k < 9; ++k)
           result.push_back(m_stack[nearest(candidates, c.x + (k % 3 - 1) * c.half, c.y + (k / 3 - 1) * c.half)].number);
-        std::sort(result.begin() + leaf.first, result.end());
-        result.erase(std::unique(result.begin() + leaf.first, result.end()), result.end());
+        std::sort(result.begin(), result.end());
+        result.erase(std::unique(result.begin(), result.end()), result.end());
       } else
         for (Index k = candidates.first; k < candidates.last; ++k)
           result.push_back(m_stack[k].number);
-      leaf.last = static_cast<Index>(result.size());
+      std::vector<Index>& all = m_field.m_in_leaves;
+      const Index number = static_cast<Index>(result.size());
+      if (number > leaf.size()) { // else they have the place of those that were there
+        leaf.first = static_cast<Index>(all.size());
+        all.insert(all.end(), result.begin(), result.end());
+      } else
+        std::copy(result.begin(), result.end(), all.begin() + leaf.first);
+      leaf.last = leaf.first + number;
     }
 
     Outline_field_2& m_field;

@@ -77,7 +77,7 @@ private:
   static constexpr std::size_t number_of_favourites = 3;
   /// The others get it too, until one helps, where the triangle has less: it may be obtuse. So do they get all sweeps.
   static constexpr double hard_quality = 0.84;
-  static constexpr int easy_sweeps = Sweeps_2().most - 1;
+  static constexpr int easy_sweeps = Smoothing_sweeps_2::number_of_sweeps - 1;
 
   using Defects = std::vector<double>; // what bad triangles are worth, the worst first
 
@@ -274,10 +274,7 @@ private:
         return;
       Bubble_mesh_2& mesh = m_candidates[k].outcome.mesh;
       Team alone;
-      Sweeps_2 sweeps;
-      if (!is_hard)
-        sweeps.most = easy_sweeps;
-      Smoothing_sweeps_2(m_domain, mesh, alone)(sweeps);
+      Smoothing_sweeps_2(m_domain, mesh, alone)(is_hard ? Smoothing_sweeps_2::number_of_sweeps : easy_sweeps);
       Defects defects = defects_of(mesh);
       if (is_better(defects, m_defects, m_is_better ? 0. : least_gain) && smallest_quality(mesh) >= m_smallest) {
         m_defects = std::move(defects);

@@ -57,9 +57,8 @@ struct Treatment_counts
 /// 2 (sqrt 2 - 1) is the q of the right-angled triangle with two equal sides.
 inline constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 
-/// What sweeps before surgery leave undone it changes anyhow, or the sweeps after it do. But where there is anything to be
-/// treated they treat all but the best triangles, for the mean of q.
-inline constexpr Sweeps_2 sweeps_before_surgery{0.98, 2};
+/// Sweeps before surgery: what they leave undone it changes anyhow, or the sweeps after it do.
+constexpr int sweeps_before_surgery = 2;
 
 /// How far the treatment of a mesh has come.
 struct Treatment_state
@@ -71,12 +70,12 @@ struct Treatment_state
 };
 
 /// Moves vertices for the quality of their triangles.
-inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, const Sweeps_2& sweeps,
+inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, int most_sweeps,
                            Treatment_state& state)
 {
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
-  const std::vector<Index> moved = treat(sweeps, state.first_number);
+  const std::vector<Index> moved = treat(most_sweeps, state.first_number);
   const double smallest_now = smallest_quality(mesh);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
@@ -175,9 +174,9 @@ public:
     return mesh;
   }
 
-  void smooth(Piece& mesh, const Sweeps_2& sweeps, Treatment_state& state) const
+  void smooth(Piece& mesh, int most_sweeps, Treatment_state& state) const
   {
-    smooth_defects(m_problem.domain, m_threads, mesh, sweeps, state);
+    smooth_defects(m_problem.domain, m_threads, mesh, most_sweeps, state);
   }
 
   void operate(Piece& mesh, Treatment_state& state) const
@@ -246,14 +245,14 @@ Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::M
                                std::int64_t first = 0)
 {
   const double smallest = treatment.smallest_quality(mesh);
-  if (smallest >= Sweeps_2().treated_quality)
+  if (smallest >= Smoothing_sweeps_2::treated_quality)
     return {};
   Treatment_state state{smallest, first, care};
   typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
   treatment.smooth(piece, sweeps_before_surgery, state);
   if (treatment.problem().options.population != Bubble_population::NONE)
     treatment.operate(piece, state);
-  treatment.smooth(piece, Sweeps_2(), state);
+  treatment.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, state);
   mesh = treatment.mesh_of(std::move(piece));
   return state.counts;
 }
