@@ -37,7 +37,7 @@ public:
   /// where a bubble is
   static Vertex vertex(const Bubbles_2& b, Index v) { return Vertex{v, b.host[v], b.x[v], b.y[v], b.s[v]}; }
 
-  /// puts a bubble where it was
+  /// puts a bubble where that says
   static void put(const Vertex& v, Bubbles_2& b)
   {
     b.host[v.bubble] = v.host;
