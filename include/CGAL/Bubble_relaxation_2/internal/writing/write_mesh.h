@@ -333,12 +333,25 @@ private:
 
   void insert_in_faces()
   {
-    Face_handle near; // bubbles are numbered along a curve: the next one is found from the last
+    if (m_bubbles.size() == 0)
+      return;
+    Vertex_handle near = m_cdt.finite_vertices_begin(); // bubbles are numbered along a curve: each is near to the last
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
       if (m_bubbles.is_in_face(i)) {
-        near = m_cdt.insert(point_of(i), near)->face();
+        const Cdt_point p = point_of(i);
+        near = m_cdt.insert(p, face_of(p, near));
         tell_progress();
       }
+  }
+
+  /// The face of a point, found on the straight way from a vertex. CGAL's own walk tosses coins, of which no 17 in a row fall
+  /// the same way: while faces have no vertices yet, it may go round in fans of needles for ever.
+  Face_handle face_of(const Cdt_point& p, Vertex_handle from) const
+  {
+    auto f = m_cdt.line_walk(from->point(), p, from->face());
+    while (f != nullptr && !m_cdt.is_infinite(f) && m_cdt.oriented_side(f, p) == ON_NEGATIVE_SIDE)
+      ++f;
+    return f;
   }
 
   template <class Visit>
