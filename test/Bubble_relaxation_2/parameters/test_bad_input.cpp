@@ -191,6 +191,12 @@ TEST(Bad_parameter, out_of_range)
                                         {"displacement_tolerance"});
     expect_throw<std::invalid_argument>(cdt, size.minimum_angle(bad), {"minimum_angle"});
   }
+  for (double bad : {9e-13, 1.1e12}) {
+    expect_throw<std::invalid_argument>(cdt, size.time_step(bad), {"time_step", "at least 1e-12 and at most 1e+12"});
+    expect_throw<std::invalid_argument>(cdt, size.mass(bad), {"mass", "at least 1e-12 and at most 1e+12"});
+    expect_throw<std::invalid_argument>(cdt, size.damping(bad), {"damping", "at least 1e-12 and at most 1e+12"});
+    expect_throw<std::invalid_argument>(cdt, size.force_coefficient(bad), {"force_coefficient", "at least 1e-12 and at most 1e+12"});
+  }
   expect_throw<std::invalid_argument>(cdt, size.time_step(-0.125), {"time_step", "-0.125"});
   expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(1.5), {"neighbor_radius", "1.5"});
   expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(101.), {"neighbor_radius", "at most 100"});

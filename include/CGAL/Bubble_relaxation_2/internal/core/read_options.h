@@ -67,13 +67,28 @@ void take_count(const NamedParameters& np, Tag tag, const char* name, std::size_
     value = read_count(name, parameters::get_parameter(np, tag), least, largest);
 }
 
+/// Checks the coefficients of eq. 3. The default integrator has them in units of the size, where none beyond has a
+/// sense; but their products with lengths could overflow in one unit of length and not in another.
+inline void check_motion(const Relaxation_options& o)
+{
+  constexpr double least = 1e-12, most = 1e12;
+  const auto check = [&o](const char* name, double value) {
+    check_positive(name, value);
+    if (o.integrator == Bubble_integrator::SEMI_IMPLICIT_EULER && !(value >= least && value <= most))
+      throw_invalid_parameter(name, value, "at least " + in_words(least) + " and at most " + in_words(most));
+  };
+  check("force_coefficient", o.force_coefficient);
+  check("mass", o.mass);
+  check("time_step", o.time_step);
+  check_not_negative("damping", o.damping);
+  if (o.damping > 0)
+    check("damping", o.damping);
+}
+
 /// \throws std::invalid_argument naming the parameter and its value
 inline void check_options(const Relaxation_options& o)
 {
-  check_positive("force_coefficient", o.force_coefficient);
-  check_positive("mass", o.mass);
-  check_not_negative("damping", o.damping);
-  check_positive("time_step", o.time_step);
+  check_motion(o);
   check_not_negative("displacement_tolerance", o.displacement_tolerance);
   if (!(o.size_growth > 0 && o.size_growth <= 1))
     throw_invalid_parameter("size_growth", o.size_growth, "positive and at most 1");
