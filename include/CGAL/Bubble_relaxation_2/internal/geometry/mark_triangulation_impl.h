@@ -89,17 +89,29 @@ private:
     assign_in_turn(m_sides, n, {no_index, no_index, no_index});
     assign_in_turn(m_result.inside, n, char(0));
     assign_in_turn(m_seen, n, char(0));
-    Index number = 0;
-    for (Face_handle f : m_cdt.all_face_handles()) {
-      f->info() = m_cdt.is_infinite(f) ? no_index : number++;
-      tick(static_cast<std::size_t>(number));
-    }
+    number_along_points();
     for (Face_handle f : m_cdt.finite_face_handles()) {
       for (int i = 0; i < 3; ++i) {
         m_result.vertices[f->info()][i] = f->vertex(i)->info();
         m_result.neighbors[f->info()][i] = f->neighbor(i)->info();
       }
       tick(static_cast<std::size_t>(f->info()));
+    }
+  }
+
+  /// Numbers the finite faces in the order of the points that they are around: near to each other in space, near in memory.
+  void number_along_points()
+  {
+    for (Face_handle f : m_cdt.all_face_handles())
+      f->info() = no_index;
+    Index number = 0;
+    for (Vertex_handle v : m_handles) {
+      tick(static_cast<std::size_t>(number));
+      auto f = m_cdt.incident_faces(v), first = f;
+      do
+        if (f->info() == no_index && !m_cdt.is_infinite(f))
+          f->info() = number++;
+      while (++f != first);
     }
   }
 
