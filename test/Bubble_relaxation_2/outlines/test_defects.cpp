@@ -15,6 +15,7 @@
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/replace_triangles.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
@@ -153,6 +154,109 @@ TEST(Defects, restored_delaunay_property_is_that_of_the_points)
     return result;
   };
   EXPECT_EQ(triangles(mesh.triangles), triangles(expected));
+}
+
+/// bubbles in a square with a constraint in it, which ends there, and their triangles
+struct Square_with_constraint
+{
+  bubbles::Case c;
+  internal::Bubble_mesh_2 mesh;
+
+  Square_with_constraint()
+  {
+    c.cdt = paper::triangulate(uniform(points(domains::square(0, 0, 1)), 0.1));
+    c.cdt.insert_constraint(Point(0.2, 0.45), Point(0.8, 0.6));
+    for (CDT::Face_handle f : c.cdt.all_face_handles())
+      f->set_in_domain(false); // then all are by nesting
+    c.read(P::sizing_function(0.1));
+    internal::Report report;
+    mesh.bubbles = internal::relax_bubbles(c.input->problem(), report);
+    internal::triangulate(c.domain(), mesh);
+    internal::label_edges(mesh.triangles);
+  }
+
+  /// `change(bubbles)`: removes or adds one; compares with the triangles that are made of the others from nothing
+  template <class Change>
+  void expect_triangulation_after(const internal::Replacement_2& replacement, const Change& change) const
+  {
+    internal::Bubble_mesh_2 replaced = mesh, expected{mesh.bubbles, {}};
+    change(replaced.bubbles);
+    change(expected.bubbles);
+    ASSERT_TRUE(internal::are_counterclockwise(replaced.bubbles, replacement.made));
+    internal::Mesh_stitching_2 stitching(replaced);
+    stitching.replace(replacement.old, replacement.made);
+    stitching.finish();
+    expected.bubbles.forget_gone();
+    internal::triangulate(c.domain(), expected);
+    internal::label_edges(expected.triangles);
+    EXPECT_EQ(triangles(replaced), triangles(expected));
+  }
+
+private:
+  /// their vertices and the edges behind their sides, each from its smallest vertex on
+  static std::set<std::array<Index, 6>> triangles(const internal::Bubble_mesh_2& m)
+  {
+    std::set<std::array<Index, 6>> result;
+    for (std::size_t t = 0; t < m.triangles.number_of_triangles(); ++t) {
+      const auto& v = m.triangles.vertices[t];
+      const auto& e = m.triangles.edges[t];
+      const auto [i, j, k] = internal::corners_in_order(m.triangles, static_cast<Index>(t));
+      result.insert({v[i], v[j], v[k], e[i], e[j], e[k]});
+    }
+    return result;
+  }
+};
+
+TEST(Defects, a_vertex_that_is_taken_away_leaves_the_triangulation_of_the_others)
+{
+  const Square_with_constraint square;
+  const internal::Bubbles_2& b = square.mesh.bubbles;
+  int in_faces = 0, on_outline = 0, on_constraint = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    if (!b.can_move(i))
+      continue;
+    const Index v = static_cast<Index>(i);
+    const internal::Vertex_removal_2 remove(square.mesh, v);
+    internal::Replacement_2 replacement;
+    ASSERT_TRUE(remove(replacement));
+    ++(b.is_in_face(i) ? in_faces : remove.is_on_outline() ? on_outline : on_constraint);
+    square.expect_triangulation_after(replacement, [v](internal::Bubbles_2& bubbles) { bubbles.remove(v); });
+  }
+  EXPECT_GT(in_faces, 50);
+  EXPECT_GT(on_outline, 30);
+  EXPECT_GE(on_constraint, 4);
+}
+
+TEST(Defects, a_vertex_that_is_put_in_makes_the_triangulation_of_all)
+{
+  const Square_with_constraint square;
+  const internal::Bubble_mesh_2& mesh = square.mesh;
+  const internal::Domain_2& domain = square.c.domain();
+  const Index v = static_cast<Index>(mesh.bubbles.size());
+  int on_outline = 0, on_constraint = 0;
+  for (std::size_t k = 0; k < mesh.triangles.number_of_triangles(); ++k) {
+    const Index t = static_cast<Index>(k);
+    const Point p = CGAL::centroid(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2));
+    Index hint = 0;
+    const Index host = domain.locate_inside(p, hint);
+    square.expect_triangulation_after(internal::split_triangle(mesh.triangles, t, v), [&](internal::Bubbles_2& b) {
+      b.add(p, 0.1, internal::Bubbles_2::FACE, host);
+    });
+    for (int i = 0; i < 3; ++i) {
+      if (mesh.triangles.edges[k][i] == internal::no_index)
+        continue;
+      ++(mesh.triangles.edges[k][i] == internal::OUTLINE ? on_outline : on_constraint);
+      const Index u = mesh.triangles.vertices[k][internal::ccw(i)], w = mesh.triangles.vertices[k][internal::cw(i)],
+                  e = internal::edge_of_piece(domain, mesh.bubbles, u, w);
+      const double s = 0.5 * (internal::position_on(domain, mesh.bubbles, e, u) +
+                              internal::position_on(domain, mesh.bubbles, e, w));
+      square.expect_triangulation_after(internal::split_side(mesh.triangles, t, i, v), [&](internal::Bubbles_2& b) {
+        b.add(domain.point_on_edge(e, s), 0.1, internal::Bubbles_2::EDGE, e, s);
+      });
+    }
+  }
+  EXPECT_GT(on_outline, 30);
+  EXPECT_GE(on_constraint, 8);
 }
 
 TEST(Defects, surgery_removes_and_inserts)

@@ -110,7 +110,7 @@ public:
     m_gone_before_first = 0;
     for (const Operation& operation : operations) {
       const std::vector<Index> number = replace_bubbles(operation);
-      stitching.replace(operation.patch.triangles(), operation.outcome.triangles(operation.patch, number));
+      stitching.replace(operation.patch.triangles(), operation.outcome.triangles(number));
     }
     stitching.finish();
     first_number -= m_gone_before_first;

@@ -14,9 +14,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Mesh_stitching_2.h>
 
-#include <boost/container/flat_map.hpp>
-
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -55,101 +54,71 @@ inline bool is_cut_off(const Marked_triangles_2& m, const std::vector<Index>& tr
   return false;
 }
 
-/// The surroundings of a triangle as bubbles and edges of their own, so that a change can be tried and
-/// forgotten. Bubbles with triangles outside of the patch must stay; they look like corners.
+/// The surroundings of a triangle as a mesh of their own, so that a change can be tried and forgotten. Bubbles with
+/// triangles outside of the patch must stay; they look like corners. Beyond the patch there is nothing.
 class Mesh_patch_2
 {
 public:
   /// `triangles`: what `triangles_around()` found
-  Mesh_patch_2(const Bubble_mesh_2& mesh, std::vector<Index> triangles)
-    : m_all_bubbles(mesh.bubbles), m_triangles_of_mesh(mesh.triangles), m_triangles(std::move(triangles))
+  Mesh_patch_2(const Bubble_mesh_2& mesh, std::vector<Index> triangles) : m_triangles(std::move(triangles))
   {
-    collect_bubbles();
-    collect_edges();
+    const Marked_triangles_2& all = mesh.triangles;
+    for (Index t : m_triangles)
+      m_indices.insert(m_indices.end(), all.vertices[t].begin(), all.vertices[t].end());
+    std::sort(m_indices.begin(), m_indices.end());
+    m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
+    for (Index i : m_indices)
+      m_mesh.bubbles.add(mesh.bubbles, i);
+    for (Index t : m_triangles)
+      add(all, t);
   }
 
-  const std::vector<Index>& triangles() const { return m_triangles; } ///< of the mesh, sorted
-  const std::vector<Index>& indices() const { return m_indices; }     ///< of the bubbles in the mesh, sorted
-  const Bubbles_2& bubbles() const { return m_bubbles; }
-  const std::vector<Domain_edge_2>& edges() const { return m_edges; } ///< between bubbles of the patch
+  const std::vector<Index>& triangles() const { return m_triangles; } ///< of the whole mesh, sorted
+  const std::vector<Index>& indices() const { return m_indices; }     ///< of the bubbles in the whole mesh, sorted
+  const Bubble_mesh_2& mesh() const { return m_mesh; } ///< bubbles and triangles in the same order
 
-  /// what the mesh has in `edges` for a side where it goes on beyond the patch, between two bubbles of the patch;
-  /// `other` for all other sides
-  Index edge_on_rim(Index source, Index target, Index other) const
-  {
-    const auto side = m_rim.find({source, target});
-    return side == m_rim.end() ? other : side->second;
-  }
-
-  /// the number in the patch of a bubble of the mesh that is in it
-  Index local(Index i) const
-  {
-    return static_cast<Index>(std::lower_bound(m_indices.begin(), m_indices.end(), i) -
-                              m_indices.begin());
-  }
+  /// the number in the patch of a triangle of the whole mesh, `no_index` if it is not in it
+  Index local_triangle(Index t) const { return t == no_index ? no_index : position(m_triangles, t); }
 
   /// the same for what is the same, seen from a triangle of the patch
   std::uint64_t signature(Index triangle) const
   {
+    const Bubbles_2& b = m_mesh.bubbles;
     std::uint64_t result = 0;
-    const auto add = [&result](const Bubbles_2& b, std::size_t i) {
-      result = hash_of_two(result, hash_of_place(b.x[i], b.y[i]));
-    };
-    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
-      add(m_bubbles, i);
-    for (Index v : m_triangles_of_mesh.vertices[triangle])
-      add(m_all_bubbles, static_cast<std::size_t>(v));
+    const auto add = [&](std::size_t i) { result = hash_of_two(result, hash_of_place(b.x[i], b.y[i])); };
+    for (std::size_t i = 0; i < b.size(); ++i)
+      add(i);
+    for (Index v : m_mesh.triangles.vertices[triangle])
+      add(static_cast<std::size_t>(v));
     return result;
   }
 
 private:
-  bool contains(Index t) const
+  /// where a number is among those that are sorted
+  static Index position(const std::vector<Index>& sorted, Index number)
   {
-    return t != no_index && std::binary_search(m_triangles.begin(), m_triangles.end(), t);
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), number);
+    return found != sorted.end() && *found == number ? static_cast<Index>(found - sorted.begin()) : no_index;
   }
 
-  void collect_bubbles()
+  void add(const Marked_triangles_2& all, Index t)
   {
-    const Marked_triangles_2& m = m_triangles_of_mesh;
-    for (Index t : m_triangles)
-      m_indices.insert(m_indices.end(), m.vertices[t].begin(), m.vertices[t].end());
-    std::sort(m_indices.begin(), m_indices.end());
-    m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
-    for (Index i : m_indices)
-      m_bubbles.add(m_all_bubbles, i);
-    // on the rim: where the domain goes on
-    for (Index t : m_triangles)
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m.neighbors[t][i];
-        if (n == no_index || !m.inside[n] || contains(n))
-          continue;
-        const Index source = local(m.vertices[t][ccw(i)]), target = local(m.vertices[t][cw(i)]);
-        m_rim[{source, target}] = m.edges[t][i];
-        m_bubbles.dimension[source] = m_bubbles.dimension[target] = Bubbles_2::CORNER;
-      }
+    Marked_triangles_2& m = m_mesh.triangles;
+    const Index k = append_triangle(m);
+    m.edges[k] = all.edges[t];
+    for (int i = 0; i < 3; ++i)
+      m.vertices[k][i] = position(m_indices, all.vertices[t][i]);
+    for (int i = 0; i < 3; ++i) {
+      const Index n = all.neighbors[t][i];
+      m.neighbors[k][i] = local_triangle(n);
+      if (n != no_index && all.inside[n] && m.neighbors[k][i] == no_index) // the domain goes on there
+        for (Index v : {m.vertices[k][ccw(i)], m.vertices[k][cw(i)]})
+          m_mesh.bubbles.dimension[v] = Bubbles_2::CORNER;
+    }
   }
 
-  /// the rim and the constraints inside
-  void collect_edges()
-  {
-    const Marked_triangles_2& m = m_triangles_of_mesh;
-    for (Index t : m_triangles)
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m.neighbors[t][i];
-        const bool goes_on = contains(n);
-        if (goes_on && (m.edges[t][i] == no_index || n < t))
-          continue;
-        m_edges.push_back(Domain_edge_2{local(m.vertices[t][ccw(i)]), local(m.vertices[t][cw(i)]),
-                                        true, goes_on});
-      }
-  }
-
-  const Bubbles_2& m_all_bubbles;
-  const Marked_triangles_2& m_triangles_of_mesh;
   std::vector<Index> m_triangles, m_indices;
-  Bubbles_2 m_bubbles;
-  std::vector<Domain_edge_2> m_edges;
-  boost::container::flat_map<std::pair<Index, Index>, Index> m_rim;
+  Bubble_mesh_2 m_mesh;
 };
 
 /// What an operation made of a patch.
@@ -158,35 +127,15 @@ struct Patch_outcome_2
   Bubble_mesh_2 mesh;
   std::vector<Index> original; ///< of each bubble its number in the patch; inserted ones come after the last
 
-  /// The triangles that take the place of those of the patch, with labels of edges. `number[k]`: what bubble `k` is
-  /// called there.
-  std::vector<New_triangle_2> triangles(const Mesh_patch_2& patch, const std::vector<Index>& number) const
+  /// The triangles that take the place of those of the patch. `number[k]`: what bubble `k` is called there
+  std::vector<New_triangle_2> triangles(const std::vector<Index>& number) const
   {
     std::vector<New_triangle_2> result;
-    const Marked_triangles_2& m = mesh.triangles;
-    for (std::size_t k = 0; k < m.inside.size(); ++k) {
-      if (!m.inside[k])
-        continue;
-      const Index t = static_cast<Index>(k);
-      New_triangle_2 triangle;
-      for (int i = 0; i < 3; ++i) {
-        triangle.vertices[i] = number[m.vertices[t][i]];
-        triangle.edges[i] = label(patch, t, i);
-      }
-      result.push_back(triangle);
+    for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {
+      const std::array<Index, 3>& v = mesh.triangles.vertices[t];
+      result.push_back({{number[v[0]], number[v[1]], number[v[2]]}, mesh.triangles.edges[t]});
     }
     return result;
-  }
-
-private:
-  /// the rim of a patch is an edge there, but not where the patch is put
-  Index label(const Mesh_patch_2& patch, Index t, int i) const
-  {
-    const Marked_triangles_2& m = mesh.triangles;
-    if (m.edges[t][i] == no_index)
-      return no_index;
-    return patch.edge_on_rim(original[m.vertices[t][ccw(i)]], original[m.vertices[t][cw(i)]],
-                             edge_label(m, t, i));
   }
 };
 

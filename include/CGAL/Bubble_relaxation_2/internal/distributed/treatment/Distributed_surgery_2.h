@@ -220,7 +220,7 @@ private:
       }
     std::vector<Index> same(numbers.size());
     std::iota(same.begin(), same.end(), Index(0));
-    for (const New_triangle_2& t : operation.outcome.triangles(*operation.patch, same)) {
+    for (const New_triangle_2& t : operation.outcome.triangles(same)) {
       const std::array<Index, 3>& v = t.vertices;
       triangles.push_back(Made_triangle{{numbers[v[0]], numbers[v[1]], numbers[v[2]]}, t.edges});
     }
