@@ -148,52 +148,58 @@ private:
   }
 
   /// Sets of candidates without neighbours among them: each candidate gets into the first set that none of its
-  /// neighbours with a smaller index is in. Where neighbours are in all sets there may be, it gets into none.
+  /// neighbours with a smaller index is in, also of other ranks. Where neighbours are in all sets there may be, it gets
+  /// into none.
   std::vector<std::vector<Index>> independent_sets(const Editable_triangulation_2& mesh,
-                                                   const std::vector<Index>& candidates)
+                                                   const std::vector<Index>& candidates) const
   {
-    constexpr int most = 63;
-    choose_from(mesh, candidates);
-    const auto first_set_left = [this](Index, const Greedy_choice::Rivals& neighbors) {
-      std::uint64_t taken = 0;
-      for (Index w : neighbors)
-        if (m_choice.is_chosen(w))
-          taken |= std::uint64_t(1) << (m_choice.states()[w] - Greedy_choice::CHOSEN);
-      int set = 0;
-      while (set < most && (taken >> set & 1) != 0)
-        ++set;
-      return static_cast<char>(set < most ? Greedy_choice::CHOSEN + set : Greedy_choice::REFUSED);
+    std::vector<char> states(m_bubbles.size(), IN_NO_SET);
+    for (Index v : candidates)
+      states[v] = UNDECIDED;
+    m_team.share(states);
+    const auto decide = [&] {
+      bool is_open = false;
+      std::size_t number = 0;
+      for (Index v : candidates) {
+        tick(number++);
+        if (states[v] == UNDECIDED)
+          states[v] = state_of(v, mesh, states);
+        is_open = is_open || states[v] == UNDECIDED;
+      }
+      return is_open;
     };
-    decide_together(
-      m_team, [&] { return m_choice.decide_by(first_set_left); }, [&] { m_team.share(m_choice.states()); });
+    decide_together(m_team, decide, [&] { m_team.share(states); });
     std::vector<std::vector<Index>> sets;
     for (Index v : candidates) {
-      if (!m_choice.is_chosen(v))
+      if (states[v] < IN_FIRST_SET)
         continue;
-      const std::size_t set = static_cast<std::size_t>(m_choice.states()[v] - Greedy_choice::CHOSEN);
+      const std::size_t set = static_cast<std::size_t>(states[v] - IN_FIRST_SET);
       sets.resize((std::max)(sets.size(), set + 1));
       sets[set].push_back(v);
     }
     return sets;
   }
 
-  /// the rivals of candidates are the neighbours with smaller indices that are candidates, also of other ranks
-  void choose_from(const Editable_triangulation_2& mesh, const std::vector<Index>& candidates)
+  /// the next sets follow
+  enum State : char { IN_NO_SET, UNDECIDED, IN_FIRST_SET };
+
+  static char state_of(Index v, const Editable_triangulation_2& mesh, const std::vector<char>& states)
   {
-    std::vector<char> is_candidate(m_bubbles.size(), 0);
-    for (Index v : candidates)
-      is_candidate[v] = 1;
-    m_team.share(is_candidate);
-    m_choice.start(m_bubbles.size());
-    std::size_t number = 0;
-    for (Index v : candidates) {
-      tick(number++);
-      Greedy_choice::Rivals& rivals = m_choice.rivals(m_choice.add(v));
-      for (const Corner_2& c : mesh.star(v))
-        for (Index w : mesh.vertices(c.triangle))
-          if (w < v && is_candidate[w] && mesh.is_inside(c.triangle))
-            rivals.push_back(w);
-    }
+    constexpr int most = 63; // sets
+    std::uint64_t taken = 0;
+    for (const Corner_2& c : mesh.star(v))
+      for (Index w : mesh.vertices(c.triangle)) {
+        if (w >= v || !mesh.is_inside(c.triangle))
+          continue;
+        if (states[w] == UNDECIDED)
+          return UNDECIDED;
+        if (states[w] >= IN_FIRST_SET)
+          taken |= std::uint64_t(1) << (states[w] - IN_FIRST_SET);
+      }
+    int set = 0;
+    while (set < most && (taken >> set & 1) != 0)
+      ++set;
+    return static_cast<char>(set < most ? IN_FIRST_SET + set : IN_NO_SET);
   }
 
   std::vector<Index> neighbors_of(const Editable_triangulation_2& mesh,
@@ -220,7 +226,6 @@ private:
   Bubble_mesh_2& m_mesh;
   Bubbles_2& m_bubbles;
   Team& m_team;
-  Greedy_choice m_choice;
   Undo_log_2 m_log;
 };
 
