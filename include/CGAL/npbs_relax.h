@@ -167,17 +167,17 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNEnd
   \cgalParamNBegin{force_coefficient}
     \cgalParamDescription{k<sub>0</sub> of the force (eq. 2)}
-    \cgalParamType{`double`, positive}
+    \cgalParamType{`double`, positive, 10<sup>-12</sup> to 10<sup>12</sup> for the default integrator}
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{mass}
     \cgalParamDescription{m of eq. 3}
-    \cgalParamType{`double`, positive}
+    \cgalParamType{`double`, positive, 10<sup>-12</sup> to 10<sup>12</sup> for the default integrator}
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{damping}
     \cgalParamDescription{c of eq. 3}
-    \cgalParamType{`double`, not negative}
+    \cgalParamType{`double`, 0, or as `mass`}
     \cgalParamDefault{0.6, with lengths in units of d; 3.8429 with `RUNGE_KUTTA_4`, in units of length}
   \cgalParamNEnd
   \cgalParamNBegin{time_step}
@@ -185,7 +185,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           round in the second half of `number_of_rounds`, and with any after a round of 10 steps or
                           more at whose end a third of the bubbles still move by more than d/10 in a step, but with
                           `RUNGE_KUTTA_4`; 20 times at most}
-    \cgalParamType{`double`, positive}
+    \cgalParamType{`double`, positive, 10<sup>-12</sup> to 10<sup>12</sup> for the default integrator}
     \cgalParamDefault{0.6; 0.02 with `RUNGE_KUTTA_4`}
   \cgalParamNEnd
   \cgalParamNBegin{neighbor_radius}

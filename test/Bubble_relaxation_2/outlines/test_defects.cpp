@@ -15,7 +15,7 @@
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/replace_triangles.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
@@ -175,21 +175,16 @@ struct Square_with_constraint
     internal::label_edges(mesh.triangles);
   }
 
-  /// `change(bubbles)`: removes or adds one; compares with the triangles that are made of the others from nothing
+  /// `change(mesh)`: removes a bubble or adds one; compares with the triangles that are made of `bubbles` from nothing
   template <class Change>
-  void expect_triangulation_after(const internal::Replacement_2& replacement, const Change& change) const
+  void expect_triangulation_of(const internal::Bubbles_2& bubbles, const Change& change) const
   {
-    internal::Bubble_mesh_2 replaced = mesh, expected{mesh.bubbles, {}};
-    change(replaced.bubbles);
-    change(expected.bubbles);
-    ASSERT_TRUE(internal::are_counterclockwise(replaced.bubbles, replacement.made));
-    internal::Mesh_stitching_2 stitching(replaced);
-    stitching.replace(replacement.old, replacement.made);
-    stitching.finish();
-    expected.bubbles.forget_gone();
+    internal::Bubble_mesh_2 changed = mesh, expected{bubbles, {}};
+    ASSERT_TRUE(change(changed));
+    EXPECT_EQ(internal::points_of(changed.bubbles), internal::points_of(bubbles));
     internal::triangulate(c.domain(), expected);
     internal::label_edges(expected.triangles);
-    EXPECT_EQ(triangles(replaced), triangles(expected));
+    EXPECT_EQ(triangles(changed), triangles(expected));
   }
 
 private:
@@ -217,10 +212,11 @@ TEST(Defects, a_vertex_that_is_taken_away_leaves_the_triangulation_of_the_others
       continue;
     const Index v = static_cast<Index>(i);
     const internal::Vertex_removal_2 remove(square.mesh, v);
-    internal::Replacement_2 replacement;
-    ASSERT_TRUE(remove(replacement));
     ++(b.is_in_face(i) ? in_faces : remove.is_on_outline() ? on_outline : on_constraint);
-    square.expect_triangulation_after(replacement, [v](internal::Bubbles_2& bubbles) { bubbles.remove(v); });
+    internal::Bubbles_2 left = b;
+    left.remove(i);
+    left.forget_gone();
+    square.expect_triangulation_of(left, remove);
   }
   EXPECT_GT(in_faces, 50);
   EXPECT_GT(on_outline, 30);
@@ -233,30 +229,53 @@ TEST(Defects, a_vertex_that_is_put_in_makes_the_triangulation_of_all)
   const internal::Bubble_mesh_2& mesh = square.mesh;
   const internal::Domain_2& domain = square.c.domain();
   const Index v = static_cast<Index>(mesh.bubbles.size());
+  const auto insert_in_face = [&](const Point& p, Index t) {
+    Index hint = 0;
+    internal::Bubbles_2 all = mesh.bubbles;
+    all.add(p, 0.1, internal::Bubbles_2::FACE, domain.locate_inside(p, hint));
+    square.expect_triangulation_of(all, [&](internal::Bubble_mesh_2& m) {
+      m.bubbles = all;
+      return internal::Vertex_insertion_2(m).in_face(v, t);
+    });
+  };
   int on_outline = 0, on_constraint = 0;
   for (std::size_t k = 0; k < mesh.triangles.number_of_triangles(); ++k) {
     const Index t = static_cast<Index>(k);
-    const Point p = CGAL::centroid(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2));
-    Index hint = 0;
-    const Index host = domain.locate_inside(p, hint);
-    square.expect_triangulation_after(internal::split_triangle(mesh.triangles, t, v), [&](internal::Bubbles_2& b) {
-      b.add(p, 0.1, internal::Bubbles_2::FACE, host);
-    });
+    insert_in_face(CGAL::centroid(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2)), t);
     for (int i = 0; i < 3; ++i) {
-      if (mesh.triangles.edges[k][i] == internal::no_index)
+      if (mesh.triangles.edges[k][i] == internal::no_index) {
+        insert_in_face(CGAL::midpoint(mesh.point(t, internal::ccw(i)), mesh.point(t, internal::cw(i))), t);
         continue;
+      }
       ++(mesh.triangles.edges[k][i] == internal::OUTLINE ? on_outline : on_constraint);
       const Index u = mesh.triangles.vertices[k][internal::ccw(i)], w = mesh.triangles.vertices[k][internal::cw(i)],
                   e = internal::edge_of_piece(domain, mesh.bubbles, u, w);
       const double s = 0.5 * (internal::position_on(domain, mesh.bubbles, e, u) +
                               internal::position_on(domain, mesh.bubbles, e, w));
-      square.expect_triangulation_after(internal::split_side(mesh.triangles, t, i, v), [&](internal::Bubbles_2& b) {
-        b.add(domain.point_on_edge(e, s), 0.1, internal::Bubbles_2::EDGE, e, s);
+      internal::Bubbles_2 all = mesh.bubbles;
+      all.add(domain.point_on_edge(e, s), 0.1, internal::Bubbles_2::EDGE, e, s);
+      square.expect_triangulation_of(all, [&](internal::Bubble_mesh_2& m) {
+        m.bubbles = all;
+        return internal::Vertex_insertion_2(m).on_side(v, t, i);
       });
     }
   }
   EXPECT_GT(on_outline, 30);
   EXPECT_GE(on_constraint, 8);
+}
+
+TEST(Defects, a_vertex_of_one_triangle_is_not_taken_away)
+{
+  internal::Bubble_mesh_2 mesh;
+  for (const Point& p : {Point(0, 0), Point(1, 0), Point(0, 1)})
+    mesh.bubbles.add(p, 1, internal::Bubbles_2::EDGE, 0);
+  mesh.triangles.vertices = {{0, 1, 2}};
+  mesh.triangles.neighbors = {{internal::no_index, internal::no_index, internal::no_index}};
+  mesh.triangles.edges = {{internal::OUTLINE, internal::OUTLINE, internal::OUTLINE}};
+  mesh.triangles.inside = {1};
+  internal::Bubble_mesh_2 same = mesh;
+  EXPECT_FALSE(internal::Vertex_removal_2(mesh, 0)(same));
+  EXPECT_EQ(same.bubbles.size(), 3u);
 }
 
 TEST(Defects, surgery_removes_and_inserts)

@@ -195,7 +195,8 @@ TEST(Bad_parameter, out_of_range)
     expect_throw<std::invalid_argument>(cdt, size.time_step(bad), {"time_step", "at least 1e-12 and at most 1e+12"});
     expect_throw<std::invalid_argument>(cdt, size.mass(bad), {"mass", "at least 1e-12 and at most 1e+12"});
     expect_throw<std::invalid_argument>(cdt, size.damping(bad), {"damping", "at least 1e-12 and at most 1e+12"});
-    expect_throw<std::invalid_argument>(cdt, size.force_coefficient(bad), {"force_coefficient", "at least 1e-12 and at most 1e+12"});
+    expect_throw<std::invalid_argument>(cdt, size.force_coefficient(bad),
+                                        {"force_coefficient", "at least 1e-12 and at most 1e+12"});
   }
   expect_throw<std::invalid_argument>(cdt, size.time_step(-0.125), {"time_step", "-0.125"});
   expect_throw<std::invalid_argument>(cdt, size.neighbor_radius(1.5), {"neighbor_radius", "1.5"});
@@ -215,6 +216,12 @@ TEST(Bad_parameter, what_bounds_allow_is_taken)
   expect_same_mesh(size.size_growth(1), size.size_growth(1.)); // other types of the same numbers
   expect_same_mesh(size.minimum_angle(33), size.minimum_angle(33.));
   expect_same_mesh(size.minimum_angle(0), size.minimum_angle(0.));
+  for (double value : {1e-12, 1e12})
+    EXPECT_NO_THROW(CGAL::npbs_place_nodes(square(), size.force_coefficient(value).mass(value).damping(value)
+                                                       .time_step(value).number_of_rounds(1)));
+  EXPECT_NO_THROW(CGAL::npbs_place_nodes(square(), size.damping(0.).number_of_rounds(1)));
+  EXPECT_NO_THROW(CGAL::npbs_place_nodes( // in units of the user's
+    square(), size.integrator(CGAL::Bubble_integrator::RUNGE_KUTTA_4).mass(1e-13).number_of_rounds(1)));
 }
 
 TEST(Bad_parameter, counts_are_integers)

@@ -258,7 +258,7 @@ inline std::vector<Case> cases()
     {"lake with steep sizes", 0x61966af3546af184, [](Hash& hash) { mesh_lake(hash, 33, 1); }},
     {"simplified lake", 0xae4a07f67d6524e5, simplify},
     {"adapted", 0x1050bef5eda1d13d, adapt},
-    {"fields", 0x34e118501a31c85d, mesh_with_fields},
+    {"fields", 0xaf0e586aab35b2c4, mesh_with_fields},
     {"transfer", 0x90caa4f65ad4e12d, transfer},
   };
 }

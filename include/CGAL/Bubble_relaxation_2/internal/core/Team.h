@@ -222,7 +222,7 @@ public:
   /// \name Treatment
   /// @{
 
-  /// the largest number of colours of all ranks
+  /// the largest number of sets of all ranks
   virtual std::size_t largest_number(std::size_t here) const { return here; }
 
   /// tells other ranks of vertices that were moved, and moves theirs

@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/locate_straight.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
 
@@ -204,7 +205,7 @@ private:
   {
     typename Cdt::Locate_type where{};
     int i = 0;
-    const Face_handle f = cdt.locate(p, where, i);
+    const Face_handle f = locate_straight(cdt, p, cdt.finite_vertices_begin(), where, i);
     std::vector<Index> around{faces(&*f)};
     if (where == Cdt::EDGE) {
       around.push_back(faces(&*f->neighbor(i)));

@@ -158,7 +158,7 @@ public:
     return number_of_flips;
   }
 
-  /// the same around one triangle with vertices that were moved
+  /// the same around one triangle that is new or has vertices that were moved
   std::size_t restore_delaunay_around(Index t)
   {
     for (int i = 0; i < 3; ++i)

@@ -19,13 +19,12 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Chooses among candidates the best first, and none that touches a better one that was chosen: the one rule for all
-/// that is inserted, deleted, coloured or operated on. What becomes of a candidate depends on better ones only, its
+/// that is inserted, deleted or operated on. What becomes of a candidate depends on better ones only, its
 /// rivals, and is decided when theirs is. So several ranks that each decide on their own candidates, and tell each
 /// other what was decided, choose what one of them alone would, see `decide_together()`.
 class Greedy_choice
 {
 public:
-  /// Whoever has more to tell of what is chosen adds it to `CHOSEN`.
   enum State : char { UNDECIDED, REFUSED, CHOSEN };
 
   using Rivals = boost::container::small_vector<Index, 6>;
@@ -58,7 +57,7 @@ public:
   /// of all things: what was decided here, and what others told
   std::vector<char>& states() { return m_states; }
 
-  bool is_chosen(Index candidate) const { return m_states[candidate] >= CHOSEN; }
+  bool is_chosen(Index candidate) const { return m_states[candidate] == CHOSEN; }
 
   /// Decides on all that can be decided on now: those with a rival that is chosen are refused, and of those whose
   /// rivals are all refused `is_worth_it(candidate)` is asked once. Returns whether any is still undecided.
@@ -68,7 +67,7 @@ public:
     return decide_on_each([&](Index c, const Rivals& rivals) -> char {
       bool may_be_chosen = true;
       for (Index r : rivals) {
-        if (m_states[r] >= CHOSEN)
+        if (m_states[r] == CHOSEN)
           return REFUSED;
         may_be_chosen = may_be_chosen && m_states[r] == REFUSED;
       }

@@ -99,20 +99,36 @@ private:
     }
   }
 
-  /// Numbers the finite faces in the order of the points that they are around: near to each other in space, near in memory.
+  /// Numbers the finite faces in the order of the points that they are around: what is near in space is near in memory, and
+  /// numbers depend on nothing else.
   void number_along_points()
   {
     for (Face_handle f : m_cdt.all_face_handles())
       f->info() = no_index;
+    m_cdt.infinite_vertex()->info() = no_index;
     Index number = 0;
     for (Vertex_handle v : m_handles) {
       tick(static_cast<std::size_t>(number));
-      auto f = m_cdt.incident_faces(v), first = f;
-      do
+      Face_handle f = first_face(v);
+      const Face_handle first = f;
+      do {
         if (f->info() == no_index && !m_cdt.is_infinite(f))
           f->info() = number++;
-      while (++f != first);
+        f = f->neighbor(m_cdt.ccw(f->index(v)));
+      } while (f != first);
     }
+  }
+
+  /// of those around a vertex the one that begins at the first point
+  Face_handle first_face(Vertex_handle v) const
+  {
+    const auto begin = [this, v](Face_handle f) { return f->vertex(m_cdt.ccw(f->index(v)))->info(); };
+    auto f = m_cdt.incident_faces(v), end = f;
+    Face_handle first = f;
+    while (++f != end)
+      if (begin(f) < begin(first))
+        first = f;
+    return first;
   }
 
   Marking_error enter_edge(const Domain_edge_2& e, Index edge_index)

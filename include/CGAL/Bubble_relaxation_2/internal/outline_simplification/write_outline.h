@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_WRITE_OUTLINE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/domain/mark_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/locate_straight.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/read_outline.h>
 
@@ -140,13 +141,13 @@ private:
   /// \throws std::runtime_error if two of them become one
   void insert_vertices()
   {
-    Face_handle near; // vertices follow each other along the outline
+    Vertex_handle near = m_cdt.finite_vertices_begin(); // vertices follow each other along the outline
     for (std::size_t v = 0; v < m_outline.points.size(); ++v) {
       const Index old = m_outline.old_vertices[v];
       const Point& p = m_outline.points[v];
       const Vertex_handle handle =
-        old != no_index ? m_reading.vertex(old) : m_cdt.insert(Cdt_point(p.x(), p.y()), near);
-      near = handle->face();
+        old != no_index ? m_reading.vertex(old) : insert_straight(m_cdt, Cdt_point(p.x(), p.y()), near);
+      near = handle;
       m_vertices.push_back(&*handle);
       if (!m_taken.insert(m_vertices.back()).second)
         throw_too_coarse(static_cast<Index>(v), static_cast<Index>(v));

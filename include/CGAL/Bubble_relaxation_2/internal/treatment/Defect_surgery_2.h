@@ -110,7 +110,7 @@ public:
     m_gone_before_first = 0;
     for (const Operation& operation : operations) {
       const std::vector<Index> number = replace_bubbles(operation);
-      stitching.replace(operation.patch.triangles(), operation.outcome.triangles(number));
+      stitching.replace(operation.patch.triangles(), triangles_of(operation.outcome.mesh.triangles, number));
     }
     stitching.finish();
     first_number -= m_gone_before_first;
@@ -147,6 +147,17 @@ private:
         result.push_back(std::move(operation));
       return has_helped;
     });
+    return result;
+  }
+
+  /// `number`: what the bubbles of an outcome are called in the mesh
+  static std::vector<New_triangle_2> triangles_of(const Marked_triangles_2& m, const std::vector<Index>& number)
+  {
+    std::vector<New_triangle_2> result;
+    for (std::size_t t = 0; t < m.number_of_triangles(); ++t) {
+      const std::array<Index, 3>& v = m.vertices[t];
+      result.push_back({{number[v[0]], number[v[1]], number[v[2]]}, m.edges[t]});
+    }
     return result;
   }
 

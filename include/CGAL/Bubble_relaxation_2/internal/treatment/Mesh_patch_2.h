@@ -126,17 +126,6 @@ struct Patch_outcome_2
 {
   Bubble_mesh_2 mesh;
   std::vector<Index> original; ///< of each bubble its number in the patch; inserted ones come after the last
-
-  /// The triangles that take the place of those of the patch. `number[k]`: what bubble `k` is called there
-  std::vector<New_triangle_2> triangles(const std::vector<Index>& number) const
-  {
-    std::vector<New_triangle_2> result;
-    for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {
-      const std::array<Index, 3>& v = mesh.triangles.vertices[t];
-      result.push_back({{number[v[0]], number[v[1]], number[v[2]]}, mesh.triangles.edges[t]});
-    }
-    return result;
-  }
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

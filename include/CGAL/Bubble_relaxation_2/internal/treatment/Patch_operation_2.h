@@ -12,9 +12,10 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/replace_triangles.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Mesh_patch_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_insertion_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_removal_2.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Tries all that could help a bad triangle, each on a copy of the patch around it: to remove one of its vertices or of the
-/// three beyond its sides, or to insert one in its middle or on a side, if there is room. Where that has left the best
+/// three beyond its sides, or to insert one in its middle or on a side, if there is room. Of the outcomes with the best
 /// triangles vertices are moved, which takes longest. The best outcome counts if the worst triangle
 /// of the patch gets better, or stays as it is and the second worst gets better, and so on. Obtuse triangles are worse than
 /// their q, but no triangle gets worse than the worst of the mesh.
@@ -134,10 +135,11 @@ private:
 
   void try_without(Index v)
   {
+    if (!m_mesh.bubbles.can_move(v))
+      return;
     const Vertex_removal_2 remove(m_mesh, v);
-    Replacement_2 replacement;
-    if (m_mesh.bubbles.can_move(v) && may_be_too_many(remove) && remove(replacement))
-      consider(replacement, [v](Bubbles_2& b) { b.remove(v); });
+    if (may_be_too_many(remove))
+      consider(remove, v);
   }
 
   /// A vertex that may move and has more than six triangles, or three where the domain ends beside it, is not the one too
@@ -154,20 +156,16 @@ private:
     return squared_length >= least_room * least_room * m_mean_size * m_mean_size;
   }
 
-  Index next_number() const { return static_cast<Index>(m_mesh.bubbles.size()); }
-
-  /// tries a vertex in a triangle, `on_side` of it perhaps
-  void try_with(const Point& p, Index t, int on_side = -1)
+  /// tries a vertex in a triangle, or beside it by a rounding
+  void try_with(const Point& p, Index t)
   {
-    const Index triangle = m_domain.locate_inside(p, m_hint);
-    if (triangle == no_index)
+    const Index host = m_domain.locate_inside(p, m_hint);
+    if (host == no_index)
       return;
-    const auto insert = [&](Bubbles_2& b) { b.add(p, m_mean_size, Bubbles_2::FACE, triangle); };
-    const Index v = next_number(), n = on_side == -1 ? no_index : m_mesh.triangles.neighbors[t][on_side];
-    if (consider(split_triangle(m_mesh.triangles, t, v), insert) || n == no_index)
-      return;
-    if (!consider(split_triangle(m_mesh.triangles, n, v), insert)) // exactly on the side, then
-      consider(split_side(m_mesh.triangles, t, on_side, v), insert);
+    consider([&](Bubble_mesh_2& mesh) {
+      mesh.bubbles.add(p, m_mean_size, Bubbles_2::FACE, host);
+      return Vertex_insertion_2(mesh).in_face(index_of_inserted(), t);
+    });
   }
 
   void try_with_on_side(Index t, int i)
@@ -176,7 +174,7 @@ private:
     if (!has_room(CGAL::squared_distance(p, q)))
       return;
     if (m_mesh.triangles.edges[t][i] == no_index) {
-      try_with(CGAL::midpoint(p, q), t, i);
+      try_with(CGAL::midpoint(p, q), t);
       return;
     }
     const Index u = m_patch.indices()[m_mesh.triangles.vertices[t][ccw(i)]],
@@ -186,25 +184,28 @@ private:
       return;
     const double s =
       0.5 * (position_on(m_domain, m_whole.bubbles, e, u) + position_on(m_domain, m_whole.bubbles, e, v));
-    consider(split_side(m_mesh.triangles, t, i, next_number()),
-             [&](Bubbles_2& b) { b.add(m_domain.point_on_edge(e, s), m_mean_size, Bubbles_2::EDGE, e, s); });
+    consider([&](Bubble_mesh_2& mesh) {
+      mesh.bubbles.add(m_domain.point_on_edge(e, s), m_mean_size, Bubbles_2::EDGE, e, s);
+      return Vertex_insertion_2(mesh).on_side(index_of_inserted(), t, i);
+    });
   }
 
-  /// Takes an outcome among the candidates. `change(bubbles)`: removes one, or adds one. Returns whether it is a mesh
+  Index index_of_inserted() const { return static_cast<Index>(m_mesh.bubbles.size()); }
+
+  /// Takes an outcome among the candidates. `change(mesh)`: changes a copy of the patch, and returns whether it can.
+  /// `removed`: which bubble is not in it any more
   template <class Change>
-  bool consider(const Replacement_2& replacement, const Change& change)
+  void consider(const Change& change, Index removed = no_index)
   {
     Bubble_mesh_2 mesh = m_mesh;
-    change(mesh.bubbles);
-    if (!are_counterclockwise(mesh.bubbles, replacement.made))
-      return false;
-    std::vector<Index> original = mesh.bubbles.left();
-    Mesh_stitching_2 stitching(mesh);
-    stitching.replace(replacement.old, replacement.made);
-    stitching.finish();
+    if (!change(mesh))
+      return;
+    std::vector<Index> original;
+    for (Index i = 0; original.size() < mesh.bubbles.size(); ++i)
+      if (i != removed)
+        original.push_back(i);
     Defects defects = defects_of(mesh);
     m_candidates.push_back(Candidate{std::move(defects), {std::move(mesh), std::move(original)}});
-    return true;
   }
 
   /// moves vertices, first where the worst triangles are best, and keeps the best outcome
@@ -214,7 +215,9 @@ private:
       return is_better(a.defects, b.defects, 0.);
     });
     for (std::size_t k = 0; k < m_candidates.size(); ++k) {
-      if (m_is_better ? k >= number_of_favourites || m_defects.empty() : k >= number_of_favourites && !is_hard)
+      if (m_is_better && m_defects.empty())
+        return;
+      if (k >= number_of_favourites && (m_is_better || !is_hard))
         return;
       Bubble_mesh_2& mesh = m_candidates[k].outcome.mesh;
       Team alone;
@@ -229,7 +232,7 @@ private:
   }
 
   const Domain_2& m_domain;
-  const Bubble_mesh_2& m_whole;
+  const Bubble_mesh_2& m_whole; // of which the patch is a part
   const Mesh_patch_2& m_patch;
   const Bubble_mesh_2& m_mesh; // of the patch
   const double m_smallest;
@@ -247,7 +250,7 @@ class Patch_operations_2
 public:
   /// \param smallest see `Patch_operation_2`
   Patch_operations_2(const Domain_2& domain, const Bubble_mesh_2& mesh, double smallest)
-    : m_domain(domain), m_mesh(mesh), m_smallest(smallest)
+    : m_domain(domain), m_whole(mesh), m_smallest(smallest)
   {}
 
   /// tries what could help a triangle of a patch; returns whether it did
@@ -257,7 +260,7 @@ public:
     const std::uint64_t signature = patch.signature(triangle);
     if (m_hopeless.count(signature) != 0)
       return false;
-    Patch_operation_2 operate(m_domain, m_mesh, patch, m_smallest);
+    Patch_operation_2 operate(m_domain, m_whole, patch, m_smallest);
     const bool has_helped = operate(triangle);
     if (has_helped)
       outcome = operate.best();
@@ -268,7 +271,7 @@ public:
 
 private:
   const Domain_2& m_domain;
-  const Bubble_mesh_2& m_mesh;
+  const Bubble_mesh_2& m_whole;
   const double m_smallest;
   std::unordered_set<std::uint64_t> m_hopeless; // signatures of what could not be made better
 };

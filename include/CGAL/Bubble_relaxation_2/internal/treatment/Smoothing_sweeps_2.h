@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
-#include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
@@ -147,6 +146,8 @@ private:
     return result;
   }
 
+  enum State : char { IN_NO_SET, UNDECIDED, IN_FIRST_SET }; // the next sets follow
+
   /// Sets of candidates without neighbours among them: each candidate gets into the first set that none of its
   /// neighbours with a smaller index is in, also of other ranks. Where neighbours are in all sets there may be, it gets
   /// into none.
@@ -179,9 +180,6 @@ private:
     }
     return sets;
   }
-
-  /// the next sets follow
-  enum State : char { IN_NO_SET, UNDECIDED, IN_FIRST_SET };
 
   static char state_of(Index v, const Editable_triangulation_2& mesh, const std::vector<char>& states)
   {

@@ -19,7 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Angle_refinement_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Defect_surgery_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/Smoothing_sweeps_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/treatment/Vertex_insertion_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/treatment/insert_points.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/rebuild_outside.h>
 
 #include <CGAL/Bubble_relaxation_report_2.h>

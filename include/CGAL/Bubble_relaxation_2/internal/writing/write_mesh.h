@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/mark_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/locate_straight.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/count_in_domain.h>
@@ -333,25 +334,12 @@ private:
 
   void insert_in_faces()
   {
-    if (m_bubbles.size() == 0)
-      return;
     Vertex_handle near = m_cdt.finite_vertices_begin(); // bubbles are numbered along a curve: each is near to the last
     for (std::size_t i = 0; i < m_bubbles.size(); ++i)
       if (m_bubbles.is_in_face(i)) {
-        const Cdt_point p = point_of(i);
-        near = m_cdt.insert(p, face_of(p, near));
+        near = insert_straight(m_cdt, point_of(i), near);
         tell_progress();
       }
-  }
-
-  /// The face of a point, found on the straight way from a vertex. CGAL's own walk tosses coins, of which no 17 in a row fall
-  /// the same way: while faces have no vertices yet, it may go round in fans of needles for ever.
-  Face_handle face_of(const Cdt_point& p, Vertex_handle from) const
-  {
-    auto f = m_cdt.line_walk(from->point(), p, from->face());
-    while (f != nullptr && !m_cdt.is_infinite(f) && m_cdt.oriented_side(f, p) == ON_NEGATIVE_SIDE)
-      ++f;
-    return f;
   }
 
   template <class Visit>

@@ -218,11 +218,10 @@ private:
         bubbles.push_back(record(m_known, static_cast<std::size_t>(indices[l])));
         bubbles.back().dimension = Bubbles_2::GONE;
       }
-    std::vector<Index> same(numbers.size());
-    std::iota(same.begin(), same.end(), Index(0));
-    for (const New_triangle_2& t : operation.outcome.triangles(same)) {
-      const std::array<Index, 3>& v = t.vertices;
-      triangles.push_back(Made_triangle{{numbers[v[0]], numbers[v[1]], numbers[v[2]]}, t.edges});
+    const Marked_triangles_2& m = operation.outcome.mesh.triangles;
+    for (std::size_t t = 0; t < m.number_of_triangles(); ++t) {
+      const std::array<Index, 3>& v = m.vertices[t];
+      triangles.push_back(Made_triangle{{numbers[v[0]], numbers[v[1]], numbers[v[2]]}, m.edges[t]});
     }
   }
 

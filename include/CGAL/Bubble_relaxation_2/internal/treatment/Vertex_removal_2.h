@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_REPLACE_TRIANGLES_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_REPLACE_TRIANGLES_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_VERTEX_REMOVAL_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_VERTEX_REMOVAL_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
@@ -16,63 +16,19 @@
 #include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// What takes the place of some triangles where a vertex comes or goes.
-struct Replacement_2
-{
-  std::vector<Index> old;
-  std::vector<New_triangle_2> made;
-};
-
-inline bool is_counterclockwise(const Bubbles_2& b, const std::array<Index, 3>& v)
-{
-  return CGAL::orientation(b.point(v[0]), b.point(v[1]), b.point(v[2])) == LEFT_TURN;
-}
-
-/// whether none is flat or turned over, as rounding can have it
-inline bool are_counterclockwise(const Bubbles_2& b, const std::vector<New_triangle_2>& triangles)
-{
-  return std::all_of(triangles.begin(), triangles.end(),
-                     [&b](const New_triangle_2& t) { return is_counterclockwise(b, t.vertices); });
-}
-
-/// Splits triangle `t` at bubble `v` in it.
-inline Replacement_2 split_triangle(const Marked_triangles_2& m, Index t, Index v)
-{
-  Replacement_2 result{{t}, {}};
-  for (int i = 0; i < 3; ++i)
-    result.made.push_back({{v, m.vertices[t][ccw(i)], m.vertices[t][cw(i)]}, {m.edges[t][i], no_index, no_index}});
-  return result;
-}
-
-/// Splits side `i` of triangle `t` at bubble `v` on it, on both sides if the mesh goes on there.
-inline Replacement_2 split_side(const Marked_triangles_2& m, Index t, int i, Index v)
-{
-  Replacement_2 result;
-  const auto split = [&](Index k, int j) {
-    const std::array<Index, 3>&corners = m.vertices[k], &edges = m.edges[k];
-    const Index a = corners[j], b = corners[ccw(j)], c = corners[cw(j)];
-    result.old.push_back(k);
-    result.made.push_back({{a, b, v}, {edges[j], no_index, edges[cw(j)]}});
-    result.made.push_back({{a, v, c}, {edges[j], edges[ccw(j)], no_index}});
-  };
-  split(t, i);
-  if (const Index n = m.neighbors[t][i]; n != no_index)
-    split(n, m.index_of_neighbor(n, t));
-  return result;
-}
-
-/// Takes a vertex away: the polygons around it are triangulated by cutting ears off.
+/// Takes a vertex out of a mesh that is a constrained Delaunay triangulation, and stays one: the polygons around it are
+/// triangulated by cutting ears off, then edges are flipped.
 class Vertex_removal_2
 {
 public:
-  /// \pre nothing but the domain is in the mesh, and all triangles around `v`, which is no corner, are
-  Vertex_removal_2(const Bubble_mesh_2& mesh, Index v) : m_bubbles(mesh.bubbles), m_triangles(mesh.triangles)
+  /// \param v no corner \pre there are no triangles outside of the domain, and the edges of `mesh` are labelled
+  Vertex_removal_2(const Bubble_mesh_2& mesh, Index v)
+    : m_bubbles(mesh.bubbles), m_triangles(mesh.triangles), m_vertex(v)
   {
     for (std::size_t t = 0; t < m_triangles.number_of_triangles(); ++t)
       for (int i = 0; i < 3; ++i)
@@ -90,19 +46,27 @@ public:
     });
   }
 
-  /// returns whether it can be done
-  bool operator()(Replacement_2& result) const
+  /// Changes a copy of the mesh, whose bubbles get numbers without a gap; returns whether that can be done.
+  bool operator()(Bubble_mesh_2& mesh) const
   {
-    for (const Corner_2& c : m_corners)
-      result.old.push_back(c.triangle);
+    std::vector<Index> old;
+    std::vector<New_triangle_2> made;
     bool has_begun = false;
-    for (const Corner_2& c : m_corners)
-      if (edge(c, cw(c.index)) != no_index) {
-        has_begun = true;
-        if (!cut_ears(polygon_from(c), result.made))
-          return false;
-      }
-    return has_begun || cut_ears(polygon_from(m_corners.front()), result.made);
+    for (const Corner_2& c : m_corners) {
+      old.push_back(c.triangle);
+      if (edge(c, cw(c.index)) == no_index)
+        continue;
+      has_begun = true;
+      if (!cut_ears(polygon_from(c), made))
+        return false;
+    }
+    if (!has_begun && (m_corners.empty() || !cut_ears(polygon_from(m_corners.front()), made))) // in a face
+      return false;
+    mesh.bubbles.remove(m_vertex);
+    Mesh_stitching_2 stitching(mesh);
+    stitching.replace(old, made);
+    stitching.finish();
+    return true;
   }
 
 private:
@@ -127,8 +91,11 @@ private:
         polygon.push_back(Side{target(*c), source(first), piece});
         return polygon;
       }
-      c = &*std::find_if(m_corners.begin(), m_corners.end(),
-                         [this, c](const Corner_2& next) { return source(next) == target(*c); });
+      const auto next = std::find_if(m_corners.begin(), m_corners.end(),
+                                     [this, c](const Corner_2& other) { return source(other) == target(*c); });
+      if (next == m_corners.end())
+        return {}; // some are missing
+      c = &*next;
       if (c == &first)
         return polygon;
     }
@@ -159,7 +126,7 @@ private:
   bool is_ear(const std::vector<Side>& polygon, std::size_t k) const
   {
     const Index u = polygon[k].source, v = polygon[k].target, w = polygon[(k + 1) % polygon.size()].target;
-    if (!is_counterclockwise(m_bubbles, {u, v, w}))
+    if (CGAL::orientation(m_bubbles.point(u), m_bubbles.point(v), m_bubbles.point(w)) != LEFT_TURN)
       return false;
     return std::none_of(polygon.begin(), polygon.end(), [&](const Side& s) {
       const Point p = m_bubbles.point(s.source);
@@ -173,9 +140,10 @@ private:
 
   const Bubbles_2& m_bubbles;
   const Marked_triangles_2& m_triangles;
+  const Index m_vertex;
   std::vector<Corner_2> m_corners; // of the vertex
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_REPLACE_TRIANGLES_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TREATMENT_VERTEX_REMOVAL_2_H
