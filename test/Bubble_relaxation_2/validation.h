@@ -33,7 +33,8 @@ using Segment = std::pair<Xy, Xy>;
 template <class Vertex_handle>
 Xy xy(Vertex_handle v)
 {
-  return {CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())};
+  // a lazy number that nobody has evaluated rounds otherwise
+  return {CGAL::to_double(CGAL::exact(v->point().x())), CGAL::to_double(CGAL::exact(v->point().y()))};
 }
 
 /// the corners and constraints of a triangulation, to compare with later

@@ -284,6 +284,9 @@ private:
       for (int rank : ranks)
         questions[rank].push_back(question);
     }
+    for (auto& message : questions) // what large triangles get answers small ones too, so that less is sent
+      std::sort(message.second.begin(), message.second.end(),
+                [](const auto& a, const auto& b) { return a.disc.radius > b.disc.radius; });
     return questions;
   }
 
