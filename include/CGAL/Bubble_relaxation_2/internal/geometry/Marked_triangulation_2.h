@@ -38,7 +38,8 @@ struct Domain_edge_2
 /// The triangles of a constrained Delaunay triangulation with the domain marked.
 struct Marked_triangles_2 : Triangles_2
 {
-  std::vector<std::array<Index, 3>> edges; ///< per triangle and side: index of the edge behind it or `no_index`
+  /// per triangle and side: index of the edge behind it, or `no_index`; in the treatment a label, see `Edge_label`
+  std::vector<std::array<Index, 3>> edges;
 };
 
 /// The same with the points.
