@@ -30,11 +30,23 @@ namespace validation {
 using Xy = std::pair<double, double>;
 using Segment = std::pair<Xy, Xy>;
 
+/// a lazy number that nobody has evaluated rounds otherwise
+template <class Number>
+auto rounded(const Number& x, int) -> decltype(x.exact(), 0.)
+{
+  return CGAL::to_double(x.exact());
+}
+
+template <class Number>
+double rounded(const Number& x, long)
+{
+  return CGAL::to_double(x);
+}
+
 template <class Vertex_handle>
 Xy xy(Vertex_handle v)
 {
-  // a lazy number that nobody has evaluated rounds otherwise
-  return {CGAL::to_double(CGAL::exact(v->point().x())), CGAL::to_double(CGAL::exact(v->point().y()))};
+  return {rounded(v->point().x(), 0), rounded(v->point().y(), 0)};
 }
 
 /// the corners and constraints of a triangulation, to compare with later
