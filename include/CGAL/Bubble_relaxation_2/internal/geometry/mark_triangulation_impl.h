@@ -109,13 +109,11 @@ private:
     Index number = 0;
     for (Vertex_handle v : m_handles) {
       tick(static_cast<std::size_t>(number));
-      Face_handle f = first_face(v);
-      const Face_handle first = f;
-      do {
+      auto f = m_cdt.incident_faces(v, first_face(v)), first = f;
+      do
         if (f->info() == no_index && !m_cdt.is_infinite(f))
           f->info() = number++;
-        f = f->neighbor(m_cdt.ccw(f->index(v)));
-      } while (f != first);
+      while (++f != first);
     }
   }
 
