@@ -504,6 +504,18 @@ TEST_F(Outlines, small_angles_are_refined)
   EXPECT_GE(number_of_good, 10u); // beyond 20.7 degrees refinement does not always end
 }
 
+TEST_F(Outlines, blunt_ends_of_channels_get_acute_triangles)
+{
+  for (double angle : {86., 90., 92., 95., 98., 101., 104.})
+    for (double depth : {1.5, 2., 3.3, 5.}) {
+      const double beside = depth / std::tan(angle / degrees);
+      CDT cdt = domains::make({{{0, 0}, {1, 0}, {1 - beside, depth}, {4, 9}, {-3, 9}, {beside, depth}}});
+      const auto report = CGAL::npbs_relax(cdt, 1.);
+      EXPECT_EQ(report.quality.number_of_obtuse_triangles(), 0u) << angle << ' ' << depth;
+      EXPECT_TRUE(report.converged);
+    }
+}
+
 TEST_F(Outlines, obtuse_triangles_are_counted)
 {
   CDT cdt = domains::make({{{0, 0}, {1, 0}, {0.5, 0.1}}, {{2, 0}, {3, 0}, {2.5, 0.8}}});

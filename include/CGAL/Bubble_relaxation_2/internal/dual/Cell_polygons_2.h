@@ -93,7 +93,7 @@ private:
         break;
       }
       t = next;
-      j = m_tr.vertices[t][0] == v ? 0 : m_tr.vertices[t][1] == v ? 1 : 2;
+      j = m_tr.index_of_vertex(t, v);
     }
     m_polygons.emplace_back(v, std::move(polygon));
   }

@@ -258,11 +258,7 @@ private:
     corners.insert(corners.begin(), before.rbegin(), before.rend());
   }
 
-  Corner_2 corner(Index t, Index v) const
-  {
-    const auto& vertices = m_triangles.vertices[t];
-    return Corner_2{t, vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2};
-  }
+  Corner_2 corner(Index t, Index v) const { return Corner_2{t, m_triangles.index_of_vertex(t, v)}; }
 
   bool flip_unless_delaunay(Index t, int i)
   {

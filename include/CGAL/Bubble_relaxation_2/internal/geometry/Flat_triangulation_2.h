@@ -30,6 +30,11 @@ struct Triangles_2
 
   std::size_t number_of_triangles() const { return vertices.size(); }
 
+  int index_of_vertex(Index t, Index vertex) const
+  {
+    return vertices[t][0] == vertex ? 0 : vertices[t][1] == vertex ? 1 : 2;
+  }
+
   int index_of_neighbor(Index t, Index neighbor) const
   {
     return neighbors[t][0] == neighbor ? 0 : neighbors[t][1] == neighbor ? 1 : 2;

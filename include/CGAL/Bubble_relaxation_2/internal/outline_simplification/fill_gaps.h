@@ -246,7 +246,7 @@ private:
 
   double angle_at(Index t, Index v) const
   {
-    const int i = tr().vertices[t][0] == v ? 0 : tr().vertices[t][1] == v ? 1 : 2;
+    const int i = tr().index_of_vertex(t, v);
     const Point &p = tr().point(t, i), &a = tr().point(t, ccw(i)), &b = tr().point(t, cw(i));
     return angle_of((a.x() - p.x()) * (b.x() - p.x()) + (a.y() - p.y()) * (b.y() - p.y()),
                     2 * m_triangulation.area(t));
