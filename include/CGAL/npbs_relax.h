@@ -155,8 +155,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
     \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default 3.3 times
-                          as much is rest enough while bubbles are still inserted, and a bubble sleeps while it
-                          and its neighbours move no more}
+                          as much is rest enough while bubbles are still inserted, twice as much if the outline asks
+                          for a quarter more bubbles than `sizing_function`, and a bubble sleeps while it and its
+                          neighbours move no more}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{0.0085; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
@@ -201,7 +202,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{0: they are renewed before a bubble has moved so far that a pair could be missed}
   \cgalParamNEnd
   \cgalParamNBegin{defect_treatment}
-    \cgalParamDescription{whether vertices of triangles with q < 0.95 are moved after the simulation for the
+    \cgalParamDescription{whether vertices of triangles with q < 0.95, with q < 0.98 if the outline asks for a
+                          quarter more bubbles than `sizing_function`, are moved after the simulation for the
                           quality of the triangles around them, and single vertices inserted or deleted where
                           a triangle with q < 0.9 stays; the smallest q does not get smaller by it. Refinement for
                           `minimum_angle`, which comes after it, does not look at q}

@@ -393,7 +393,7 @@ TEST(Distributed_treatment, changes_are_taken_back)
   Mesh_piece_2 piece = treat.piece_of(std::move(mesh));
   Outline_care care{false};
   Treatment_state better{0.949, 0, care}, good{0.899, 0, care};
-  treat.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, better);
+  treat.smooth(piece, usual_sweeps, better);
   treat.operate(piece, good);
   EXPECT_EQ(better.counts.treated, 0u);
   EXPECT_EQ(better.smallest, 0.949);
@@ -402,7 +402,7 @@ TEST(Distributed_treatment, changes_are_taken_back)
   expect_bubbles_are_those(c.bubbles, own_bubbles(piece.mesh.bubbles));
   EXPECT_TRUE(owned_triangles(comm, piece.mesh) == triangles);
   Treatment_state bad{0, 0, care};
-  treat.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, bad);
+  treat.smooth(piece, usual_sweeps, bad);
   EXPECT_GT(bad.counts.treated, 300u); // that is what was taken back
 }
 

@@ -74,6 +74,13 @@ struct Problem_2
   const Cut_domain_2* cut = nullptr; ///< if `domain` is the one of it, with which the result is to be joined
   const Domain_2* whole = nullptr;   ///< the domain before that
 
+  /// whether many sizes are smaller than wanted since the outline asks for it
+  bool follows_outline() const
+  {
+    constexpr double many_more = 1.25;
+    return sizes.expected_number > many_more * wanted.expected_number;
+  }
+
   const Domain_2& whole_domain() const { return whole != nullptr ? *whole : domain; }
 };
 

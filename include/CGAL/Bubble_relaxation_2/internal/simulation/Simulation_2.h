@@ -115,7 +115,10 @@ class Simulation_2
 {
 public:
   Simulation_2(const Problem_2& problem, Bubbles_2& bubbles, Team& team)
-    : m_options(problem.options), m_time_step(m_options.time_step), m_tolerance(m_options.displacement_tolerance),
+    : m_options(problem.options), m_time_step(m_options.time_step),
+      m_fine_tolerance(problem.follows_outline() ? 2 * m_options.displacement_tolerance
+                                                 : m_options.displacement_tolerance),
+      m_tolerance(m_fine_tolerance),
       m_boundary(problem.domain), m_integrator(make_integrator(m_options)), m_bubbles(bubbles), m_team(team),
       m_neighbors(m_options.neighbor_radius),
       m_update_size(bubbles, problem.sizes, m_integrator->lets_bubbles_sleep() ? 0.03 : 0.01) // the paper's: 0.01
@@ -141,7 +144,7 @@ public:
     if (!m_rests_coarsely)
       return false;
     m_rests_coarsely = false;
-    m_tolerance = m_options.displacement_tolerance;
+    m_tolerance = m_fine_tolerance;
     m_active.rouse_all(m_bubbles);
     return true;
   }
@@ -447,7 +450,9 @@ private:
   bool m_is_wild = false;
   std::size_t m_number_of_moves = 0;
   double m_time_step;
-  double m_tolerance; // a displacement of less, in units of the size, is rest
+  // a displacement of less, in units of the size, is rest; where sizes change fast the treatment makes more of triangles
+  const double m_fine_tolerance;
+  double m_tolerance;
   const Boundary_2 m_boundary;
   std::unique_ptr<Integrator> m_integrator;
   Bubbles_2& m_bubbles;

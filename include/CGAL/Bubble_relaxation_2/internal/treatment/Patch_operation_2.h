@@ -77,7 +77,7 @@ private:
   static constexpr std::size_t number_of_favourites = 3;
   /// The others get it too, until one helps, where the triangle has less: it may be obtuse. So do they get all sweeps.
   static constexpr double hard_quality = 0.84;
-  static constexpr int easy_sweeps = Smoothing_sweeps_2::number_of_sweeps - 1;
+  static constexpr Sweeps easy_sweeps{usual_sweeps.most - 1, usual_sweeps.treated_quality};
 
   using Defects = std::vector<double>; // what bad triangles are worth, the worst first
 
@@ -97,10 +97,10 @@ private:
     return false;
   }
 
-  /// q of a triangle, less a twentieth if it is obtuse: a slimmer one that is acute is better
+  /// q of a triangle, less if it is obtuse: a slimmer one that is acute is better
   static double worth(const Bubble_mesh_2& mesh, Index t)
   {
-    return quality(mesh, t) * (is_obtuse(mesh, t) ? 0.95 : 1.);
+    return quality(mesh, t) * (is_obtuse(mesh, t) ? worth_of_obtuse : 1.);
   }
 
   static Defects defects_of(const Bubble_mesh_2& mesh)
@@ -221,7 +221,7 @@ private:
         return;
       Bubble_mesh_2& mesh = m_candidates[k].outcome.mesh;
       Team alone;
-      Smoothing_sweeps_2(m_domain, mesh, alone)(is_hard ? Smoothing_sweeps_2::number_of_sweeps : easy_sweeps);
+      Smoothing_sweeps_2(m_domain, mesh, alone)(is_hard ? usual_sweeps : easy_sweeps);
       Defects defects = defects_of(mesh);
       if (is_better(defects, m_defects, m_is_better ? 0. : least_gain) && smallest_quality(mesh) >= m_smallest) {
         m_defects = std::move(defects);

@@ -64,6 +64,15 @@ inline double smallest_quality(const Bubble_mesh_2& mesh, const std::vector<char
 
 inline double smallest_quality(const Bubble_mesh_2& mesh) { return smallest_quality(mesh, mesh.triangles.inside); }
 
+/// So many sweeps at most, in which vertices of triangles with a smaller q are moved.
+struct Sweeps
+{
+  int most;
+  double treated_quality;
+};
+
+inline constexpr Sweeps usual_sweeps{4, 0.95};
+
 /// The last defects. Where vertices have five and seven neighbours the forces press triangles more than
 /// they must be pressed. So the vertices of bad triangles are moved for the quality of their triangles
 /// alone: in sweeps, of which each takes the vertices around those that moved in the last one, with the
@@ -71,23 +80,18 @@ inline double smallest_quality(const Bubble_mesh_2& mesh) { return smallest_qual
 class Smoothing_sweeps_2
 {
 public:
-  /// triangles with less are treated
-  static constexpr double treated_quality = 0.95;
-  static constexpr int number_of_sweeps = 4;
-
   Smoothing_sweeps_2(const Domain_2& domain, Bubble_mesh_2& mesh, Team& team, const Threads& threads = Threads())
     : m_threads(threads), m_domain(domain), m_mesh(mesh), m_bubbles(mesh.bubbles), m_team(team)
   {}
 
-  /// Returns the vertices that were moved, in so many sweeps or fewer. It begins with triangles with a vertex from
-  /// `first` on, see `number_of()`.
-  std::vector<Index> operator()(int most_sweeps = number_of_sweeps, std::int64_t first = 0)
+  /// Returns the vertices that were moved. It begins with triangles with a vertex from `first` on, see `number_of()`.
+  std::vector<Index> operator()(const Sweeps& sweeps = usual_sweeps, std::int64_t first = 0)
   {
     std::optional<Editable_triangulation_2> mesh(std::in_place, m_mesh, &m_log);
     std::vector<char> was_moved(m_bubbles.size(), 0);
-    std::vector<Index> candidates = vertices_of_bad_triangles(first);
-    for (int sweep = 0; sweep < most_sweeps && m_team.any(!candidates.empty() && !is_stop_wanted()); ++sweep) {
-      std::vector<Index> moved = move(*mesh, candidates);
+    std::vector<Index> candidates = vertices_of_bad_triangles(sweeps.treated_quality, first);
+    for (int sweep = 0; sweep < sweeps.most && m_team.any(!candidates.empty() && !is_stop_wanted()); ++sweep) {
+      std::vector<Index> moved = move(*mesh, candidates, sweeps.treated_quality);
       mesh->restore_delaunay(moved);
       for (Index v : moved)
         was_moved[v] = 1;
@@ -104,7 +108,7 @@ public:
 private:
   bool may_be_moved(Index v) const { return m_bubbles.can_move(v) && m_bubbles.is_ours(v); }
 
-  std::vector<Index> vertices_of_bad_triangles(std::int64_t first) const
+  std::vector<Index> vertices_of_bad_triangles(double treated_quality, std::int64_t first) const
   {
     std::vector<char> marks(m_bubbles.size(), 0);
     for (std::size_t k = 0; k < m_mesh.triangles.number_of_triangles(); ++k) {
@@ -118,7 +122,7 @@ private:
   }
 
   /// tries to move the candidates: neighbours one after the other, others at the same time
-  std::vector<Index> move(Editable_triangulation_2& mesh, const std::vector<Index>& candidates)
+  std::vector<Index> move(Editable_triangulation_2& mesh, const std::vector<Index>& candidates, double treated_quality)
   {
     const Vertex_smoothing_2 smooth(m_domain, treated_quality);
     std::vector<std::vector<Index>> independent = independent_sets(mesh, candidates);

@@ -22,6 +22,9 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
+/// the share of its q that an obtuse triangle counts with
+inline constexpr double worth_of_obtuse = 0.95;
+
 /// The quality of the triangles around a vertex as a function of its place, in coordinates relative to
 /// where it is now and in units of a length near to that of the edges: no lengths are too large or too small.
 class Star_quality_2
@@ -38,8 +41,8 @@ public:
     m_sides.push_back(Side{a, b, std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y))});
   }
 
-  /// the smallest q = 2 r_in / r_out of the triangles, and the sum of q^-8: the worst triangle decides where one is
-  /// bad, all do where they are alike
+  /// the smallest q = 2 r_in / r_out of the triangles, of obtuse ones less, and the sum of q^-8: the worst triangle
+  /// decides where one is bad, all do where they are alike
   struct Value { double smallest, energy; };
 
   /// if the vertex is at `at`; infinite energy where a triangle is flat or turned over
@@ -47,8 +50,9 @@ public:
   {
     Value value{1, 0};
     for (const Side& s : m_sides) {
-      const double q = Triangle(s, at).quality();
-      value.smallest = (std::min)(value.smallest, q);
+      const Triangle t(s, at);
+      const double q = t.quality();
+      value.smallest = (std::min)(value.smallest, t.is_obtuse() ? worth_of_obtuse * q : q);
       value.energy += q > flat ? eighth_power(1 / q) : std::numeric_limits<double>::infinity();
     }
     return value;
@@ -96,6 +100,12 @@ private:
     {
       const double q = 4 * area2 * area2 / ((a + b + c) * a * b * c);
       return area2 > 0 ? q : -q;
+    }
+
+    bool is_obtuse() const
+    {
+      const double squares = a * a + b * b + c * c, longest = (std::max)({a, b, c});
+      return 2 * longest * longest > squares;
     }
   };
 

@@ -57,8 +57,15 @@ struct Treatment_counts
 /// 2 (sqrt 2 - 1) is the q of the right-angled triangle with two equal sides.
 inline constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 
-/// Sweeps before surgery: what they leave undone it changes anyhow, or the sweeps after it do.
-constexpr int sweeps_before_surgery = 2;
+/// What these leave undone surgery changes anyhow, or the sweeps after it do.
+inline constexpr Sweeps sweeps_before_surgery{2, usual_sweeps.treated_quality};
+
+/// Where sizes follow the outline they change so fast that forces do not make the best of most triangles.
+inline Sweeps sweeps_after_surgery(const Problem_2& problem)
+{
+  constexpr double most = 0.98;
+  return Sweeps{usual_sweeps.most, problem.follows_outline() ? most : usual_sweeps.treated_quality};
+}
 
 /// How far the treatment of a mesh has come.
 struct Treatment_state
@@ -70,12 +77,12 @@ struct Treatment_state
 };
 
 /// Moves vertices for the quality of their triangles.
-inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, int most_sweeps,
+inline void smooth_defects(const Domain_2& domain, const Threads& threads, Bubble_mesh_2& mesh, const Sweeps& sweeps,
                            Treatment_state& state)
 {
   Team alone;
   Smoothing_sweeps_2 treat(domain, mesh, alone, threads);
-  const std::vector<Index> moved = treat(most_sweeps, state.first_number);
+  const std::vector<Index> moved = treat(sweeps, state.first_number);
   const double smallest_now = smallest_quality(mesh);
   const bool moves_outline = std::any_of(moved.begin(), moved.end(),
                                          [&mesh](Index v) { return mesh.bubbles.is_on_edge(v); });
@@ -174,9 +181,9 @@ public:
     return mesh;
   }
 
-  void smooth(Piece& mesh, int most_sweeps, Treatment_state& state) const
+  void smooth(Piece& mesh, const Sweeps& sweeps, Treatment_state& state) const
   {
-    smooth_defects(m_problem.domain, m_threads, mesh, most_sweeps, state);
+    smooth_defects(m_problem.domain, m_threads, mesh, sweeps, state);
   }
 
   void operate(Piece& mesh, Treatment_state& state) const
@@ -245,14 +252,15 @@ Treatment_counts treat_defects(const Treatment& treatment, typename Treatment::M
                                std::int64_t first = 0)
 {
   const double smallest = treatment.smallest_quality(mesh);
-  if (smallest >= Smoothing_sweeps_2::treated_quality)
+  const Sweeps last_sweeps = sweeps_after_surgery(treatment.problem());
+  if (smallest >= last_sweeps.treated_quality)
     return {};
   Treatment_state state{smallest, first, care};
   typename Treatment::Piece piece = treatment.piece_of(std::move(mesh));
   treatment.smooth(piece, sweeps_before_surgery, state);
   if (treatment.problem().options.population != Bubble_population::NONE)
     treatment.operate(piece, state);
-  treatment.smooth(piece, Smoothing_sweeps_2::number_of_sweeps, state);
+  treatment.smooth(piece, last_sweeps, state);
   mesh = treatment.mesh_of(std::move(piece));
   return state.counts;
 }

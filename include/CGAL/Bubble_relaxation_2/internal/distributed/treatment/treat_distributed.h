@@ -252,12 +252,12 @@ public:
     return m_comm.smallest(internal::smallest_quality(mesh, mesh.is_owned));
   }
 
-  void smooth(Piece& piece, int most_sweeps, Treatment_state& state) const
+  void smooth(Piece& piece, const Sweeps& sweeps, Treatment_state& state) const
   {
     std::vector<Index> moved;
     const auto move = [&] {
       Treatment_team_2 team(m_comm, m_domain, piece, [&] { renew(piece, m_reach); });
-      moved = Smoothing_sweeps_2(m_domain, piece.mesh, team)(most_sweeps, state.first_number);
+      moved = Smoothing_sweeps_2(m_domain, piece.mesh, team)(sweeps, state.first_number);
       piece.mesh.mark_triangles(m_comm.rank());
       return std::any_of(moved.begin(), moved.end(), [&](Index v) { return piece.mesh.bubbles.is_on_edge(v); });
     };
