@@ -224,7 +224,7 @@ protected:
     EXPECT_GE(free.mean_quality, least_mean_quality);
     EXPECT_EQ(report.number_of_small_angles, 0u);
     EXPECT_LE(report.number_of_forced_triangles, 20 * sharp.size());
-    EXPECT_NEAR(report.quality.mean_length_ratio(), 1, 0.06);
+    EXPECT_NEAR(report.quality.mean_length_ratio(), 1, most_change_of_length);
     ++m_number;
     m_number_converged += report.converged;
   }
@@ -238,7 +238,7 @@ protected:
   /// of a dozen all but one
   void TearDown() override { EXPECT_GE(m_number_converged, m_number - 1); }
 
-  double least_mean_quality = 0.955;
+  double least_mean_quality = 0.955, most_change_of_length = 0.06;
 
 private:
   int m_number = 0, m_number_converged = 0;
@@ -262,7 +262,8 @@ TEST_F(Outlines, combs)
 
 TEST_F(Outlines, stars)
 {
-  least_mean_quality = 0.925; // they are hardly more than tips
+  least_mean_quality = 0.93; // they are hardly more than tips
+  most_change_of_length = 0.09; // edges from a tip to its circle are far longer than the chord, for which the size is
   for (unsigned k = 0; k < 6; ++k) {
     SCOPED_TRACE(k);
     mesh(star(random_seeds::seed(k), 9));
@@ -315,7 +316,7 @@ TEST_F(Outlines, a_crack_keeps_no_other_place_from_refinement)
     const std::set<Point> sharp = sharp_corners(without);
     const auto count = [&](CDT& cdt, double angle) {
       const Pins pins = pins_at(cdt, places);
-      CGAL::npbs_relax(cdt, CGAL::Bubble_relaxation_parameters::number_of_rounds(1).minimum_angle(angle)
+      CGAL::npbs_relax(cdt, CGAL::Bubble_relaxation_parameters::number_of_rounds(1).size_growth(0.3).minimum_angle(angle)
                               .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}));
       int number = 0;
       for (auto f : cdt.finite_face_handles())
@@ -467,7 +468,8 @@ TEST_F(Outlines, memory_is_bounded)
 
 TEST_F(Outlines, small_angles_are_refined)
 {
-  // after one round there is something left to refine, if no less than about what can be had is asked for
+  // after one round where sizes grow fast there is something left to refine, if no less than about what can be had is
+  // asked for
   constexpr double degrees = 33;
   std::size_t number_of_refined = 0, number_of_good = 0, obtuse_before = 0, obtuse_after = 0;
   for (unsigned k = 0; k < 20; ++k) {
@@ -478,7 +480,7 @@ TEST_F(Outlines, small_angles_are_refined)
     const std::set<Point> sharp = sharp_corners(coarse);
     using Map = domains::Map_of_pins<CDT>;
     namespace P = CGAL::Bubble_relaxation_parameters;
-    const auto np = P::number_of_rounds(1);
+    const auto np = P::number_of_rounds(1).size_growth(0.3);
     const auto without = CGAL::npbs_relax(coarse, np.vertex_is_constrained_map(Map{&pins}).minimum_angle(0.));
     const auto with = CGAL::npbs_relax(fine, np.vertex_is_constrained_map(Map{&pins_of_fine}).minimum_angle(degrees));
     EXPECT_TRUE(fine.is_valid());
@@ -504,14 +506,14 @@ TEST_F(Outlines, small_angles_are_refined)
   EXPECT_GE(number_of_good, 10u); // beyond 20.7 degrees refinement does not always end
 }
 
-TEST_F(Outlines, blunt_ends_of_channels_get_acute_triangles)
+TEST_F(Outlines, triangles_in_front_of_sharp_corners_are_acute)
 {
-  for (double angle : {86., 90., 92., 95., 98., 101., 104.})
-    for (double depth : {1.5, 2., 3.3, 5.}) {
-      const double beside = depth / std::tan(angle / degrees);
-      CDT cdt = domains::make({{{0, 0}, {1, 0}, {1 - beside, depth}, {4, 9}, {-3, 9}, {beside, depth}}});
-      const auto report = CGAL::npbs_relax(cdt, 1.);
-      EXPECT_EQ(report.quality.number_of_obtuse_triangles(), 0u) << angle << ' ' << depth;
+  for (double angle : {3., 5., 8., 11., 14., 17., 20., 23.})
+    for (double d : {0.03, 0.05, 0.1, 0.2}) {
+      const double half = std::tan(0.5 * angle / degrees);
+      CDT cdt = domains::make({{{0, 0}, {1, -half}, {1.5, -1}, {2.5, 0}, {1.5, 1}, {1, half}}});
+      const auto report = CGAL::npbs_relax(cdt, d);
+      EXPECT_EQ(report.quality.number_of_obtuse_triangles(), 0u) << angle << ' ' << d;
       EXPECT_TRUE(report.converged);
     }
 }

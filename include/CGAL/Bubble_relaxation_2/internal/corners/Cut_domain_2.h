@@ -60,6 +60,10 @@ public:
   }
 
   const Domain_2& domain() const { return m_domain; }
+
+  /// What is left of very sharp corners: chords in front of which the domain hardly gets wider.
+  const std::vector<Kernel::Segment_2>& narrow_chords() const { return m_narrow_chords; }
+
   const Domain_2& whole() const { return m_whole; }
 
   /// makes vertices that were on edges of the whole domain those on edges of this one
@@ -154,6 +158,7 @@ private:
 
   void add_arc(const Sharp_corner_2& c, const Sharp_corner_2::Sector& sector)
   {
+    constexpr double narrow = 0.42; // radians, 24 degrees
     const Sharp_corner_2::Arm& arm = c.arms()[sector.first];
     const Point& o = m_whole.corners()[c.corner];
     const double start = angle_of(arm.to_other_end.x(), arm.to_other_end.y());
@@ -166,6 +171,8 @@ private:
       add_chord(add_node(Node{no_index, 0}, Point(o.x() + c.radius * cosine_of(start + angle),
                                                   o.y() + c.radius * sine_of(start + angle))));
     add_chord(node_on_arm(c.arms()[sector.second]));
+    if (sector.angle < narrow)
+      m_narrow_chords.emplace_back(m_points[node_on_arm(arm)], m_points[last]);
   }
 
   /// what a corner of this domain is that is none of the whole one
@@ -173,6 +180,7 @@ private:
 
   const Domain_2& m_whole;
   Domain_2 m_domain;
+  std::vector<Kernel::Segment_2> m_narrow_chords;
   bool m_is_cut = false;
   std::vector<Point> m_points;        // until the domain is built
   std::vector<Domain_edge_2> m_edges; // the same

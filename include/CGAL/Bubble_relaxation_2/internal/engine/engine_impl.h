@@ -76,7 +76,10 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   if (cut != nullptr)
     cut->cut(given);
   const Domain_2& rest = cut ? cut->domain() : domain;
-  Outline_sizes_2(rest, given, maximum, limited)(turns_beyond_circles);
+  Outline_sizes_2 of_rest(rest, given, maximum, limited);
+  if (cut != nullptr)
+    of_rest.add_chords(cut->narrow_chords());
+  of_rest(turns_beyond_circles);
   Sizes_2 sizes = limited.sizes();
   if (limited.is_limited())
     count_bubbles(rest, maximum, sizes_and_outline, sizes);

@@ -112,8 +112,7 @@ private:
 
 /// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed
 /// there, no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .9. Only
-/// in a corner between two edges there is no width: however sharp it is, smaller triangles are no better in it. The blunt
-/// end of a channel is to have two pieces.
+/// in a corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
 class Outline_sizes_2
 {
 public:
@@ -124,6 +123,16 @@ public:
   Outline_sizes_2(const Domain_2& domain, const Given_mesh_2& given, std::size_t maximum, Limited_sizes_2& limited)
     : m_domain(domain), m_given(given), m_maximum(maximum), m_limited(limited)
   {}
+
+  /// Asks for sizes that are smaller than chords where a sharp corner was cut off. A chord is not divided, and has an
+  /// obtuse corner at each end: one of them would be in a single triangle, or the tip of the triangle on the chord too near
+  /// to both edges beside it for acute triangles.
+  void add_chords(const std::vector<Kernel::Segment_2>& chords)
+  {
+    constexpr double share = 0.6;
+    for (const Kernel::Segment_2& chord : chords)
+      limit(CGAL::midpoint(chord), share * std::sqrt(chord.squared_length()));
+  }
 
   /// `turns`: along a constraint that is long in comparison to the width of the domain each turn measures the width in
   /// more places
@@ -185,14 +194,10 @@ private:
         if (!mesh.inside[t])
           continue;
         const auto& v = mesh.vertices[t];
-        if (mesh.edges[t][i] == no_index) {
+        if (mesh.edges[t][i] == no_index)
           add_distance(nodes, v[ccw(i)], v[cw(i)]);
-          continue;
-        }
-        if (!is_in_corner(nodes, v[i], v[ccw(i)], v[cw(i)]))
+        else if (!is_in_corner(nodes, v[i], v[ccw(i)], v[cw(i)]))
           add_width(mesh, static_cast<Index>(t), i);
-        if (nodes.is_corner(v[ccw(i)]) && nodes.is_corner(v[cw(i)]))
-          add_blunt_end(mesh, static_cast<Index>(t), i);
       }
   }
 
@@ -261,39 +266,6 @@ private:
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
     for (const Point& end : {p, foot})
       limit_by_width(end, std::sqrt(CGAL::squared_distance(p, foot)));
-  }
-
-  /// Asks for half of a constraint with a corner of about 90 degrees at each end, where a channel ends. If it were one
-  /// piece, its triangle would leave one of the corners undivided, or have its tip so near to both sides of the channel
-  /// that a triangle between them could not be acute.
-  void add_blunt_end(const Marked_triangulation_2& mesh, Index t, int i)
-  {
-    const Point &a = mesh.point(t, ccw(i)), &b = mesh.point(t, cw(i));
-    const Kernel::Vector_2 end = b - a;
-    if (is_at_jump(a) || is_at_jump(b) || !is_about_right(end, next_constraint(mesh, t, ccw(i), ccw)) ||
-        !is_about_right(next_constraint(mesh, t, cw(i), cw), -end))
-      return;
-    limit(a + 0.5 * end, 0.5 * std::sqrt(end * end));
-  }
-
-  /// whether `v` is 75 to 105 degrees to the left of `u`
-  static bool is_about_right(const Kernel::Vector_2& u, const Kernel::Vector_2& v)
-  {
-    constexpr double squared_cosine = 0.06698729810778067; // of 75 degrees
-    const double dot = u * v;
-    return u.x() * v.y() - u.y() * v.x() > 0 && dot * dot <= squared_cosine * (u * u) * (v * v);
-  }
-
-  /// the side on a constraint that comes first around the vertex `i` of a triangle, from that vertex on; `turn`: `ccw`
-  /// if counterclockwise, `cw` if clockwise
-  static Kernel::Vector_2 next_constraint(const Marked_triangulation_2& mesh, Index t, int i, int (*turn)(int))
-  {
-    const Index v = mesh.vertices[t][i];
-    while (mesh.edges[t][turn(i)] == no_index) {
-      t = mesh.neighbors[t][turn(i)];
-      i = mesh.index_of_vertex(t, v);
-    }
-    return mesh.point(t, turn(turn(i))) - mesh.point(t, i);
   }
 
   const Domain_2& m_domain;
