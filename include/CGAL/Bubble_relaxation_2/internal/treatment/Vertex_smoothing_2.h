@@ -41,18 +41,28 @@ public:
     m_sides.push_back(Side{a, b, std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y))});
   }
 
-  /// the smallest q = 2 r_in / r_out of the triangles, of obtuse ones less, and the sum of q^-8: the worst triangle
-  /// decides where one is bad, all do where they are alike
-  struct Value { double smallest, energy; };
+  /// the smallest q = 2 r_in / r_out of the triangles, the same where obtuse ones count less, and the sum of q^-8: the
+  /// worst triangle decides where one is bad, all do where they are alike
+  struct Value
+  {
+    double smallest, smallest_worth, energy;
+
+    /// whether the sum is less, and neither of the others is
+    bool is_better_than(const Value& v) const
+    {
+      return energy < v.energy && smallest >= v.smallest && smallest_worth >= v.smallest_worth;
+    }
+  };
 
   /// if the vertex is at `at`; infinite energy where a triangle is flat or turned over
   Value operator()(Vector at) const
   {
-    Value value{1, 0};
+    Value value{1, 1, 0};
     for (const Side& s : m_sides) {
       const Triangle t(s, at);
       const double q = t.quality();
-      value.smallest = (std::min)(value.smallest, t.is_obtuse() ? worth_of_obtuse * q : q);
+      value.smallest = (std::min)(value.smallest, q);
+      value.smallest_worth = (std::min)(value.smallest_worth, t.is_obtuse() ? worth_of_obtuse * q : q);
       value.energy += q > flat ? eighth_power(1 / q) : std::numeric_limits<double>::infinity();
     }
     return value;
@@ -129,7 +139,7 @@ private:
 
 /// Moves single vertices to where the triangles around them are better: one step of Newton's method for
 /// the energy of `Star_quality_2`, shortened until the energy falls and no triangle is worse than the worst
-/// was. Vertices on edges of the domain slide. Vertices in faces may be moved at the same time unless they are
+/// was, or obtuse instead of acute with hardly more q. Vertices on edges of the domain slide. Vertices in faces may be moved at the same time unless they are
 /// neighbours.
 class Vertex_smoothing_2
 {
@@ -154,9 +164,7 @@ public:
     double factor = (std::min)(1., longest_step / length);
     for (int attempt = 0; attempt < 4; ++attempt, factor *= 0.4) {
       const Vector there{factor * step.x, factor * step.y};
-      const Star_quality_2::Value then = star(there);
-      if (then.energy < now.energy && then.smallest >= now.smallest &&
-          try_to_move(mesh, bubbles, v, corners, star.point(there), there))
+      if (star(there).is_better_than(now) && try_to_move(mesh, bubbles, v, corners, star.point(there), there))
         return true;
     }
     return false;
