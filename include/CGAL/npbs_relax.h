@@ -155,8 +155,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
     \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default 3.3 times
-                          as much is rest enough while bubbles are still inserted, twice as much if the outline asks
-                          for a quarter more bubbles than `sizing_function`, and a bubble sleeps while it and its
+                          as much is rest enough while bubbles are still inserted, twice as much in the end if the
+                          outline asks for a quarter more bubbles than `sizing_function` and defects are treated, and a
+                          bubble sleeps while it and its
                           neighbours move no more}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{0.0085; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}

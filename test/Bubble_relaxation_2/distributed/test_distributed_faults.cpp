@@ -15,11 +15,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <set>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -113,6 +114,14 @@ TEST(Distributed_faults, sizing_functions_that_are_not_the_same)
   const Case c;
   expect_failure<std::invalid_argument>("parameter sizing_function = one that asks for", c.cdt,
                                         parameters::sizing_function(is_last() ? 0.2 : 0.21));
+  // both are limited by the outline everywhere, to the same sizes
+  std::vector<Point> hexagon;
+  for (int k = 0; k < 6; ++k)
+    hexagon.push_back(Point(1.22 * std::cos(k * CGAL_PI / 3), std::sin(k * CGAL_PI / 3)));
+  paper::CDT cdt;
+  cdt.insert_constraint(hexagon.begin(), hexagon.end(), true);
+  expect_failure<std::invalid_argument>("parameter sizing_function = one that asks for", cdt,
+                                        parameters::sizing_function(is_last() ? 1.6 : 100.).size_growth(0.01));
 }
 
 TEST(Distributed_faults, parameters_out_of_range_on_one_rank)

@@ -74,7 +74,7 @@ struct Problem_2
   const Cut_domain_2* cut = nullptr; ///< if `domain` is the one of it, with which the result is to be joined
   const Domain_2* whole = nullptr;   ///< the domain before that
 
-  /// whether many sizes are smaller than wanted since the outline asks for it
+  /// whether sizes, smaller where the outline asks for it, ask for more than 1.25 times the bubbles of the wanted ones
   bool follows_outline() const
   {
     constexpr double many_more = 1.25;

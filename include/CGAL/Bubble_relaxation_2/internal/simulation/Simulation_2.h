@@ -116,10 +116,9 @@ class Simulation_2
 public:
   Simulation_2(const Problem_2& problem, Bubbles_2& bubbles, Team& team)
     : m_options(problem.options), m_time_step(m_options.time_step),
-      m_fine_tolerance(problem.follows_outline() ? 2 * m_options.displacement_tolerance
-                                                 : m_options.displacement_tolerance),
-      m_tolerance(m_fine_tolerance),
-      m_boundary(problem.domain), m_integrator(make_integrator(m_options)), m_bubbles(bubbles), m_team(team),
+      m_boundary(problem.domain), m_integrator(make_integrator(m_options)),
+      m_fine_tolerance(m_options.displacement_tolerance * (is_soon_at_rest(problem) ? 2 : 1)),
+      m_tolerance(m_fine_tolerance), m_bubbles(bubbles), m_team(team),
       m_neighbors(m_options.neighbor_radius),
       m_update_size(bubbles, problem.sizes, m_integrator->lets_bubbles_sleep() ? 0.03 : 0.01) // the paper's: 0.01
   {
@@ -314,6 +313,12 @@ private:
                                                                                : moves / (most + 1));
   }
 
+  /// whether the treatment makes more of triangles in less time than the last moves would
+  bool is_soon_at_rest(const Problem_2& problem) const
+  {
+    return problem.follows_outline() && m_options.defect_treatment && m_integrator->lets_bubbles_sleep();
+  }
+
   /// makes the neighbour sets before the first round
   bool build_neighbors_if_first()
   {
@@ -450,11 +455,10 @@ private:
   bool m_is_wild = false;
   std::size_t m_number_of_moves = 0;
   double m_time_step;
-  // a displacement of less, in units of the size, is rest; where sizes change fast the treatment makes more of triangles
-  const double m_fine_tolerance;
-  double m_tolerance;
   const Boundary_2 m_boundary;
   std::unique_ptr<Integrator> m_integrator;
+  const double m_fine_tolerance; // a displacement of less, in units of the size, is rest, in the end
+  double m_tolerance;            // the same now
   Bubbles_2& m_bubbles;
   Team& m_team;
   Neighbor_sets_2 m_neighbors;

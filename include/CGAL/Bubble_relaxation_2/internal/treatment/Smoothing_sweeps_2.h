@@ -64,11 +64,11 @@ inline double smallest_quality(const Bubble_mesh_2& mesh, const std::vector<char
 
 inline double smallest_quality(const Bubble_mesh_2& mesh) { return smallest_quality(mesh, mesh.triangles.inside); }
 
-/// So many sweeps at most, in which vertices of triangles with a smaller q are moved.
+/// How much is done by sweeps.
 struct Sweeps
 {
-  int most;
-  double treated_quality;
+  int most;               ///< of them
+  double treated_quality; ///< vertices of triangles with a smaller q are moved
 };
 
 inline constexpr Sweeps usual_sweeps{4, 0.95};

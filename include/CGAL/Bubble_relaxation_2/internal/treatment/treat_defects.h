@@ -57,14 +57,14 @@ struct Treatment_counts
 /// 2 (sqrt 2 - 1) is the q of the right-angled triangle with two equal sides.
 inline constexpr double bad_qualities[] = {0.9, 0.88, 0.86, 0.84, 0.83, 0.83, 0.83};
 
-/// What these leave undone surgery changes anyhow, or the sweeps after it do.
+/// What these leave undone, surgery changes anyhow, or the sweeps after it do.
 inline constexpr Sweeps sweeps_before_surgery{2, usual_sweeps.treated_quality};
 
 /// Where sizes follow the outline they change so fast that forces do not make the best of most triangles.
 inline Sweeps sweeps_after_surgery(const Problem_2& problem)
 {
-  constexpr double most = 0.98;
-  return Sweeps{usual_sweeps.most, problem.follows_outline() ? most : usual_sweeps.treated_quality};
+  constexpr double treated_at_outline = 0.98;
+  return Sweeps{usual_sweeps.most, problem.follows_outline() ? treated_at_outline : usual_sweeps.treated_quality};
 }
 
 /// How far the treatment of a mesh has come.
