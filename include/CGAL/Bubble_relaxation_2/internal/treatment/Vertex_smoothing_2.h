@@ -139,8 +139,8 @@ private:
 
 /// Moves single vertices to where the triangles around them are better: one step of Newton's method for
 /// the energy of `Star_quality_2`, shortened until the energy falls and no triangle is worse than the worst
-/// was, or obtuse instead of acute with hardly more q. Vertices on edges of the domain slide. Vertices in faces may be moved at the same time unless they are
-/// neighbours.
+/// was, also if obtuse triangles count less. Vertices on edges of the domain slide. Vertices in faces may be moved at the
+/// same time unless they are neighbours.
 class Vertex_smoothing_2
 {
 public:
