@@ -154,11 +154,10 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDefault{30; the paper: 250}
   \cgalParamNEnd
   \cgalParamNBegin{displacement_tolerance}
-    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. By default 3.3 times
-                          as much is rest enough while bubbles are still inserted, twice as much in the end if the
-                          outline asks for a quarter more bubbles than `sizing_function` and defects are treated, and a
-                          bubble sleeps while it and its
-                          neighbours move no more}
+    \cgalParamDescription{a round ends when no bubble moves more than this times d in a step. With the default
+                          integrator a bubble sleeps while it and its neighbours move no more, and 3.3 times as much is
+                          rest enough while bubbles are still inserted; twice as much in the end, if the outline asks
+                          for a quarter more bubbles than `sizing_function` and there is a `defect_treatment`}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{0.0085; 0.001 with `RUNGE_KUTTA_4`, where no bubble sleeps}
   \cgalParamNEnd
@@ -214,7 +213,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNBegin{limit_by_outline}
     \cgalParamDescription{whether bubbles are smaller than `sizing_function` asks where an edge of the domain is
                           shorter, the domain narrower, or a pinned vertex nearer to others, than 0.9/1.1 = 0.82
-                          times that; and corners in which two edges meet in less than 45 degrees are surrounded
+                          times that, and beside very sharp corners; and corners in which two edges meet in less than 45 degrees are surrounded
                           by a circle of nodes, so that only the triangles in the circle have the angles of the
                           corner: see \ref BR2_outlines. Neither is done where a mesh is relaxed without a
                           `sizing_function`}

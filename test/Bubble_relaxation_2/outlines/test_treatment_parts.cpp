@@ -414,7 +414,43 @@ TEST(Defects, star_gradient_is_that_of_the_energy)
                 1e-6 * std::abs(g.y));
   }
   EXPECT_LT(star({2, 0}).smallest, 0);
+  EXPECT_EQ(star({0, 0}).smallest_worth, star({0, 0}).smallest); // none is obtuse
   EXPECT_EQ(star({2, 0}).energy, std::numeric_limits<double>::infinity());
+}
+
+TEST(Defects, the_last_sweeps_take_in_more_where_the_outline_asks_for_many_bubbles)
+{
+  const bubbles::Case c = bubbles::random(paper::square_with_hole(1), 100, 0);
+  const internal::Relaxation_options options;
+  internal::Sizes_2 any_size([](double, double) { return 1.; });
+  internal::Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
+  problem.wanted.expected_number = 100;
+  for (double number : {100., 125.}) {
+    problem.sizes.expected_number = number;
+    EXPECT_FALSE(problem.follows_outline());
+    EXPECT_EQ(internal::sweeps_after_surgery(problem).treated_quality, 0.95);
+  }
+  problem.sizes.expected_number = 126;
+  EXPECT_TRUE(problem.follows_outline());
+  EXPECT_EQ(internal::sweeps_after_surgery(problem).treated_quality, 0.98);
+}
+
+TEST(Defects, an_obtuse_triangle_is_worth_less_but_no_q_falls_for_that)
+{
+  using Star = internal::Star_quality_2;
+  for (double x : {-0.5, 0.3, 0.5, 0.7, 1.5}) {
+    Star star(internal::Point(0, 0), 1);
+    star.add(internal::Point(0, 0), internal::Point(1, 0));
+    const Star::Value v = star({x, 0.4}); // a right angle would be at a height of at least sqrt(x (1 - x))
+    EXPECT_EQ(v.smallest_worth, 0.95 * v.smallest) << x;
+    const Star::Value right = star({0, 1});
+    EXPECT_EQ(right.smallest_worth, right.smallest);
+  }
+  const Star::Value now{0.5, 0.475, 10};
+  EXPECT_TRUE((Star::Value{0.5, 0.5, 9}.is_better_than(now)));
+  EXPECT_FALSE((Star::Value{0.48, 0.48, 9}.is_better_than(now)));
+  EXPECT_FALSE((Star::Value{0.51, 0.474, 9}.is_better_than(now)));
+  EXPECT_FALSE((Star::Value{0.5, 0.475, 10}.is_better_than(now)));
 }
 
 } // namespace test_treatment_parts

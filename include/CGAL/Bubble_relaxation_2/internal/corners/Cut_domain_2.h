@@ -61,7 +61,8 @@ public:
 
   const Domain_2& domain() const { return m_domain; }
 
-  /// What is left of very sharp corners: chords in front of which the domain hardly gets wider.
+  /// What is left of very sharp corners: chords in front of which the domain hardly gets wider. Beside a sharper corner
+  /// there are several, which are short anyhow.
   const std::vector<Kernel::Segment_2>& narrow_chords() const { return m_narrow_chords; }
 
   const Domain_2& whole() const { return m_whole; }
@@ -167,11 +168,12 @@ private:
       add_piece(Domain_edge_2{last, next, false, true, false}, Piece{no_index, 0, 0});
       last = next;
     };
-    for (double angle : c.nodes(sector))
+    const std::vector<double> angles = c.nodes(sector);
+    for (double angle : angles)
       add_chord(add_node(Node{no_index, 0}, Point(o.x() + c.radius * cosine_of(start + angle),
                                                   o.y() + c.radius * sine_of(start + angle))));
     add_chord(node_on_arm(c.arms()[sector.second]));
-    if (sector.angle < narrow)
+    if (angles.empty() && sector.angle < narrow)
       m_narrow_chords.emplace_back(m_points[node_on_arm(arm)], m_points[last]);
   }
 

@@ -112,7 +112,8 @@ private:
 
 /// Finds where the outline of a domain asks for smaller sizes than the user: in units of the size that is followed
 /// there, no piece of it, no pinned vertex's distance from others and no width of the domain is to be less than .9. Only
-/// in a corner between two edges there is no width: however sharp it is, smaller triangles are no better in it.
+/// in a corner between two edges there is no width: however sharp it is, smaller triangles are no better in it,
+/// only beside the chord where it was cut off.
 class Outline_sizes_2
 {
 public:
@@ -124,9 +125,9 @@ public:
     : m_domain(domain), m_given(given), m_maximum(maximum), m_limited(limited)
   {}
 
-  /// Asks for sizes that are smaller than chords where a sharp corner was cut off. A chord is not divided, and has an
-  /// obtuse corner at each end: one of them would be in a single triangle, or the tip of the triangle on the chord too near
-  /// to both edges beside it for acute triangles.
+  /// Asks for sizes that are smaller than chords where a sharp corner was cut off. A chord is not divided, and makes an
+  /// obtuse angle with the edge at each end, which two triangles have to share: for that bubbles as large as the chord have
+  /// no room.
   void add_chords(const std::vector<Kernel::Segment_2>& chords)
   {
     constexpr double share = 0.6;

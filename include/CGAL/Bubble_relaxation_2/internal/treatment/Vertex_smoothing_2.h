@@ -114,8 +114,8 @@ private:
 
     bool is_obtuse() const
     {
-      const double squares = a * a + b * b + c * c, longest = (std::max)({a, b, c});
-      return 2 * longest * longest > squares;
+      const double uu = u.x * u.x + u.y * u.y, uv = u.x * v.x + u.y * v.y, vv = v.x * v.x + v.y * v.y;
+      return internal::is_obtuse(uv, area2) || internal::is_obtuse(uu - uv, area2) || internal::is_obtuse(vv - uv, area2);
     }
   };
 

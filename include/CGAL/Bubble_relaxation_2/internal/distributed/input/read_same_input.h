@@ -201,9 +201,9 @@ std::unique_ptr<Input_2<Cdt>> read_same_input(const Cdt& cdt, const NamedParamet
   check_same_domain(comm, input->reading.domain);
   check_same_vertices(comm, input->reading.given);
   // a sizing function cannot be compared, but how many bubbles it asks for in the domain, alone and with the outline
-  for (double number : {input->wanted.expected_number, input->limits.sizes.expected_number})
-    check_same_values(comm, {{"sizing_function", number,
-                              [](double v) { return "one that asks for " + in_words(v) + " bubbles"; }}});
+  const auto text = [](double v) { return "one that asks for " + in_words(v) + " bubbles"; };
+  check_same_values(comm, {{"sizing_function", input->wanted.expected_number, text},
+                           {"sizing_function", input->limits.sizes.expected_number, text}});
   comm.agree_after([&] { // no rank can stop alone, so all is told from here on only, and stops are remembered
     Progress& progress = *input->options.progress;
     progress = Progress(agreed_callback(read_callback(np), comm));
