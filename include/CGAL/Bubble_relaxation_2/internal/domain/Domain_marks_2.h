@@ -177,11 +177,12 @@ private:
   std::vector<Index> locate(const Cdt& cdt, const Range& seeds, bool seeds_are_in_domain) const
   {
     std::vector<Index> located;
+    typename Cdt::Vertex_handle near = cdt.finite_vertices_begin(); // seeds that follow each other mostly are
     for (const auto& seed : seeds) {
       const typename Cdt::Point q = as_point(seed);
       const Point p = point_in_double<Cdt>(q);
       check_seed(p);
-      const std::vector<Index> around = triangles_around(cdt, q);
+      const std::vector<Index> around = triangles_around(cdt, q, near);
       check_region(p, around);
       located.push_back(around.front());
       if (located.back() == no_index && seeds_are_in_domain)
@@ -200,12 +201,16 @@ private:
       return Plane_2<Cdt>::point(seed.x(), seed.y(), 0);
   }
 
-  /// the triangles that a point lies in, or on the boundary of, `no_index` for what is beyond the hull
-  std::vector<Index> triangles_around(const Cdt& cdt, const typename Cdt::Point& p) const
+  /// the triangles that a point lies in, or on the boundary of, `no_index` for what is beyond the hull; `near`: a vertex to
+  /// search from, and then one next to the point
+  std::vector<Index> triangles_around(const Cdt& cdt, const typename Cdt::Point& p,
+                                      typename Cdt::Vertex_handle& near) const
   {
     typename Cdt::Locate_type where{};
     int i = 0;
-    const Face_handle f = locate_straight(cdt, p, cdt.finite_vertices_begin(), where, i);
+    const Face_handle f = locate_straight(cdt, p, near, where, i);
+    if (!cdt.is_infinite(f))
+      near = f->vertex(0);
     std::vector<Index> around{faces(&*f)};
     if (where == Cdt::EDGE) {
       around.push_back(faces(&*f->neighbor(i)));

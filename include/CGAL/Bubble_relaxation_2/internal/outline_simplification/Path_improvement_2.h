@@ -120,13 +120,15 @@ private:
     if (cost > bound)
       return cost;
     cost += cost_of_corners({before_previous(k), &a, &p, &b, after_next(k)});
-    double least = reach;
+    double least = reach, cost_of_least = length_cost(clear);
     for (const Near& near : m_near) { // the nearest first
-      if (near.distance - step >= least || cost + length_cost(least / size) > bound)
+      if (near.distance - step >= least || cost + cost_of_least > bound)
         break;
-      least = (std::min)(least, distance_through_domain(a, p, b, near, least));
+      const double l = distance_through_domain(a, p, b, near, least);
+      if (l < least)
+        cost_of_least = length_cost((least = l) / size);
     }
-    return cost + length_cost(least / size);
+    return cost + cost_of_least;
   }
 
   /// the same of the piece between the neighbours of a vertex; what counts is near to it, not to its ends, as before
@@ -192,11 +194,14 @@ private:
     measure(k);
   }
 
+  /// puts what counts after a step first, the nearest in front
   void measure(std::size_t k)
   {
     for (Near& near : m_near)
       near.distance = distance_to(previous(k).point, m_path[k].point, next(k).point, near);
-    std::sort(m_near.begin(), m_near.end(), [](const Near& x, const Near& y) { return x.distance < y.distance; });
+    const double reach = clear * size_at(m_path[k]) + tolerance_at(m_path[k].segment);
+    const auto end = std::partition(m_near.begin(), m_near.end(), [=](const Near& x) { return x.distance < reach; });
+    std::sort(m_near.begin(), end, [](const Near& x, const Near& y) { return x.distance < y.distance; });
   }
 
   static double distance_to(const Point& a, const Point& p, const Point& b, const Near& near)
