@@ -172,7 +172,7 @@ public:
     check_flat<CDT>();
     const Galerkin_options options = read_galerkin_options(np);
     Galerkin_nodes_2 rounded_nodes(rounded(nodes.points), nodes.sizes, options);
-    Integration_domain_2 domain(cdt, Domain_marks_2<CDT>(cdt, np));
+    Integration_domain_2 domain(Domain_marks_2<CDT>(cdt, np));
     const Influence_domain_2<Kernel> influence(nodes, rounded_nodes.radius, np);
     m_discretization = std::make_shared<const Discretization>(
       options, std::move(rounded_nodes), std::move(domain), influence.search(), read_mls_options(np),

@@ -49,9 +49,9 @@ TEST(Size_of_the_mesh, on_an_edge_does_not_depend_on_what_was_asked_before)
   }
   for (auto v : cdt.finite_vertex_handles()) {
     field(0.01, 0.5);
-    const double from_left = field(v->point());
+    const double x = v->point().x(), y = v->point().y(), from_left = field(x, y);
     field(0.99, 0.5);
-    EXPECT_EQ(from_left, field(v->point()));
+    EXPECT_EQ(from_left, field(x, y));
   }
 }
 

@@ -28,7 +28,7 @@ double integral(const std::vector<Background_cell_2>& cells, std::size_t n, int 
 
 Integration_domain_2 domain(const CDT& cdt)
 {
-  return Integration_domain_2(cdt, Domain_marks_2<CDT>(cdt, CGAL::parameters::default_values()));
+  return Integration_domain_2(Domain_marks_2<CDT>(cdt, CGAL::parameters::default_values()));
 }
 
 TEST(Gauss_rule, is_exact_up_to_its_degree_and_no_further)

@@ -64,12 +64,9 @@ public:
     const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(m_reading.domain, bubbles);
     for (std::size_t e = 0; e < on_edge.size(); ++e) {
       const Chain& chain = m_reading.graph->chains()[e];
-      Change paths{{corner(chain.source)}, {corner(chain.source)}};
-      for (Index v : chain.splits)
-        paths.before.push_back(m_reading.vertex(v));
+      Change paths{path_of(m_reading, chain), {corner(chain.source)}};
       for (Index i : on_edge[e])
         paths.after.push_back(vertex_of(i));
-      paths.before.push_back(corner(chain.target));
       paths.after.push_back(corner(chain.target));
       m_changes.push_back(std::move(paths));
     }

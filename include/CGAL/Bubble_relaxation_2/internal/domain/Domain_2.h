@@ -28,6 +28,8 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// triangulation of both, in which exact walks decide whether a bubble stays inside.
 class Domain_2
 {
+  auto is_wall() const { return [this](Index t, int i) { return edge(t, i) != no_index; }; }
+
 public:
   Domain_2() = default;
 
@@ -36,9 +38,7 @@ public:
   {
     m_corners = std::move(corners);
     m_edges = std::move(edges);
-    m_bbox = Bbox_2();
-    for (const Point& p : m_corners)
-      m_bbox += p.bbox();
+    m_bbox = bbox_2(m_corners.begin(), m_corners.end());
     m_lengths.clear();
     m_directions.clear();
     for (const Domain_edge_2& e : m_edges) {
@@ -71,6 +71,10 @@ public:
   const Point& target(Index e) const { return m_corners[m_edges[e].target]; }
 
   double length(Index e) const { return m_lengths[e]; }
+
+  /// the triangle on the left of an edge, or on its right; `no_index` if there is none
+  Index left(Index e) const { return m_left[e].triangle; }
+  Index right(Index e) const { return m_right[e].triangle; }
 
   /// the edge between two corners, or `no_index`
   Index edge_between(Index u, Index v) const
@@ -148,15 +152,6 @@ private:
     Index triangle = no_index;
     int index = -1;
   };
-
-  struct Is_wall
-  {
-    const Marked_triangulation_2& marked;
-
-    bool operator()(Index t, int i) const { return marked.edges[t][i] != no_index; }
-  };
-
-  Is_wall is_wall() const { return Is_wall{m_marked}; }
 
   void find_sides()
   {

@@ -22,56 +22,35 @@ class Domain_regions_2
 {
 public:
   explicit Domain_regions_2(const Domain_2& domain)
-    : m_domain(domain), m_region(domain.triangulation().number_of_triangles(), no_index),
-      m_left(domain.edges().size(), no_index), m_right(m_left)
+    : m_domain(domain), m_region(domain.triangulation().number_of_triangles(), no_index)
   {
-    for (std::size_t t = 0; t < m_region.size(); ++t)
-      if (domain.is_inside(static_cast<Index>(t)) && m_region[t] == no_index)
-        flood(static_cast<Index>(t));
     const Flat_triangulation_2& tr = domain.triangulation();
-    for (std::size_t t = 0; t < m_region.size(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        const Index e = domain.edge(static_cast<Index>(t), i);
-        if (e != no_index)
-          (tr.vertices[t][ccw(i)] == domain.edges()[e].source ? m_left : m_right)[e] = m_region[t];
-      }
+    const auto is_inside = [&](Index t) { return domain.is_inside(t); };
+    const auto is_edge = [&](Index t, int i) { return domain.edge(t, i) != no_index; };
+    for (const std::vector<Index>& region : connected_parts(tr, is_inside, is_edge)) {
+      for (Index t : region)
+        m_region[t] = m_number;
+      ++m_number;
+    }
   }
 
   Index number_of_regions() const { return m_number; }
 
   /// beside an edge, seen from its source; `no_index` outside of the domain
-  Index left(Index edge) const { return m_left[edge]; }
-  Index right(Index edge) const { return m_right[edge]; }
+  Index left(Index edge) const { return region(m_domain.left(edge)); }
+  Index right(Index edge) const { return region(m_domain.right(edge)); }
 
   /// where a point lies; `no_index` outside of the domain. \param hint where the search begins, and ended
   Index operator()(const Point& p, Index& hint) const
   {
-    const Index t = m_domain.locate_inside(p, hint);
-    return t == no_index ? no_index : m_region[t];
+    return region(m_domain.locate_inside(p, hint));
   }
 
 private:
-  void flood(Index first)
-  {
-    m_region[first] = m_number;
-    std::vector<Index> stack{first};
-    while (!stack.empty()) {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (int i = 0; i < 3; ++i) {
-        const Index n = m_domain.triangulation().neighbors[t][i];
-        if (n == no_index || m_region[n] != no_index || m_domain.edge(t, i) != no_index)
-          continue;
-        m_region[n] = m_number;
-        stack.push_back(n);
-      }
-    }
-    ++m_number;
-  }
+  Index region(Index t) const { return t == no_index ? no_index : m_region[t]; }
 
   const Domain_2& m_domain;
   std::vector<Index> m_region; // of the domain's triangles
-  std::vector<Index> m_left, m_right;
   Index m_number = 0;
 };
 

@@ -56,13 +56,6 @@ public:
     return d;
   }
 
-  /// for the points of the simulation, and for the user's
-  template <class Point_2>
-  double operator()(const Point_2& p) const
-  {
-    return (*this)(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-  }
-
 private:
   double value([[maybe_unused]] double x, [[maybe_unused]] double y) const
   {

@@ -48,8 +48,6 @@ public:
     return m_tr.inside[end.triangle] ? interpolate(end.triangle, q) : value_outside(end.triangle, q);
   }
 
-  double operator()(const Point& p) const { return (*this)(p.x(), p.y()); }
-
   const Flat_triangulation_2& triangulation() const { return m_tr; }
 
 private:

@@ -33,8 +33,6 @@ public:
     m_bubbles.reserve(expected);
   }
 
-  std::size_t size() const { return m_bubbles.size(); }
-
   /// makes room for `n` more bubbles
   void make_room_for(std::size_t n) { internal::make_room_for(n, m_bubbles); }
 

@@ -142,6 +142,31 @@ inline Index locate(const Flat_triangulation_2& tr, Index t, const Point& q)
   return end.is_blocked() ? no_index : end.triangle;
 }
 
+/// The parts in which triangles hang together across sides, each from its first triangle on.
+template <class Is_counted, class Is_wall>
+std::vector<std::vector<Index>> connected_parts(const Triangles_2& tr, const Is_counted& is_counted,
+                                                const Is_wall& is_wall)
+{
+  std::vector<std::vector<Index>> result;
+  std::vector<char> is_done(tr.number_of_triangles(), 0);
+  for (std::size_t k = 0; k < is_done.size(); ++k) {
+    if (is_done[k] || !is_counted(static_cast<Index>(k)))
+      continue;
+    is_done[k] = 1;
+    std::vector<Index> part{static_cast<Index>(k)};
+    for (std::size_t j = 0; j < part.size(); ++j)
+      for (int i = 0; i < 3; ++i) {
+        const Index t = part[j], n = tr.neighbors[t][i];
+        if (n == no_index || is_done[n] || is_wall(t, i) || !is_counted(n))
+          continue;
+        is_done[n] = 1;
+        part.push_back(n);
+      }
+    result.push_back(std::move(part));
+  }
+  return result;
+}
+
 } // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_FLAT_TRIANGULATION_2_H

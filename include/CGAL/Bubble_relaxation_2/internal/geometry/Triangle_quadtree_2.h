@@ -110,9 +110,7 @@ private:
   {
     using Iterator = std::vector<Index>::iterator;
     using Range = std::pair<Iterator, Iterator>;
-    Bbox_2 box;
-    for (const Point& p : tr.points)
-      box += p.bbox();
+    const Bbox_2 box = bbox_2(tr.points.begin(), tr.points.end());
     const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
     std::vector<Index> vertices(tr.points.size());
     std::iota(vertices.begin(), vertices.end(), 0);

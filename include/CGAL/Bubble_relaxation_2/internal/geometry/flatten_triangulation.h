@@ -301,11 +301,12 @@ struct Flattened_triangulation_2
   std::vector<typename Triangulation::Face_handle> faces;      ///< of each triangle
 };
 
+/// \param some nothing, or a vector of faces, of which one may be there twice
 /// \pre `t` has dimension 2
-template <class Triangulation>
-Flattened_triangulation_2<Triangulation> flatten_triangulation(const Triangulation& t)
+template <class Triangulation, class... Faces>
+Flattened_triangulation_2<Triangulation> flatten_triangulation(const Triangulation& t, const Faces&... some)
 {
-  const Triangulation_copy_2 copy(t);
+  const Triangulation_copy_2 copy(t, some...);
   Sorted_triangulation_2 sorted(copy);
   Flattened_triangulation_2<Triangulation> flat{std::move(sorted.tr), {}, {}};
   for (Index v : sorted.vertices)

@@ -86,11 +86,8 @@ struct Ordered_outline_2
 
 inline Ordered_outline_2 along_curve(const Outline_2& outline)
 {
-  Bbox_2 box;
-  for (const Point& p : outline.points)
-    box += p.bbox();
   Ordered_outline_2 result;
-  result.order = hilbert_order(Hilbert_curve_2(box), outline.points);
+  result.order = hilbert_order(Hilbert_curve_2(bbox_2(outline.points.begin(), outline.points.end())), outline.points);
   for (Index v : result.order)
     result.points.push_back(outline.points[v]);
   const std::vector<Index> number = inverse(result.order);

@@ -25,7 +25,7 @@ template <class Cdt, class NamedParameters>
 class Outline_markers_2
 {
   using Maps = Tag_maps<NamedParameters>;
-  using Marker = typename Marker_type<NamedParameters>::type;
+  using Marker = typename Tag_type<NamedParameters, internal_np::edge_marker_t>::type;
 
 public:
   /// Vertices at which markers change are ends in `reading`.

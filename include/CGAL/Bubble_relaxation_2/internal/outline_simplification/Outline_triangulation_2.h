@@ -76,24 +76,7 @@ public:
   template <class Property>
   std::vector<std::vector<Index>> regions(const Property& has_property) const
   {
-    std::vector<std::vector<Index>> result;
-    std::vector<char> is_done(size(), 0);
-    for (std::size_t k = 0; k < size(); ++k) {
-      if (is_done[k] || !has_property(static_cast<Index>(k)))
-        continue;
-      is_done[k] = 1;
-      std::vector<Index> region{static_cast<Index>(k)};
-      for (std::size_t j = 0; j < region.size(); ++j)
-        for (int i = 0; i < 3; ++i) {
-          const Index t = region[j], n = neighbor(t, i);
-          if (n == no_index || is_done[n] || segment(t, i) != no_index || !has_property(n))
-            continue;
-          is_done[n] = 1;
-          region.push_back(n);
-        }
-      result.push_back(std::move(region));
-    }
-    return result;
+    return connected_parts(m_marked, has_property, [this](Index t, int i) { return segment(t, i) != no_index; });
   }
 
   /// What bounds the domain now, and the segments within it and outside of it that are no boundary.

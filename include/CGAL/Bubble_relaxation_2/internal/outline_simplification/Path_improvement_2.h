@@ -367,10 +367,8 @@ private:
     const double size = size_at(m_path[k]), now = cost(k), then = cost_without(k);
     if (!(then < now - least_gain) || !(distance(a.point, b.point) <= longest_piece * size))
       return false;
-    for (Index m = a.segment + 1; m <= b.segment; ++m)
-      if (!(distance_to_segment(old_point(m), a.point, b.point) <= m_demands.tolerance[old_vertex(m)]))
-        return false;
-    if (!m_movable.is_free(ids_at(k), {a.point, old, b.point}, {a.point, b.point}))
+    if (!is_near(a, b.point, b.segment, false) ||
+        !m_movable.is_free(ids_at(k), {a.point, old, b.point}, {a.point, b.point}))
       return false;
     for (Index id : ids_at(k))
       m_movable.remove(id);

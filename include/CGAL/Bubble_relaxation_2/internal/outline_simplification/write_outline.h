@@ -251,9 +251,8 @@ private:
 
   void take_constraints()
   {
-    Bbox_2 box;
-    for (const Point& p : m_reading.problem.outline.points)
-      box += p.bbox();
+    const std::vector<Point>& old = m_reading.problem.outline.points;
+    const Bbox_2 box = bbox_2(old.begin(), old.end());
     const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), x = box.xmax() + size;
     m_beside[0] = &*m_cdt.insert(Cdt_point(x, box.ymin()));
     m_beside[1] = &*m_cdt.insert(Cdt_point(x, box.ymin() + size));

@@ -10,8 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_TAGS_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/flood_faces.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
@@ -75,28 +76,15 @@ void forget_if_possible([[maybe_unused]] const Map& map, [[maybe_unused]] const 
     forget(map, key);
 }
 
-/// the type of a user's markers, `int` if there are none
-template <class NamedParameters, bool = Tag_maps<NamedParameters>::has_markers>
-struct Marker_type
+/// the type of a user's markers or regions, `int` if there are none
+template <class NamedParameters, class Tag, class Map = Value_of<NamedParameters, Tag>>
+struct Tag_type
 {
-  using type = Map_value<decltype(std::declval<Tag_maps<NamedParameters>>().markers())>;
+  using type = Map_value<Map>;
 };
 
-template <class NamedParameters>
-struct Marker_type<NamedParameters, false>
-{
-  using type = int;
-};
-
-/// the same of regions
-template <class NamedParameters, bool = Tag_maps<NamedParameters>::has_regions>
-struct Region_type
-{
-  using type = Map_value<decltype(std::declval<Tag_maps<NamedParameters>>().regions())>;
-};
-
-template <class NamedParameters>
-struct Region_type<NamedParameters, false>
+template <class NamedParameters, class Tag>
+struct Tag_type<NamedParameters, Tag, internal_np::Param_not_found>
 {
   using type = int;
 };
@@ -164,8 +152,8 @@ class Tags_2
   using Chain = Constraint_graph_2::Chain;
 
 public:
-  using Marker = typename Marker_type<NamedParameters>::type;
-  using Region = typename Region_type<NamedParameters>::type;
+  using Marker = typename Tag_type<NamedParameters, internal_np::edge_marker_t>::type;
+  using Region = typename Tag_type<NamedParameters, internal_np::face_region_t>::type;
 
   static constexpr bool has_markers = Maps::has_markers, has_regions = Maps::has_regions;
 
@@ -283,17 +271,6 @@ public:
 
 private:
   struct Sides { Face_handle left, right; };
-
-  /// the vertices on a chain, with its ends
-  template <class Reading>
-  static std::vector<Vertex_handle> path_of(const Reading& reading, const Chain& c)
-  {
-    std::vector<Vertex_handle> path{reading.vertex(reading.graph->corners()[c.source])};
-    for (Index v : c.splits)
-      path.push_back(reading.vertex(v));
-    path.push_back(reading.vertex(reading.graph->corners()[c.target]));
-    return path;
-  }
 
   /// the faces beside the first edge of a path
   static Sides sides_of(const Cdt& cdt, const std::vector<Vertex_handle>& path)

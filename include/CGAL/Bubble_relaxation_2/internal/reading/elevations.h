@@ -112,17 +112,14 @@ private:
   /// the elevations of a chain's vertices, in order
   std::vector<Profile_point> profile_of(const Constraint_graph_2::Chain& chain) const
   {
-    const auto corner = [this](Index c) { return m_reading.graph->corners()[c]; };
-    std::vector<Index> path{corner(chain.source)};
-    path.insert(path.end(), chain.splits.begin(), chain.splits.end());
-    path.push_back(corner(chain.target));
-    const auto place_of = [this](Index v) { return point_in_double<Cdt>(m_reading.vertex(v)->point()); };
+    const std::vector<Vertex_handle> path = path_of(m_reading, chain);
+    const auto place_of = [](Vertex_handle v) { return point_in_double<Cdt>(v->point()); };
     const Point source = place_of(path.front());
     const auto way = place_of(path.back()) - source;
     std::vector<Profile_point> profile;
-    for (Index v : path)
+    for (Vertex_handle v : path)
       profile.push_back({(place_of(v) - source) * way / way.squared_length(),
-                         CGAL::to_double(Plane::elevation(m_reading.vertex(v)->point()))});
+                         CGAL::to_double(Plane::elevation(v->point()))});
     return profile;
   }
 

@@ -188,6 +188,17 @@ private:
   }
 };
 
+/// the vertices of a chain, its corners included
+template <class Reading>
+std::vector<typename Reading::Vertex_handle> path_of(const Reading& reading, const Constraint_graph_2::Chain& c)
+{
+  std::vector<typename Reading::Vertex_handle> path{reading.vertex(reading.graph->corners()[c.source])};
+  for (Index v : c.splits)
+    path.push_back(reading.vertex(v));
+  path.push_back(reading.vertex(reading.graph->corners()[c.target]));
+  return path;
+}
+
 /// the vertex that a bubble of a corner, or of a pinned vertex, stands for
 template <class Reading>
 typename Reading::Vertex_handle vertex_of_corner(const Reading& reading, const Bubbles_2& bubbles, std::size_t i)

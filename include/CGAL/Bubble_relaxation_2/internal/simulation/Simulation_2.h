@@ -59,9 +59,6 @@ public:
     internal::make_room_for(n, m_y);
   }
 
-  /// a bubble added after the last; its size is known
-  void add(const Bubbles_2& b, std::size_t i) { add(b.x[i], b.y[i]); }
-
   /// the same, of which it is known where d was asked
   void add(double x, double y)
   {
@@ -284,7 +281,7 @@ public:
         m_bubbles.owner.push_back(m_bubbles.rank);
       }
       m_neighbors.add(m_bubbles, i);
-      m_update_size.add(m_bubbles, i);
+      m_update_size.add(in.x[k], in.y[k]);
       wake_around(i);
     }
     m_team.share_new(*this, m_bubbles, first);

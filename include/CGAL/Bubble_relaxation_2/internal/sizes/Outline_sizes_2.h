@@ -184,11 +184,8 @@ private:
   void add_widths()
   {
     const Bubbles_2 nodes = nodes_on_constraints();
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      points.push_back(nodes.point(i));
     Marked_triangulation_2 mesh;
-    if (mark_triangulation(points, cut_edges(m_domain, nodes), mesh) != Marking_error::NONE)
+    if (mark_triangulation(points_of(nodes), cut_edges(m_domain, nodes), mesh) != Marking_error::NONE)
       return; // rounded across each other: there is nothing to measure
     for (std::size_t t = 0; t < mesh.inside.size(); ++t)
       for (int i = 0; i < 3; ++i) {

@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -58,52 +57,13 @@ struct Face_set_2
   double area(Index t) const { return (std::max)(0., twice_signed_area(point(t, 0), point(t, 1), point(t, 2)) / 2); }
 
   Bbox_2 box(Index t) const { return point(t, 0).bbox() + point(t, 1).bbox() + point(t, 2).bbox(); }
-
-  Bbox_2 box() const
-  {
-    Bbox_2 box;
-    for (const Point& p : points)
-      box += p.bbox();
-    return box;
-  }
-};
-
-/// A face set, and which of the unsorted points and triangles its own ones were.
-struct Sorted_faces_2
-{
-  Face_set_2 faces;
-  std::vector<Index> points, triangles;
-
-  explicit Sorted_faces_2(const Face_set_2& unsorted) : points(unsorted.points.size())
-  {
-    std::iota(points.begin(), points.end(), 0);
-    std::sort(points.begin(), points.end(), [&](Index a, Index b) {
-      return unsorted.points[a] != unsorted.points[b] ? unsorted.points[a] < unsorted.points[b] : a < b;
-    });
-    std::vector<Index> position(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      position[points[k]] = static_cast<Index>(k);
-      faces.points.push_back(unsorted.points[points[k]]);
-    }
-    std::vector<std::array<Index, 4>> sorted; // corners, then the number that the triangle had
-    for (const std::array<Index, 3>& corners : unsorted.triangles) {
-      std::array<Index, 3> v{position[corners[0]], position[corners[1]], position[corners[2]]};
-      std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
-      sorted.push_back({v[0], v[1], v[2], static_cast<Index>(sorted.size())});
-    }
-    std::sort(sorted.begin(), sorted.end());
-    for (const std::array<Index, 4>& t : sorted) {
-      faces.triangles.push_back({t[0], t[1], t[2]});
-      triangles.push_back(t[3]);
-    }
-  }
 };
 
 /// Scales both sets by a power of two, which alters no bit of a mantissa, so that the source's extent is about 1: areas
 /// and their products neither overflow nor vanish, whatever the units. Returns the factor.
 inline double scale_to_unit(Face_set_2& source, Face_set_2& target)
 {
-  const Bbox_2 box = source.box();
+  const Bbox_2 box = bbox_2(source.points.begin(), source.points.end());
   const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   const double factor = extent > 0 ? std::ldexp(1., -std::ilogb(extent)) : 1;
   for (Face_set_2* faces : {&source, &target})

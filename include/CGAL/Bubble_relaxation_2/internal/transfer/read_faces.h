@@ -38,8 +38,7 @@ public:
   template <class NamedParameters, class Faces_tag, class Map_tag>
   Face_reading_2(const Triangulation& t, const char* what, const NamedParameters& np, Faces_tag faces_tag,
                  Map_tag map_tag)
-    : m_triangulation(t), m_what(what), m_vertices(sizeof(typename Triangulation::Vertex)),
-      m_faces(sizeof(typename Triangulation::Face))
+    : m_triangulation(t), m_what(what)
   {
     if (t.dimension() < 2)
       throw_error("triangulation has the dimension " + std::to_string(t.dimension()) + ", so it has no faces");
@@ -52,9 +51,8 @@ public:
     } else {
       add_domain();
     }
-    if (m_unsorted.triangles.empty())
+    if (m_face_handles.empty())
       throw_error("has no face that takes part");
-    check_coordinates(m_unsorted.points);
     sort();
   }
 
@@ -81,7 +79,7 @@ private:
   {
     if constexpr (Has_domain_mark<typename Triangulation::Face>::value)
       add_all([](Face_handle f) { return f->is_in_domain(); });
-    if (m_unsorted.triangles.empty())
+    if (m_face_handles.empty())
       add_all([](Face_handle) { return true; });
   }
 
@@ -91,26 +89,15 @@ private:
       throw_error("has an empty handle among its faces");
     if (m_triangulation.is_infinite(f))
       throw_error("has an infinite face among its faces");
-    if (m_faces(&*f) != no_index)
-      return;
-    m_faces.add(&*f);
-    m_unsorted.triangles.push_back({number(f->vertex(0)), number(f->vertex(1)), number(f->vertex(2))});
-  }
-
-  Index number(Vertex_handle v)
-  {
-    if (m_vertices(&*v) == no_index) {
-      m_vertices.add(&*v);
-      m_unsorted.points.push_back(point_in_double<Triangulation>(v->point()));
-    }
-    return m_vertices(&*v);
+    m_face_handles.push_back(f);
   }
 
   void sort()
   {
-    Sorted_faces_2 sorted(m_unsorted);
-    m_unsorted = Face_set_2();
-    m_sorted = std::move(sorted.faces);
+    auto flat = flatten_triangulation(m_triangulation, m_face_handles);
+    m_sorted = {std::move(flat.tr.points), std::move(flat.tr.vertices)};
+    m_vertex_handles = std::move(flat.vertices);
+    m_face_handles = std::move(flat.faces);
     for (std::size_t t = 0; t < m_sorted.number_of_triangles(); ++t) {
       const Point& p = m_sorted.point(static_cast<Index>(t), 0);
       if (CGAL::orientation(p, m_sorted.point(static_cast<Index>(t), 1), m_sorted.point(static_cast<Index>(t), 2)) ==
@@ -118,16 +105,11 @@ private:
         throw_error("has a triangle, at " + in_words(p.x(), p.y()) +
                     ", which is turned over when its corners are rounded to double");
     }
-    for (Index v : sorted.points)
-      m_vertex_handles.push_back(Handles<Triangulation>::vertex(m_vertices.addresses()[v]));
-    for (Index f : sorted.triangles)
-      m_face_handles.push_back(Handles<Triangulation>::face(m_faces.addresses()[f]));
   }
 
   const Triangulation& m_triangulation;
   const char* m_what;
-  Address_numbers m_vertices, m_faces;
-  Face_set_2 m_unsorted, m_sorted;
+  Face_set_2 m_sorted;
   std::vector<Vertex_handle> m_vertex_handles;
   std::vector<Face_handle> m_face_handles;
 };

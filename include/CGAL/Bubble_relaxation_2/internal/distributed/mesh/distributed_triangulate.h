@@ -250,10 +250,7 @@ private:
     if (follow_space())
       return internal::try_to_triangulate(cut_edges(m_domain, m_mesh.bubbles), m_mesh);
     Bubble_mesh_2 sorted{m_mesh.bubbles, {}};
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < sorted.bubbles.size(); ++i)
-      points.push_back(sorted.bubbles.point(i));
-    const std::vector<Index> order = hilbert_order(m_partition.curve(), points);
+    const std::vector<Index> order = hilbert_order(m_partition.curve(), points_of(sorted.bubbles));
     sorted.bubbles.select(order);
     const bool is_made = internal::try_to_triangulate(cut_edges(m_domain, sorted.bubbles), sorted);
     m_mesh.triangles = std::move(sorted.triangles);

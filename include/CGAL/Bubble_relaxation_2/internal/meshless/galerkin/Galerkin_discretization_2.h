@@ -90,36 +90,31 @@ void read_grid_cells(const NamedParameters& np, Galerkin_options& o)
 template <class NamedParameters>
 Galerkin_options read_galerkin_options(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
   Galerkin_options o;
-  o.basis = choose_parameter(get_parameter(np, internal_np::mls_basis), o.basis);
-  o.support_factor = choose_parameter(get_parameter(np, internal_np::support_factor), o.support_factor);
+  take(np, internal_np::mls_basis, o.basis);
+  take(np, internal_np::support_factor, o.support_factor);
   check_positive("support_factor", o.support_factor);
   if constexpr (Is_given<NamedParameters, internal_np::support_radius_t>::value) {
-    o.support_radius = get_parameter(np, internal_np::support_radius);
+    take(np, internal_np::support_radius, o.support_radius);
     check_positive("support_radius", o.support_radius);
   }
-  o.dirichlet = choose_parameter(get_parameter(np, internal_np::dirichlet_condition), o.dirichlet);
+  take(np, internal_np::dirichlet_condition, o.dirichlet);
   if constexpr (Is_given<NamedParameters, internal_np::penalty_factor_t>::value) {
-    o.penalty_factor = get_parameter(np, internal_np::penalty_factor);
+    take(np, internal_np::penalty_factor, o.penalty_factor);
     check_positive("penalty_factor", o.penalty_factor);
   }
-  o.nitsche_factor = choose_parameter(get_parameter(np, internal_np::nitsche_factor), o.nitsche_factor);
+  take(np, internal_np::nitsche_factor, o.nitsche_factor);
   check_positive("nitsche_factor", o.nitsche_factor);
-  o.cells = choose_parameter(get_parameter(np, internal_np::integration_cells), o.cells);
+  take(np, internal_np::integration_cells, o.cells);
   read_grid_cells(np, o);
   // The quadratic basis has order 3 in L2 with 5; with 4 integrals limit it where d is about 0.01 of the domain. More
   // points than 64 gain nothing, and in a rule of hundreds their number is the cells' likely one
-  o.gauss_points = read_count("number_of_gauss_points",
-                              choose_parameter(get_parameter(np, internal_np::number_of_gauss_points),
-                                               std::size_t(o.is_quadratic() ? 5 : 3)), 1, 64);
-  o.consistent = choose_parameter(get_parameter(np, internal_np::consistent_integration), o.consistent);
-  o.residual_tolerance =
-    choose_parameter(get_parameter(np, internal_np::residual_tolerance), o.residual_tolerance);
+  o.gauss_points = o.is_quadratic() ? 5 : 3;
+  take_count(np, internal_np::number_of_gauss_points, "number_of_gauss_points", o.gauss_points, 1, 64);
+  take(np, internal_np::consistent_integration, o.consistent);
+  take(np, internal_np::residual_tolerance, o.residual_tolerance);
   check_positive("residual_tolerance", o.residual_tolerance);
-  o.callback = choose_parameter(get_parameter(np, internal_np::callback), o.callback);
+  take(np, internal_np::callback, o.callback);
   return o;
 }
 

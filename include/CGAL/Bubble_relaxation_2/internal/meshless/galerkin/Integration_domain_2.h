@@ -9,19 +9,16 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_INTEGRATION_DOMAIN_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_INTEGRATION_DOMAIN_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/centroid.h>
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -48,30 +45,20 @@ struct Integration_domain_2
   Bbox_2 bbox;
   double area = 0;
 
-  template <class Cdt>
-  Integration_domain_2(const Cdt& cdt, const Domain_marks_2<Cdt>& is_inside)
-  {
-    for (auto v : cdt.finite_vertex_handles())
-      check_coordinates(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
-    const auto flat = flatten_triangulation(cdt);
-    std::vector<char> inside(flat.faces.size());
-    for (std::size_t t = 0; t < inside.size(); ++t)
-      inside[t] = is_inside(flat.faces[t]);
-    read(flat.tr, inside);
-  }
+  explicit Integration_domain_2(const Triangulation_copy_2& marks) { read(Sorted_triangulation_2(marks).tr); }
 
 private:
-  void read(const Flat_triangulation_2& tr, const std::vector<char>& inside)
+  void read(const Flat_triangulation_2& tr)
   {
-    const std::vector<Index> part = find_parts(tr, inside);
+    const std::vector<Index> part = find_parts(tr);
     for (std::size_t t = 0; t < tr.number_of_triangles(); ++t) {
-      if (!inside[t])
+      if (!tr.inside[t])
         continue;
       const Index f = static_cast<Index>(t);
       add_triangle({tr.point(f, 0), tr.point(f, 1), tr.point(f, 2)});
       for (int i = 0; i < 3; ++i) {
         const Index n = tr.neighbors[t][i];
-        if (n != no_index && inside[n])
+        if (n != no_index && tr.inside[n])
           continue;
         const Boundary_edge_2 edge{tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)], tr.point(f, ccw(i)),
                                    tr.point(f, cw(i)), part[t]};
@@ -82,24 +69,15 @@ private:
   }
 
   /// the part of each triangle of the domain
-  std::vector<Index> find_parts(const Flat_triangulation_2& tr, const std::vector<char>& inside)
+  std::vector<Index> find_parts(const Flat_triangulation_2& tr)
   {
-    std::vector<Index> part(inside.size(), no_index), stack;
-    for (std::size_t t = 0; t < inside.size(); ++t) {
-      if (!inside[t] || part[t] != no_index)
-        continue;
-      const Index f = static_cast<Index>(t), number = static_cast<Index>(parts.size());
+    std::vector<Index> part(tr.number_of_triangles(), no_index);
+    const auto is_inside = [&tr](Index t) { return tr.inside[t] != 0; };
+    for (const std::vector<Index>& those : connected_parts(tr, is_inside, [](Index, int) { return false; })) {
+      for (Index t : those)
+        part[t] = static_cast<Index>(parts.size());
+      const Index f = those.front();
       parts.push_back(CGAL::centroid(tr.point(f, 0), tr.point(f, 1), tr.point(f, 2)));
-      part[t] = number;
-      for (stack.assign(1, f); !stack.empty();) {
-        const std::array<Index, 3> neighbors = tr.neighbors[stack.back()];
-        stack.pop_back();
-        for (Index n : neighbors)
-          if (n != no_index && inside[n] && part[n] == no_index) {
-            part[n] = number;
-            stack.push_back(n);
-          }
-      }
     }
     return part;
   }
@@ -114,13 +92,6 @@ private:
     area += twice / 2;
     for (const Point& p : t)
       bbox += p.bbox();
-  }
-
-  static void check_coordinates(double x, double y)
-  {
-    if (!std::isfinite(x) || !std::isfinite(y))
-      throw std::invalid_argument("Bubble_relaxation_2: a vertex of the triangulation has the coordinates " +
-                                  in_words(x, y) + ", which must be finite");
   }
 };
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_LOCAL_FIT_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_MLS_LOCAL_FIT_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Moment_matrix_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_search_2.h>
 
@@ -36,15 +36,11 @@ struct Mls_options
 template <class NamedParameters>
 Mls_options read_mls_options(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
   Mls_options o;
-  o.basis = choose_parameter(get_parameter(np, internal_np::mls_basis), o.basis);
-  o.weight = choose_parameter(get_parameter(np, internal_np::mls_weight), o.weight);
-  o.deficient_support = choose_parameter(get_parameter(np, internal_np::deficient_support), o.deficient_support);
-  o.maximum_condition_number = choose_parameter(get_parameter(np, internal_np::maximum_condition_number),
-                                                o.maximum_condition_number);
+  take(np, internal_np::mls_basis, o.basis);
+  take(np, internal_np::mls_weight, o.weight);
+  take(np, internal_np::deficient_support, o.deficient_support);
+  take(np, internal_np::maximum_condition_number, o.maximum_condition_number);
   // beyond that eigenvalues are rounding errors
   if (!(o.maximum_condition_number >= 1 && o.maximum_condition_number <= 1e14))
     throw_invalid_parameter("maximum_condition_number", o.maximum_condition_number, "between 1 and 1e14");
