@@ -62,50 +62,26 @@ public:
       const Triangle t(s, at);
       const double q = t.quality();
       value.smallest = (std::min)(value.smallest, q);
-      value.smallest_worth = (std::min)(value.smallest_worth, q < acute && t.is_obtuse() ? worth_of_obtuse * q : q);
+      value.smallest_worth = (std::min)(value.smallest_worth, t.is_obtuse() ? worth_of_obtuse * q : q);
       value.energy += q > flat ? eighth_power(1 / q) : std::numeric_limits<double>::infinity();
     }
     return value;
   }
 
-  /// the first and second derivatives of the energy
-  struct Derivatives
+  Vector gradient(Vector at) const
   {
-    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-
-    void add_square(double weight, Vector v)
-    {
-      xx += weight * v.x * v.x;
-      xy += weight * v.x * v.y;
-      yy += weight * v.y * v.y;
-    }
-  };
-
-  /// if the vertex is at `at`
-  Derivatives derivatives(Vector at) const
-  {
-    Derivatives sum;
+    Vector sum{0, 0};
     for (const Side& s : m_sides) {
       const Triangle t(s, at);
       const double q = t.quality();
       if (!(q > flat))
         continue;
-      // of log q = log 4 + 2 log(2 area) - log(sum of the lengths) - sum of the logs of the lengths: its gradient g, and
-      // those of the parts; a length has the second derivative 1 / length across, its logarithm -1 / length^2 along, too
-      const double to_area = 1 / t.area2, to_sum = 1 / (t.a + t.b + t.c), to_b = 1 / t.b, to_c = 1 / t.c;
-      const Vector n{to_area * (s.p.y - s.q.y), to_area * (s.q.x - s.p.x)}, u{to_b * t.u.x, to_b * t.u.y},
-        v{to_c * t.v.x, to_c * t.v.y}, w{to_sum * (u.x + v.x), to_sum * (u.y + v.y)},
-        g{2 * n.x - w.x - to_b * u.x - to_c * v.x, 2 * n.y - w.y - to_b * u.y - to_c * v.y};
-      const double of_b = to_b * (to_sum + to_b), of_c = to_c * (to_sum + to_c), factor = 8 * eighth_power(1 / q);
-      sum.x -= factor * g.x;
-      sum.y -= factor * g.y;
-      sum.add_square(8 * factor, g);
-      sum.add_square(2 * factor, n);
-      sum.add_square(-factor, w);
-      sum.add_square(-factor * (of_b + to_b * to_b), u);
-      sum.add_square(-factor * (of_c + to_c * to_c), v);
-      sum.xx += factor * (of_b + of_c);
-      sum.yy += factor * (of_b + of_c);
+      const double factor = -8 * eighth_power(1 / q);
+      // of log q = log 4 + 2 log(2 area) - log(sum of the lengths) - sum of the logs of the lengths
+      const double to_area = 2 / t.area2, to_sum = 1 / (t.a + t.b + t.c), to_b = 1 / t.b, to_c = 1 / t.c,
+                   along_p = -(to_sum + to_b) * to_b, along_q = -(to_sum + to_c) * to_c;
+      sum.x += factor * (to_area * (s.p.y - s.q.y) + along_p * t.u.x + along_q * t.v.x);
+      sum.y += factor * (to_area * (s.q.x - s.p.x) + along_p * t.u.y + along_q * t.v.y);
     }
     return sum;
   }
@@ -144,7 +120,6 @@ private:
   };
 
   static constexpr double flat = 1e-3;
-  static constexpr double acute = 0.83; // is who has more: a right-angled triangle has 2 (sqrt 2 - 1) at most
 
   static double eighth_power(double x)
   {
@@ -200,6 +175,8 @@ private:
 
   /// steps in units of the size at the vertex
   static constexpr double least_step = 0.003, longest_step = 0.2, step_down = 0.1;
+  /// for derivatives of the gradient
+  static constexpr double h = 1. / 1024;
 
   static Star_quality_2 quality_around(const Editable_triangulation_2& mesh, const Bubbles_2& bubbles,
                                        Index v, const Star_2& corners)
@@ -232,19 +209,21 @@ private:
   /// Newton's step, or down the slope where the energy is not convex
   static Vector step_in_face(const Star_quality_2& star)
   {
-    const Star_quality_2::Derivatives e = star.derivatives(Vector{0, 0});
-    const double determinant = e.xx * e.yy - e.xy * e.xy;
-    if (!(determinant > 0 && e.xx > 0))
-      return down(Vector{e.x, e.y});
-    return Vector{(e.xy * e.y - e.yy * e.x) / determinant, (e.xy * e.x - e.xx * e.y) / determinant};
+    const Vector g = star.gradient(Vector{0, 0}), gx = star.gradient(Vector{h, 0}),
+                 gy = star.gradient(Vector{0, h});
+    const double xx = (gx.x - g.x) / h, yy = (gy.y - g.y) / h, xy = 0.5 * (gx.y - g.y + gy.x - g.x) / h;
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 0 && xx > 0))
+      return down(g);
+    return Vector{(xy * g.y - yy * g.x) / determinant, (xy * g.x - xx * g.y) / determinant};
   }
 
-  Vector step_along(const Star_quality_2& star, Index edge) const
+  Vector step_along(const Star_quality_2& star, Index e) const
   {
-    const Direction u = m_domain.direction(edge);
-    const Star_quality_2::Derivatives e = star.derivatives(Vector{0, 0});
-    const double slope = e.x * u.x + e.y * u.y,
-                 curvature = e.xx * u.x * u.x + 2 * e.xy * u.x * u.y + e.yy * u.y * u.y;
+    const Direction u = m_domain.direction(e);
+    const Vector g = star.gradient(Vector{0, 0}),
+                 gu = star.gradient(Vector{h * u.x, h * u.y});
+    const double slope = g.x * u.x + g.y * u.y, curvature = (gu.x * u.x + gu.y * u.y - slope) / h;
     if (!(curvature > 0))
       return down(Vector{slope * u.x, slope * u.y});
     return Vector{-slope / curvature * u.x, -slope / curvature * u.y};
