@@ -213,10 +213,10 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNBegin{limit_by_outline}
     \cgalParamDescription{whether bubbles are smaller than `sizing_function` asks where an edge of the domain is
                           shorter, the domain narrower, or a pinned vertex nearer to others, than 0.9/1.1 = 0.82
-                          times that, and beside very sharp corners; and corners in which two edges meet in less than 45 degrees are surrounded
-                          by a circle of nodes, so that only the triangles in the circle have the angles of the
-                          corner: see \ref BR2_outlines. Neither is done where a mesh is relaxed without a
-                          `sizing_function`}
+                          times that, and beside very sharp corners; and corners in which two edges meet in less than
+                          45 degrees are surrounded by a circle of nodes, so that only the triangles in the circle have
+                          the angles of the corner: see \ref BR2_outlines. Neither is done where a mesh is relaxed
+                          without a `sizing_function`}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd

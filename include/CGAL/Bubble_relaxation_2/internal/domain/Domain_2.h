@@ -28,9 +28,10 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// triangulation of both, in which exact walks decide whether a bubble stays inside.
 class Domain_2
 {
+public:
+  /// tells whether a side of a triangle is an edge
   auto is_wall() const { return [this](Index t, int i) { return edge(t, i) != no_index; }; }
 
-public:
   Domain_2() = default;
 
   /// \pre the edges meet in corners only

@@ -24,10 +24,8 @@ public:
   explicit Domain_regions_2(const Domain_2& domain)
     : m_domain(domain), m_region(domain.triangulation().number_of_triangles(), no_index)
   {
-    const Flat_triangulation_2& tr = domain.triangulation();
     const auto is_inside = [&](Index t) { return domain.is_inside(t); };
-    const auto is_edge = [&](Index t, int i) { return domain.edge(t, i) != no_index; };
-    for (const std::vector<Index>& region : connected_parts(tr, is_inside, is_edge)) {
+    for (const std::vector<Index>& region : connected_parts(domain.triangulation(), is_inside, domain.is_wall())) {
       for (Index t : region)
         m_region[t] = m_number;
       ++m_number;

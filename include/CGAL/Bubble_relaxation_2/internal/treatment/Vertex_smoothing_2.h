@@ -115,7 +115,8 @@ private:
     bool is_obtuse() const
     {
       const double uu = u.x * u.x + u.y * u.y, uv = u.x * v.x + u.y * v.y, vv = v.x * v.x + v.y * v.y;
-      return internal::is_obtuse(uv, area2) || internal::is_obtuse(uu - uv, area2) || internal::is_obtuse(vv - uv, area2);
+      return internal::is_obtuse(uv, area2) || internal::is_obtuse(uu - uv, area2) ||
+             internal::is_obtuse(vv - uv, area2);
     }
   };
 
