@@ -119,6 +119,13 @@ public:
   /// @}
 
   /// \name Edge Lengths
+  /// How long the edges of triangles are, in units of length.
+  /// @{
+  FT shortest_edge() const { return FT(m.shortest_edge); } ///< the length of the shortest edge
+  FT longest_edge() const { return FT(m.longest_edge); }   ///< the length of the longest edge
+  /// @}
+
+  /// \name Edge Lengths over d
   /// The length of each edge over the wanted length d in its midpoint; not a number if no sizing
   /// function was given. In a report d is what the mesh follows: smaller where the outline asks for it, and as large as
   /// the rim of a part makes it.

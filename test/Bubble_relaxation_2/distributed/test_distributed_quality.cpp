@@ -43,6 +43,8 @@ void expect_equal(const Quality& a, const Quality& b)
   EXPECT_EQ(a.worst_y(), b.worst_y());
   EXPECT_EQ(a.minimum_angle(), b.minimum_angle());
   EXPECT_EQ(a.maximum_angle(), b.maximum_angle());
+  EXPECT_EQ(a.shortest_edge(), b.shortest_edge());
+  EXPECT_EQ(a.longest_edge(), b.longest_edge());
   for (int percent : quality_percents)
     EXPECT_EQ(a.quality_percentile(percent), b.quality_percentile(percent)) << percent;
   EXPECT_EQ(a.histogram(), b.histogram());

@@ -137,6 +137,8 @@ TEST(Mesh_quality, of_a_hexagonal_patch)
   EXPECT_EQ(q.number_of_interior_vertices(), 1u);
   EXPECT_EQ(q.irregular_share(), 0);
   EXPECT_EQ(q.histogram().back(), 6u);
+  EXPECT_NEAR(q.shortest_edge(), 1, 1e-14);
+  EXPECT_NEAR(q.longest_edge(), 1, 1e-14);
   ASSERT_TRUE(q.has_length_ratios());
   EXPECT_NEAR(q.mean_length_ratio(), 2, 1e-14);
   EXPECT_NEAR(q.length_ratio_deviation(), 0, 1e-14);
@@ -152,6 +154,8 @@ TEST(Mesh_quality, of_two_triangles_with_a_hole_beside)
   EXPECT_EQ(q.irregular_share(), 0);
   EXPECT_FALSE(q.has_length_ratios());
   EXPECT_TRUE(std::isnan(q.mean_length_ratio()));
+  EXPECT_EQ(q.shortest_edge(), 1);
+  EXPECT_NEAR(q.longest_edge(), std::sqrt(2.), 1e-15);
   EXPECT_NEAR(q.minimum_angle(), 45, 1e-12);
   EXPECT_NEAR(q.maximum_angle(), 90, 1e-12);
   EXPECT_NEAR(q.mean_quality(), 2 * (std::sqrt(2.) - 1), 1e-14);
@@ -166,7 +170,7 @@ TEST(Mesh_quality, agrees_with_brute_force_on_a_random_mesh)
     cdt.insert(Point(uniform(random), uniform(random)));
   const auto q = CGAL::mesh_quality_2(cdt);
   std::vector<double> qualities;
-  double angle = 180, largest = 0;
+  double angle = 180, largest = 0, shortest = 2, longest = 0;
   for (CDT::Face_handle f : cdt.finite_face_handles()) {
     const Point c = CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
     if (c.x() > 0.4 && c.x() < 0.6 && c.y() > 0.4 && c.y() < 0.6)
@@ -178,6 +182,8 @@ TEST(Mesh_quality, agrees_with_brute_force_on_a_random_mesh)
       const auto v = f->vertex((i + 2) % 3)->point() - f->vertex(i)->point();
       const double a =
         std::acos(u * v / std::sqrt(u.squared_length() * v.squared_length())) * 57.29577951308232;
+      shortest = (std::min)(shortest, std::sqrt(u.squared_length()));
+      longest = (std::max)(longest, std::sqrt(u.squared_length()));
       angle = (std::min)(angle, a);
       largest = (std::max)(largest, a);
     }
@@ -188,6 +194,8 @@ TEST(Mesh_quality, agrees_with_brute_force_on_a_random_mesh)
   EXPECT_NEAR(q.minimum_quality(), qualities.front(), rounding);
   EXPECT_NEAR(q.minimum_angle(), angle, 1e-6);
   EXPECT_NEAR(q.maximum_angle(), largest, 1e-6);
+  EXPECT_NEAR(q.shortest_edge(), shortest, rounding);
+  EXPECT_NEAR(q.longest_edge(), longest, rounding);
   std::size_t sum = 0;
   for (std::size_t n : q.histogram())
     sum += n;
@@ -273,8 +281,8 @@ TEST(Mesh_quality, prints_all_figures)
   std::ostringstream out;
   out.precision(3);
   out << CGAL::mesh_quality_2(cdt, CGAL::parameters::sizing_function(0.7)) << 0.123456;
-  for (const char* word : {"vertices", "triangles", "radius ratio", "angle", "degree", "length over d",
-                           "histogram", "#", "0.123"})
+  for (const char* word : {"vertices", "triangles", "radius ratio", "angle", "degree", "edge: shortest, longest",
+                           "length over d", "histogram", "#", "0.123"})
     EXPECT_NE(out.str().find(word), std::string::npos) << word;
   EXPECT_EQ(out.str().find("0.1235"), std::string::npos) << "the format of the stream was changed";
 }

@@ -69,7 +69,7 @@ std::vector<double> all_numbers(const CGAL::Mesh_quality_2<FT>& q)
 {
   std::vector<double> numbers{double(q.number_of_vertices()), double(q.number_of_triangles()),
                               q.minimum_quality(), q.mean_quality(), q.worst_x(), q.worst_y(),
-                              q.minimum_angle(), q.maximum_angle(),
+                              q.minimum_angle(), q.maximum_angle(), q.shortest_edge(), q.longest_edge(),
                               double(q.number_of_interior_vertices()), q.irregular_share(),
                               q.mean_length_ratio(), q.length_ratio_deviation(),
                               q.length_ratio_percentile(1), q.length_ratio_percentile(99)};

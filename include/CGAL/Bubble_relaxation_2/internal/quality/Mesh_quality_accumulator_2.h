@@ -51,6 +51,7 @@ struct Mesh_statistics_2
   double minimum_quality = undefined, mean_quality = undefined;
   double worst_x = undefined, worst_y = undefined;
   double minimum_angle = undefined, maximum_angle = undefined;
+  double shortest_edge = undefined, longest_edge = undefined;
   std::array<double, quality_percents.size()> quality_percentiles{};
   std::array<std::size_t, number_of_quality_bars> histogram{};
   bool has_lengths = false;
@@ -121,6 +122,8 @@ public:
         add_smallest(other.m_largest_cotangent, other.m.minimum_angle);
       if (may_be_largest(other.m_smallest_cotangent))
         add_largest(other.m_smallest_cotangent, other.m.maximum_angle);
+      add_edge(other.m.shortest_edge);
+      add_edge(other.m.longest_edge);
     }
     m_qualities.insert(m_qualities.end(), other.m_qualities.begin(), other.m_qualities.end());
     m_lengths.insert(m_lengths.end(), other.m_lengths.begin(), other.m_lengths.end());
@@ -178,9 +181,11 @@ private:
     const double ux = CGAL::to_double(q.x() - p.x()), uy = CGAL::to_double(q.y() - p.y());
     const double vx = CGAL::to_double(r.x() - p.x()), vy = CGAL::to_double(r.y() - p.y());
     const double scale = (std::max)(std::abs(ux) + std::abs(uy), std::abs(vx) + std::abs(vy));
-    const double cross = std::abs(ux / scale * (vy / scale) - uy / scale * (vx / scale));
-    const double dot = ux / scale * (vx / scale) + uy / scale * (vy / scale);
+    const double x = ux / scale, y = uy / scale;
+    const double cross = std::abs(x * (vy / scale) - y * (vx / scale));
+    const double dot = x * (vx / scale) + y * (vy / scale);
     m.obtuse += is_obtuse(dot, cross);
+    add_edge(scale > 0 ? scale * std::sqrt(x * x + y * y) : 0);
     // the cotangent falls as the angle grows, and costs less
     const bool is_angle = scale > 0 && (cross > 0 || dot != 0);
     const double cotangent = is_angle ? dot / cross : std::numeric_limits<double>::infinity();
@@ -188,6 +193,14 @@ private:
       add_smallest(cotangent, is_angle ? degrees * angle_of(dot, cross) : 0.);
     if (may_be_largest(cotangent))
       add_largest(cotangent, is_angle ? degrees * angle_of(dot, cross) : 0.);
+  }
+
+  void add_edge(double length)
+  {
+    if (!(length >= m.shortest_edge))
+      m.shortest_edge = length;
+    if (!(length <= m.longest_edge))
+      m.longest_edge = length;
   }
 
   bool may_be_smallest(double cotangent) const { return !(cotangent < m_largest_cotangent); }
@@ -226,6 +239,8 @@ private:
     const double smallest = smallest_if(!is_empty, m_smallest_cotangent);
     const bool is_widest = !is_empty && m_smallest_cotangent == smallest;
     m.maximum_angle = all.largest(is_widest ? m.maximum_angle : -infinity);
+    m.shortest_edge = smallest_if(!is_empty, m.shortest_edge);
+    m.longest_edge = all.largest(is_empty ? -infinity : m.longest_edge);
   }
 
   void finish_qualities(const Team& all)

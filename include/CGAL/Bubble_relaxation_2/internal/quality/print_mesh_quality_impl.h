@@ -37,6 +37,9 @@ inline void print_table(std::ostream& out, const Mesh_quality_2<double>& q)
   row("obtuse triangles") << q.number_of_obtuse_triangles() << '\n';
   row("interior vertices, not of degree 6") << q.number_of_interior_vertices() << "  "
                                             << 100 * q.irregular_share() << " %\n";
+  out.unsetf(std::ios::floatfield); // lengths have any magnitude
+  row("edge: shortest, longest") << std::setprecision(6) << q.shortest_edge() << "  " << q.longest_edge() << '\n';
+  out << std::fixed;
   if (!q.has_length_ratios())
     return;
   out << std::setprecision(4);
