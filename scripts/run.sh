@@ -8,6 +8,7 @@ scripts/install_dependencies.sh
 mkdir -p build
 cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUBBLE_RELAXATION_2_TESTS=OFF > build/configure.log 2>&1 ||
   { cat build/configure.log; exit 1; }
+echo "building the mesher, which takes a minute or two"
 cmake --build build/release --target npbs_mesh
 mkdir -p output
 build/release/demo/Bubble_relaxation_2/npbs_mesh demo/Bubble_relaxation_2/data/lake.poly \

@@ -49,14 +49,16 @@ inline Domain read_domain(const po::variables_map& arguments, const std::string&
   return domain;
 }
 
-/// The values of `--raster`, nothing without it.
-inline Raster_values read_raster([[maybe_unused]] const po::variables_map& arguments,
-                                 [[maybe_unused]] const Domain& domain)
+/// The values of `--raster`, nothing without it. It may warn, in the domain.
+inline Raster_values read_raster([[maybe_unused]] const po::variables_map& arguments, [[maybe_unused]] Domain& domain)
 {
   if (arguments.count("raster") == 0)
     return {};
 #ifdef BUBBLE_RELAXATION_2_WITH_GDAL
   const auto raster = std::make_shared<const Raster>(arguments["raster"].as<std::string>(), domain);
+  const std::string warning = raster->warning(domain);
+  if (!warning.empty())
+    domain.warnings.push_back(warning);
   return [raster](double x, double y) { return (*raster)(x, y); };
 #else
   throw std::runtime_error("--raster: this program was built without GDAL");

@@ -181,6 +181,9 @@ try {
                                                 .relative_outline_tolerance(arguments["tolerance"].as<double>())
                                                 .minimum_island_area(arguments["min-island"].as<double>())
                                                 .minimum_gap(arguments["min-gap"].as<double>()));
+  const std::vector<Connected_part> parts = connected_parts(domain.cdt);
+  if (!report.filled_gaps.empty() && parts.size() > 1)
+    domain.warnings.push_back(parts_message(parts));
   if (!tells)
     return;
   if (arguments.count("quiet") == 0)

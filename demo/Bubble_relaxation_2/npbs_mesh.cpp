@@ -247,14 +247,18 @@ try {
   const auto warn = [&](const std::string& text) {
     std::cerr << "npbs_mesh: warning: " << input_name(arguments) << ": " << text << '\n';
   };
-  for (const std::string& warning : domain.warnings)
-    warn(warning);
+  const auto warn_of_domain = [&] {
+    for (const std::string& warning : std::exchange(domain.warnings, {}))
+      warn(warning);
+  };
+  warn_of_domain();
   tags.check(domain);
   const Raster_values raster = read_raster(arguments, domain);
   tags.set_raster(raster);
   if (formula)
     formula->set_raster(raster);
   simplify(domain, arguments, formula);
+  warn_of_domain();
   const Region_map regions = region_attributes(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
   const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula));

@@ -158,13 +158,22 @@ inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
     return [&map](CDT::Face_handle f) { return !std::exchange(map[f], true); };
   };
   flood(domain.cdt.infinite_face(), mark_in(is_outside));
+  std::vector<Point> useless;
   for (const Point& hole : holes) {
-    const CDT::Face_handle f = domain.cdt.locate(hole);
+    CDT::Locate_type place;
+    int side = 0;
+    const CDT::Face_handle f = domain.cdt.locate(hole, place, side);
+    if (place == CDT::VERTEX || (place == CDT::EDGE && f->is_constrained(side)))
+      throw std::runtime_error("the hole " + to_string(hole) + " lies on a segment and does not tell which side is meant");
     if (is_outside[f])
-      domain.warnings.push_back("the hole " + to_string(hole) +
-                                " lies outside of all outlines and is none");
+      useless.push_back(hole);
     flood(f, mark_in(is_hole));
   }
+  if (useless.size() == 1)
+    domain.warnings.push_back("the hole " + to_string(useless[0]) + " lies outside of all outlines and is none");
+  else if (!useless.empty())
+    domain.warnings.push_back(std::to_string(useless.size()) + " holes lie outside of all outlines and are none, such as " +
+                              to_string(useless[0]));
   bool is_empty = true;
   for (CDT::Face_handle f : domain.cdt.finite_face_handles()) {
     f->set_in_domain(!is_outside[f] && !is_hole[f]);

@@ -24,8 +24,9 @@
 #include <string>
 #include <vector>
 
-/// The first band of a raster, as far as a domain needs it: linear between the centres of its cells. May be asked by
-/// several threads.
+/// The first band of a raster, as far as a domain needs it: linear between the centres of its cells, and where those around
+/// have no value that of the nearest cell with one, since rasters of a sea are often empty on land. May be asked by several
+/// threads.
 class Raster
 {
 public:
@@ -47,12 +48,36 @@ public:
         m_projection = projection(of_domain, own);
     }
     read_cells(domain);
+    find_nearest();
     m_file.reset();
   } catch (const std::exception& e) {
     throw std::runtime_error("--raster: " + name + ": " + e.what());
   }
 
-  /// \throws std::runtime_error if the raster has no value there
+  /// what to say if there is no value at vertices of the domain; empty if there is one at all
+  std::string warning(const Domain& domain) const
+  {
+    std::size_t empty = 0;
+    double farthest = 0;
+    Point there;
+    for (CDT::Vertex_handle v : domain.cdt.finite_vertex_handles()) {
+      const std::array<int, 2> cell = cell_at(in_cells(v->point().x(), v->point().y(), m_projection.get()));
+      if (!std::isnan(m_cells[number(cell)]))
+        continue;
+      ++empty;
+      const std::size_t nearest = m_nearest[number(cell)];
+      const double far = std::hypot(static_cast<int>(nearest % width()) - cell[0], static_cast<int>(nearest / width()) - cell[1]);
+      if (far > farthest || (far == farthest && v->point() < there)) {
+        farthest = far;
+        there = v->point();
+      }
+    }
+    return empty == 0 ? ""
+                      : "the raster has no value at " + std::to_string(empty) + " of the domain's vertices; what is nearest is " +
+                          "taken, at " + to_string(there) + " from " + std::to_string(std::lround(farthest)) + " cells away";
+  }
+
+  /// \throws std::runtime_error outside of the raster
   double operator()(double x, double y) const
   {
     const std::array<double, 2> cell = in_cells(x, y, my_projection());
@@ -61,7 +86,7 @@ public:
     for (std::size_t c = 0; c < 2; ++c) {
       const double at = cell[c] - m_begin[c] - 0.5;
       if (!(at >= -0.5 && at <= m_size[c] - 0.5))
-        throw_no_value(x, y);
+        throw std::runtime_error("--raster: there is no value at " + to_string(Point(x, y)));
       first[c] = static_cast<int>(std::floor(at));
       share[c] = at - first[c];
     }
@@ -69,16 +94,13 @@ public:
     for (int k = 0; k < 4; ++k) {
       const double weight = (k % 2 ? share[0] : 1 - share[0]) * (k / 2 ? share[1] : 1 - share[1]);
       const int i = std::clamp(first[0] + k % 2, 0, m_size[0] - 1), j = std::clamp(first[1] + k / 2, 0, m_size[1] - 1);
-      const double value = m_cells[static_cast<std::size_t>(j) * static_cast<std::size_t>(m_size[0]) +
-                                   static_cast<std::size_t>(i)];
+      const double value = m_cells[number({i, j})];
       if (std::isnan(value))
         continue;
       sum += weight * value;
       weights += weight;
     }
-    if (!(weights > 0))
-      throw_no_value(x, y);
-    return sum / weights;
+    return weights > 0 ? sum / weights : m_cells[m_nearest[number(cell_at(cell))]];
   }
 
 private:
@@ -113,6 +135,46 @@ private:
       value = has_none && value == none ? std::nan("") : scale * value + offset;
   }
 
+  /// Finds for each cell the nearest one with a value, by ways from cell to cell, of which each has eight around it.
+  void find_nearest()
+  {
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    m_nearest.assign(m_cells.size(), none);
+    std::vector<std::size_t> reached;
+    for (std::size_t k = 0; k < m_cells.size(); ++k)
+      if (!std::isnan(m_cells[k])) {
+        m_nearest[k] = k;
+        reached.push_back(k);
+      }
+    if (reached.empty())
+      throw std::runtime_error("has no values where the domain is");
+    for (std::size_t n = 0; n < reached.size() && reached.size() < m_cells.size(); ++n) {
+      const int i = static_cast<int>(reached[n] % width()), j = static_cast<int>(reached[n] / width());
+      for (int l = (std::max)(0, j - 1); l <= (std::min)(j + 1, m_size[1] - 1); ++l)
+        for (int k = (std::max)(0, i - 1); k <= (std::min)(i + 1, m_size[0] - 1); ++k)
+          if (m_nearest[number({k, l})] == none) {
+            m_nearest[number({k, l})] = m_nearest[reached[n]];
+            reached.push_back(number({k, l}));
+          }
+    }
+  }
+
+  std::size_t width() const { return static_cast<std::size_t>(m_size[0]); }
+
+  std::size_t number(const std::array<int, 2>& cell) const
+  {
+    return static_cast<std::size_t>(cell[1]) * width() + static_cast<std::size_t>(cell[0]);
+  }
+
+  /// the cell among those that are read that a place is in or nearest to
+  std::array<int, 2> cell_at(const std::array<double, 2>& place) const
+  {
+    std::array<int, 2> cell;
+    for (std::size_t c = 0; c < 2; ++c)
+      cell[c] = static_cast<int>(std::clamp(std::floor(place[c] - m_begin[c]), 0., m_size[c] - 1.));
+    return cell;
+  }
+
   std::array<double, 2> in_cells(double x, double y, OGRCoordinateTransformation* projection) const
   {
     const Point given(x, y);
@@ -135,17 +197,13 @@ private:
     return mine.get();
   }
 
-  [[noreturn]] static void throw_no_value(double x, double y)
-  {
-    throw std::runtime_error("--raster: there is no value at " + to_string(Point(x, y)));
-  }
-
   Quiet_gdal m_quiet;
   GDALDatasetUniquePtr m_file; // until its cells are read
   Projection m_projection;     // from the domain to the raster, nothing if it needs none
   std::array<double, 6> m_to_cells;
   std::array<int, 2> m_begin{}, m_size{}; // of the cells that are read
   std::vector<double> m_cells;            // not a number where there is none
+  std::vector<std::size_t> m_nearest;     // of each cell the one whose value is taken
 };
 
 #endif // BUBBLE_RELAXATION_2_DEMO_RASTER_FILE_H

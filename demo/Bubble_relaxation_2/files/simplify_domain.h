@@ -12,12 +12,18 @@
 #include "domain.h"
 #include "file_names.h"
 
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/property_map.h>
 #include <CGAL/simplify_outline_2.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <ostream>
 #include <set>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// Replaces the outline by one within a tolerance; its segments have the markers of those that they stand for.
 /// \param parameters sizes, tolerance and rules
@@ -28,6 +34,51 @@ CGAL::Outline_simplification_report_2 simplify_domain(Domain& domain, const Para
   return CGAL::simplify_outline_2(
     domain.cdt,
     parameters.vertex_is_constrained_map(Pinned(domain.pinned)).edge_marker_map(Segment_marker_map{&domain}));
+}
+
+/// A part of a domain that no side of a triangle joins to another.
+struct Connected_part
+{
+  double area;
+  Point place; ///< in it
+};
+
+/// the parts, the largest first
+inline std::vector<Connected_part> connected_parts(const CDT& cdt)
+{
+  std::vector<Connected_part> parts;
+  CGAL::Unique_hash_map<CDT::Face_handle, bool> is_known(false);
+  for (CDT::Face_handle first : cdt.finite_face_handles()) {
+    if (!first->is_in_domain() || std::exchange(is_known[first], true))
+      continue;
+    parts.push_back(Connected_part{0, CGAL::centroid(cdt.triangle(first))});
+    std::vector<CDT::Face_handle> stack{first};
+    while (!stack.empty()) {
+      const CDT::Face_handle f = stack.back();
+      stack.pop_back();
+      parts.back().area += cdt.triangle(f).area();
+      for (int i = 0; i < 3; ++i)
+        if (f->neighbor(i)->is_in_domain() && !std::exchange(is_known[f->neighbor(i)], true))
+          stack.push_back(f->neighbor(i));
+    }
+  }
+  std::sort(parts.begin(), parts.end(), [](const Connected_part& p, const Connected_part& q) {
+    return p.area != q.area ? p.area > q.area : p.place < q.place;
+  });
+  return parts;
+}
+
+/// what to say if a domain whose narrows were filled has several parts
+inline std::string parts_message(const std::vector<Connected_part>& parts)
+{
+  std::ostringstream text;
+  text << "with narrows filled the domain has " << parts.size() << " parts that are not connected;";
+  constexpr std::size_t most_places = 4;
+  for (std::size_t k = 1; k < parts.size() && k < most_places; ++k)
+    text << (k > 1 ? "," : "") << " one with the area " << parts[k].area << " is at " << to_string(parts[k].place);
+  if (parts.size() > most_places)
+    text << ", " << parts.size() - most_places << " are smaller";
+  return text.str();
 }
 
 /// Writes where the rules took islands and narrows away: a line each, with its area.

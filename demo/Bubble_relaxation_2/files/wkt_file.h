@@ -29,6 +29,8 @@ public:
 
   Domain read()
   {
+    if (m_text.compare(0, 3, "\xEF\xBB\xBF") == 0) // the byte order mark of UTF-8
+      m_at = 3;
     for (skip_space(); m_at < m_text.size(); skip_space())
       read_geometry();
     if (m_domain.cdt.number_of_vertices() == 0)
