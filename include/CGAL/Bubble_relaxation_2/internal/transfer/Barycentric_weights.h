@@ -26,16 +26,19 @@ inline double linear_value(const Weights_3& w, const std::array<double, 3>& valu
   return values[0] + w[1] * (values[1] - values[0]) + w[2] * (values[2] - values[0]);
 }
 
-/// The point of a triangle, with the corners `c`, that is the nearest to `q`, on one of its sides.
+/// The point of a triangle that is the nearest to `q`, on one of its sides.
 struct Nearest_on_sides
 {
   Weights_3 weights{{1, 0, 0}};
   double squared_distance = std::numeric_limits<double>::infinity();
 
-  Nearest_on_sides(const std::array<Offset_2, 3>& c, const Offset_2& q)
+  Nearest_on_sides(const Face_set_2& faces, Index t, const Point& q)
   {
+    std::array<Offset_2, 3> c; // the corners as seen from there
+    for (int i = 0; i < 3; ++i)
+      c[i] = offset(q, faces.point(t, i));
     for (int i = 0; i < 3; ++i) {
-      const Offset_2 side = c[ccw(i)] - c[i], to_q = q - c[i];
+      const Offset_2 side = c[ccw(i)] - c[i], to_q = Offset_2{0, 0} - c[i];
       const double length = dot(side, side);
       const double s = length > 0 ? (std::min)(1., (std::max)(0., dot(side, to_q) / length)) : 0;
       const Offset_2 miss{to_q.x - s * side.x, to_q.y - s * side.y};
@@ -67,7 +70,7 @@ inline Weights_3 barycentric_weights(const Face_set_2& faces, Index t, const Poi
                                   twice_signed_area(q, faces.point(t, 2), faces.point(t, 0)),
                                   twice_signed_area(q, faces.point(t, 0), faces.point(t, 1))});
   // in a triangle without area only sides tell where a point is
-  return w[0] + w[1] + w[2] > 0 ? w : Nearest_on_sides(faces.corners(q, t), Offset_2{0, 0}).weights;
+  return w[0] + w[1] + w[2] > 0 ? w : Nearest_on_sides(faces, t, q).weights;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_COMPENSATED_SUM_H
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -38,6 +39,14 @@ inline double sum_of(const std::vector<double>& terms)
   Compensated_sum sum;
   for (double term : terms)
     sum += term;
+  return sum.value();
+}
+
+inline double sum_of_products(const std::vector<double>& a, const std::vector<double>& b)
+{
+  Compensated_sum sum;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    sum += a[k] * b[k];
   return sum.value();
 }
 

@@ -29,7 +29,7 @@ class Face_remap_2
 {
 public:
   Face_remap_2(const Transfer_problem_2& problem, const Source_search_2& search, const Threads& threads)
-    : m_problem(problem), m_overlaps(search, problem.target, threads)
+    : m_problem(problem), m_overlaps(face_overlaps(search, problem.target, threads))
   {
     for (std::size_t t = 0; t < problem.target.number_of_triangles(); ++t)
       set_mean(search, t);
@@ -128,16 +128,11 @@ private:
       double gain = 0, loss = 0;
       for (const Face_overlap_2& o : m_overlaps[t])
         (excess(o) > 0 ? gain : loss) += excess(o);
-      const double upper = part(m_areas[t] * (m_bounds[t].largest - m_values[t]), gain);
-      const double lower = part(m_areas[t] * (m_bounds[t].least - m_values[t]), loss);
+      const double upper = share_in_room(m_areas[t] * (m_bounds[t].largest - m_values[t]), gain);
+      const double lower = share_in_room(m_areas[t] * (m_bounds[t].least - m_values[t]), loss);
       for (const Face_overlap_2& o : m_overlaps[t])
         shares[o.source] = (std::min)(shares[o.source], excess(o) > 0 ? upper : excess(o) < 0 ? lower : 1);
     }
-  }
-
-  static double part(double room, double wanted)
-  {
-    return wanted == 0 ? 1 : (std::max)(0., (std::min)(1., room / wanted));
   }
 
   const Transfer_problem_2& m_problem;

@@ -48,13 +48,15 @@ struct Face_set_2
 
   const Point& point(Index t, int i) const { return points[triangles[t][i]]; }
 
-  /// the corners of a triangle as seen from a point near to it
-  std::array<Offset_2, 3> corners(const Point& origin, Index t) const
-  {
-    return {offset(origin, point(t, 0)), offset(origin, point(t, 1)), offset(origin, point(t, 2))};
-  }
-
   double area(Index t) const { return (std::max)(0., twice_signed_area(point(t, 0), point(t, 1), point(t, 2)) / 2); }
+
+  std::vector<double> areas() const
+  {
+    std::vector<double> result;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      result.push_back(area(static_cast<Index>(t)));
+    return result;
+  }
 
   Bbox_2 box(Index t) const { return point(t, 0).bbox() + point(t, 1).bbox() + point(t, 2).bbox(); }
 };

@@ -24,13 +24,12 @@ class Mass_matrix_2
 public:
   using Vector = std::vector<double>;
 
-  explicit Mass_matrix_2(const Face_set_2& faces) : m_faces(faces), m_lumped(faces.points.size(), 0)
+  explicit Mass_matrix_2(const Face_set_2& faces)
+    : m_faces(faces), m_areas(faces.areas()), m_lumped(faces.points.size(), 0)
   {
-    for (std::size_t t = 0; t < faces.number_of_triangles(); ++t) {
-      m_areas.push_back(faces.area(static_cast<Index>(t)));
+    for (std::size_t t = 0; t < m_areas.size(); ++t)
       for (Index v : faces.triangles[t])
         m_lumped[v] += m_areas[t] / 3;
-    }
   }
 
   const std::vector<double>& areas() const { return m_areas; } ///< of the triangles
@@ -51,13 +50,7 @@ public:
   }
 
   /// the integral of the function with these values at the vertices
-  double integral(const Vector& x) const
-  {
-    Compensated_sum sum;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      sum += m_lumped[i] * x[i];
-    return sum.value();
-  }
+  double integral(const Vector& x) const { return sum_of_products(m_lumped, x); }
 
   /// Solves for the free vertices; at others the result is 0. By Chebyshev's iteration, preconditioned with the
   /// diagonal: the eigenvalues lie between 1/2 and 2 then, however bad the triangles are (Wathen, IMA J. Numer. Anal. 7

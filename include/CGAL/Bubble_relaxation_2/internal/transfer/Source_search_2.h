@@ -33,22 +33,27 @@ struct Source_location_2
 class Source_search_2
 {
 public:
-  using Triangles = boost::container::small_vector<Index, 64>;
-
   explicit Source_search_2(const Face_set_2& source) : m_source(source), m_tree(source) {}
 
   const Face_set_2& source() const { return m_source; }
 
-  /// the triangles that have common interior with a triangle of the target, in increasing order
-  void find_overlapping(const Face_set_2& target, Index t, Triangles& found) const
+  /// Calls `visit(s, polygon)` for the triangles that overlap a triangle of the target, in increasing order, and what
+  /// they have in common with it.
+  template <class Visitor>
+  void for_each_overlap(const Face_set_2& target, Index t, const Visitor& visit) const
   {
-    found.clear();
+    boost::container::small_vector<Index, 64> found;
     const Bbox_2 box = target.box(t);
     m_tree.for_each_near(box, [&](Index s) {
       if (do_overlap(m_source.box(s), box) && have_common_interior(m_source, s, target, t))
         found.push_back(s);
     });
     std::sort(found.begin(), found.end());
+    for (Index s : found) {
+      const Overlap_polygon_2 polygon(m_source, s, target, t);
+      if (polygon.area() > 0)
+        visit(s, polygon);
+    }
   }
 
   /// The triangle that contains a point, of several the first one; else the nearest place in any triangle.
@@ -78,7 +83,7 @@ private:
     Source_location_2 best;
     double bound = std::numeric_limits<double>::infinity();
     m_tree.for_each_nearer(q, bound, [&](Index s) {
-      const Nearest_on_sides n(m_source.corners(q, s), Offset_2{0, 0});
+      const Nearest_on_sides n(m_source, s, q);
       if (n.squared_distance > bound || (n.squared_distance == bound && s > best.triangle))
         return bound;
       best = Source_location_2{s, n.weights};

@@ -77,6 +77,12 @@ struct Bounds
   double clamp(double value) const { return (std::min)(largest, (std::max)(least, value)); }
 };
 
+/// how much of a wanted change, of the same sign as the room for it, can be had
+inline double share_in_room(double room, double wanted)
+{
+  return wanted == 0 ? 1 : (std::max)(0., (std::min)(1., room / wanted));
+}
+
 /// Adds `deficit` to the integral, within the bounds: each value gets the same share of the way to its bound, where
 /// `weights` are positive. What exceeds all bounds stays out.
 inline void spread_within_bounds(double deficit, const std::vector<double>& weights, const std::vector<Bounds>& bounds,

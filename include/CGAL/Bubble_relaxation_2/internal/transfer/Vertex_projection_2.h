@@ -28,9 +28,11 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Vertex_projection_2
 {
 public:
-  Vertex_projection_2(const Transfer_problem_2& problem, const std::vector<double>& interpolated,
-                      const std::vector<Vertex_share_2>& shares, double source_integral)
-    : m_problem(problem), m_interpolated(interpolated), m_shares(shares), m_mass(problem.target),
+  /// \param mass of the target
+  Vertex_projection_2(const Transfer_problem_2& problem, const Mass_matrix_2& mass,
+                      const std::vector<double>& interpolated, const std::vector<Vertex_share_2>& shares,
+                      double source_integral)
+    : m_problem(problem), m_mass(mass), m_interpolated(interpolated), m_shares(shares),
       m_residual(interpolated.size(), 0), m_is_free(interpolated.size(), 1)
   {
     for (std::size_t i = 0; i < m_is_free.size(); ++i)
@@ -45,8 +47,6 @@ public:
       }
     m_integral = problem.keeps_integral ? source_integral : integral.value();
   }
-
-  const Mass_matrix_2& mass() const { return m_mass; }
 
   /// the nearest function among those with the integral and with the values of fixed vertices
   std::vector<double> consistent() const
@@ -76,7 +76,7 @@ public:
     for (std::size_t i = 0; i < values.size(); ++i)
       if (m_is_free[i])
         values[i] = bounds[i].clamp((moments[i] + m_residual[i]) / m_mass.lumped()[i]);
-    Antidiffusion_limiter_2(m_problem.target, m_mass, bounds, m_is_free)(consistent(), values);
+    limit_antidiffusion(m_problem.target, m_mass, bounds, m_is_free, consistent(), values);
     std::vector<double> weights = m_mass.lumped();
     for (std::size_t i = 0; i < weights.size(); ++i)
       weights[i] *= m_is_free[i];
@@ -98,9 +98,9 @@ private:
   }
 
   const Transfer_problem_2& m_problem;
+  const Mass_matrix_2& m_mass;
   const std::vector<double>& m_interpolated;
   const std::vector<Vertex_share_2>& m_shares;
-  Mass_matrix_2 m_mass;
   std::vector<double> m_residual;
   std::vector<char> m_is_free;
   double m_integral; // that the result is to have

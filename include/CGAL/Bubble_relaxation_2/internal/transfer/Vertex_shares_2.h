@@ -30,6 +30,21 @@ struct Vertex_share_2
   Bounds bounds{0, 0}; ///< of the source triangles that overlap, and of u<sub>I</sub> at the corners
 };
 
+/// those at the corners of a triangle
+inline std::array<double, 3> values_at(const std::vector<double>& values, const std::array<Index, 3>& corners)
+{
+  return {values[corners[0]], values[corners[1]], values[corners[2]]};
+}
+
+/// of values at the corners of a triangle
+inline Bounds bounds_of(const std::array<double, 3>& values)
+{
+  Bounds bounds{values[0], values[0]};
+  bounds.include(values[1]);
+  bounds.include(values[2]);
+  return bounds;
+}
+
 /// The values of the source at the points of the target, linear in its triangles, those of the nearest places outside.
 inline std::vector<double> interpolate(const Source_search_2& search, const std::vector<double>& values,
                                        const std::vector<Point>& points, const Threads& threads)
@@ -39,12 +54,8 @@ inline std::vector<double> interpolate(const Source_search_2& search, const std:
     threads, points.size(),
     [&](std::size_t i) {
       const Source_location_2 place = search.locate(points[i]);
-      const std::array<Index, 3>& v = search.source().triangles[place.triangle];
-      const std::array<double, 3> u{values[v[0]], values[v[1]], values[v[2]]};
-      Bounds bounds{u[0], u[0]};
-      bounds.include(u[1]);
-      bounds.include(u[2]);
-      result[i] = bounds.clamp(linear_value(place.weights, u));
+      const std::array<double, 3> u = values_at(values, search.source().triangles[place.triangle]);
+      result[i] = bounds_of(u).clamp(linear_value(place.weights, u));
       for (int k = 0; k < 3; ++k)
         if (place.weights[k] == 1)
           result[i] = u[k]; // without the rounding of a sum: what did not move keeps its bits
@@ -53,76 +64,51 @@ inline std::vector<double> interpolate(const Source_search_2& search, const std:
   return result;
 }
 
-/// Computes the shares of the triangles of the target.
-class Vertex_shares_computation_2
+/// Adds what a triangle of the source has in common with one of the target. `u`: the values of u<sub>I</sub> at the
+/// corners of the latter, `source_values` those of u<sub>S</sub> at the corners of the former
+inline void add_overlap(const Overlap_polygon_2& polygon, double target_area, const std::array<double, 3>& u,
+                        const std::array<double, 3>& source_values, Vertex_share_2& sum)
 {
-public:
-  Vertex_shares_computation_2(const Source_search_2& search, const Transfer_problem_2& problem,
-                              const std::vector<double>& interpolated)
-    : m_search(search), m_problem(problem), m_interpolated(interpolated)
-  {}
-
-  std::vector<Vertex_share_2> operator()(const Threads& threads) const
-  {
-    std::vector<Vertex_share_2> shares(m_problem.target.number_of_triangles());
-    parallel_for(threads, shares.size(), [&](std::size_t t) { shares[t] = share(static_cast<Index>(t)); }, 256);
-    return shares;
+  std::array<Weights_3, Overlap_polygon_2::most> hat;
+  std::array<double, Overlap_polygon_2::most> value, difference;
+  for (int k = 0; k < polygon.size(); ++k) {
+    hat[k] = polygon.target_weights(k);
+    value[k] = linear_value(polygon.source_weights(k), source_values);
+    difference[k] = value[k] - linear_value(hat[k], u);
   }
+  polygon.for_each_triangle([&](int i, int j, int k, double share) {
+    const double area = share * target_area;
+    const double total = difference[i] + difference[j] + difference[k];
+    for (int c = 0; c < 3; ++c)
+      sum.moments[c] += area / 12 * (hat[i][c] * (difference[i] + total) + hat[j][c] * (difference[j] + total) +
+                                     hat[k][c] * (difference[k] + total));
+    sum.overlap_integral += area * (value[i] + value[j] + value[k]) / 3;
+  });
+  sum.overlap_area += polygon.area();
+  ++sum.pairs;
+  for (double v : source_values)
+    sum.bounds.include(v);
+}
 
-private:
-  using Values = std::array<double, 3>;
-
-  static Values values_of(const std::vector<double>& values, const std::array<Index, 3>& v)
-  {
-    return {values[v[0]], values[v[1]], values[v[2]]};
-  }
-
-  Vertex_share_2 share(Index t) const
-  {
-    const Face_set_2 &source = m_problem.source, &target = m_problem.target;
-    const Values u = values_of(m_interpolated, target.triangles[t]);
-    Vertex_share_2 result;
-    result.bounds = Bounds{u[0], u[0]};
-    result.bounds.include(u[1]);
-    result.bounds.include(u[2]);
-    Source_search_2::Triangles found;
-    m_search.find_overlapping(target, t, found);
-    for (Index s : found) {
-      const Overlap_polygon_2 polygon(source, s, target, t);
-      if (polygon.area() > 0)
-        add(polygon, target.area(t), u, values_of(m_problem.values, source.triangles[s]), result);
-    }
-    return result;
-  }
-
-  static void add(const Overlap_polygon_2& polygon, double target_area, const Values& u, const Values& source_values,
-                  Vertex_share_2& result)
-  {
-    std::array<Weights_3, Overlap_polygon_2::most> hat;
-    std::array<double, Overlap_polygon_2::most> value, difference;
-    for (int k = 0; k < polygon.size(); ++k) {
-      hat[k] = polygon.target_weights(k);
-      value[k] = linear_value(polygon.source_weights(k), source_values);
-      difference[k] = value[k] - linear_value(hat[k], u);
-    }
-    polygon.for_each_triangle([&](int i, int j, int k, double share) {
-      const double area = share * target_area;
-      const double sum = difference[i] + difference[j] + difference[k];
-      for (int c = 0; c < 3; ++c)
-        result.moments[c] += area / 12 * (hat[i][c] * (difference[i] + sum) + hat[j][c] * (difference[j] + sum) +
-                                          hat[k][c] * (difference[k] + sum));
-      result.overlap_integral += area * (value[i] + value[j] + value[k]) / 3;
-    });
-    result.overlap_area += polygon.area();
-    ++result.pairs;
-    for (double v : source_values)
-      result.bounds.include(v);
-  }
-
-  const Source_search_2& m_search;
-  const Transfer_problem_2& m_problem;
-  const std::vector<double>& m_interpolated;
-};
+/// The shares of the triangles of the target.
+inline std::vector<Vertex_share_2> vertex_shares(const Source_search_2& search, const Transfer_problem_2& problem,
+                                                 const std::vector<double>& interpolated, const Threads& threads)
+{
+  std::vector<Vertex_share_2> shares(problem.target.number_of_triangles());
+  parallel_for(
+    threads, shares.size(),
+    [&](std::size_t k) {
+      const Index t = static_cast<Index>(k);
+      const double area = problem.target.area(t);
+      const std::array<double, 3> u = values_at(interpolated, problem.target.triangles[k]);
+      shares[k].bounds = bounds_of(u);
+      search.for_each_overlap(problem.target, t, [&](Index s, const Overlap_polygon_2& polygon) {
+        add_overlap(polygon, area, u, values_at(problem.values, problem.source.triangles[s]), shares[k]);
+      });
+    },
+    256);
+  return shares;
+}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

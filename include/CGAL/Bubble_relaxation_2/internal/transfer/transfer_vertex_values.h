@@ -20,28 +20,16 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// the values of the source at the points of the target, for which no triangles are intersected
-inline void report_interpolation(const Mass_matrix_2& target, const std::vector<double>& values,
-                                 Transfer_report_2& report)
-{
-  report.target_area = sum_of(target.areas());
-  report.overlap_area = report.uncovered_area = report.overlap_integral = std::numeric_limits<double>::quiet_NaN();
-  report.target_integral = target.integral(values);
-}
-
-inline void report_overlaps(const Face_set_2& target, const std::vector<Vertex_share_2>& shares,
+inline void report_overlaps(const std::vector<double>& target_areas, const std::vector<Vertex_share_2>& shares,
                             Transfer_report_2& report)
 {
-  Compensated_sum target_area, overlap_area, uncovered_area, overlap_integral;
-  for (std::size_t t = 0; t < target.number_of_triangles(); ++t) {
-    const double area = target.area(static_cast<Index>(t));
-    target_area += area;
+  Compensated_sum overlap_area, uncovered_area, overlap_integral;
+  for (std::size_t t = 0; t < shares.size(); ++t) {
     overlap_area += shares[t].overlap_area;
-    uncovered_area += (std::max)(0., area - shares[t].overlap_area);
+    uncovered_area += (std::max)(0., target_areas[t] - shares[t].overlap_area);
     overlap_integral += shares[t].overlap_integral;
     report.number_of_pairs += shares[t].pairs;
   }
-  report.target_area = target_area.value();
   report.overlap_area = overlap_area.value();
   report.uncovered_area = uncovered_area.value();
   report.overlap_integral = overlap_integral.value();
@@ -53,23 +41,22 @@ inline Transferred_values_2 transfer_vertex_values(Transfer_problem_2 problem, V
 {
   const Transfer_scale_2 scale(problem);
   const Source_search_2 search(problem.source);
+  const Mass_matrix_2 source(problem.source), target(problem.target);
   Transferred_values_2 result;
   Transfer_report_2& report = result.report;
   result.values = interpolate(search, problem.values, problem.target.points, threads);
-  const Mass_matrix_2 source(problem.source);
   report.source_area = sum_of(source.areas());
+  report.target_area = sum_of(target.areas());
   report.source_integral = source.integral(problem.values);
-  if (method == Vertex_transfer::INTERPOLATION) {
-    report_interpolation(Mass_matrix_2(problem.target), result.values, report);
-    scale.undo(result);
-    return result;
+  if (method == Vertex_transfer::INTERPOLATION) { // no triangles are intersected
+    report.overlap_area = report.uncovered_area = report.overlap_integral = std::numeric_limits<double>::quiet_NaN();
+  } else {
+    const std::vector<Vertex_share_2> shares = vertex_shares(search, problem, result.values, threads);
+    report_overlaps(target.areas(), shares, report);
+    const Vertex_projection_2 projection(problem, target, result.values, shares, report.source_integral);
+    result.values = method == Vertex_transfer::PROJECTION ? projection.consistent() : projection.monotone();
   }
-  const std::vector<Vertex_share_2> shares =
-    Vertex_shares_computation_2(search, problem, result.values)(threads);
-  report_overlaps(problem.target, shares, report);
-  const Vertex_projection_2 projection(problem, result.values, shares, report.source_integral);
-  result.values = method == Vertex_transfer::PROJECTION ? projection.consistent() : projection.monotone();
-  report.target_integral = projection.mass().integral(result.values);
+  report.target_integral = target.integral(result.values);
   scale.undo(result);
   return result;
 }
