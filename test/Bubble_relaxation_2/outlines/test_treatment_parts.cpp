@@ -87,10 +87,12 @@ TEST(Defects, a_triangle_outside_that_is_turned_over_may_have_a_neighbor_twice)
   m.inside = {1, 1, 0};
   internal::Editable_triangulation_2 editable(mesh);
   mesh.bubbles.y[1] = -0.01; // the lower vertex leaves the outline, so that the edge to it is flipped
-  EXPECT_EQ(editable.restore_delaunay({1}), 1u);
+  editable.restore_delaunay({1});
+  EXPECT_EQ(editable.take_flipped().size(), 2u); // the triangles of one edge
   EXPECT_EQ(editable.star(1).size(), 2u);
   mesh.bubbles.y[1] = 0.001;
-  EXPECT_EQ(editable.restore_delaunay({0, 3}), 1u);
+  editable.restore_delaunay({0, 3});
+  EXPECT_EQ(editable.take_flipped().size(), 2u);
   for (Index t = 0; t < 3; ++t)
     for (int i = 0; i < 3; ++i) {
       const Index n = m.neighbors[t][i];

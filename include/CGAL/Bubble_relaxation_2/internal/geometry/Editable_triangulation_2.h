@@ -143,27 +143,26 @@ public:
   }
 
   /// flips edges until the domain has a constrained Delaunay triangulation again, after some vertices were moved
-  /// so little that all its triangles are still counterclockwise; returns the number of flips
-  std::size_t restore_delaunay(const std::vector<Index>& moved)
+  /// so little that all its triangles are still counterclockwise
+  void restore_delaunay(const std::vector<Index>& moved)
   {
-    std::size_t number_of_flips = 0, number = 0;
+    std::size_t number = 0;
     for (Index v : moved) {
       tick(number++);
       for (const Corner_2& c : star(v)) {
         m_doubtful.push_back(c);
         m_doubtful.push_back(Corner_2{c.triangle, ccw(c.index)});
       }
-      number_of_flips += flip_doubtful();
+      flip_doubtful();
     }
-    return number_of_flips;
   }
 
   /// the same around one triangle that is new or has vertices that were moved
-  std::size_t restore_delaunay_around(Index t)
+  void restore_delaunay_around(Index t)
   {
     for (int i = 0; i < 3; ++i)
       m_doubtful.push_back(Corner_2{t, i});
-    return flip_doubtful();
+    flip_doubtful();
   }
 
   /// Splits triangle `t` at bubble `v`, which lies in it and is not in the mesh yet, and flips edges. \pre there is no log
@@ -238,15 +237,13 @@ private:
     set_neighbor(neighbors[ccw(i)], c, a, t2);
   }
 
-  std::size_t flip_doubtful()
+  void flip_doubtful()
   {
-    std::size_t number_of_flips = 0;
     while (!m_doubtful.empty()) {
       const Corner_2 edge = m_doubtful.back();
       m_doubtful.pop_back();
-      number_of_flips += flip_unless_delaunay(edge.triangle, edge.index);
+      flip_unless_delaunay(edge.triangle, edge.index);
     }
-    return number_of_flips;
   }
 
   /// puts the triangles around `v` that lie clockwise of a corner, up to the hull, before those that are there
@@ -260,21 +257,20 @@ private:
 
   Corner_2 corner(Index t, Index v) const { return Corner_2{t, m_triangles.index_of_vertex(t, v)}; }
 
-  bool flip_unless_delaunay(Index t, int i)
+  void flip_unless_delaunay(Index t, int i)
   {
     const Index n = m_triangles.neighbors[t][i];
     if (n == no_index || m_triangles.edges[t][i] != no_index || !is_inside(t))
-      return false;
+      return;
     const int j = m_triangles.index_of_neighbor(n, t);
     if (is_delaunay(t, i, n, j))
-      return false;
+      return;
     flip(t, i, n, j);
     for (Index flipped : {t, n}) {
       m_flipped.push_back(flipped);
       for (int k = 0; k < 3; ++k)
         m_doubtful.push_back(Corner_2{flipped, k});
     }
-    return true;
   }
 
   /// Of four vertices on a circle the edge must not end at the last one in the order of coordinates, as if that
