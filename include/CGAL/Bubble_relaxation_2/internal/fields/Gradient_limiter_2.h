@@ -49,19 +49,8 @@ class Gradient_limiter_2
 {
 public:
   Gradient_limiter_2(const Flat_triangulation_2& tr, double g)
-    : m_tr(tr), m_g(g), m_first(tr.points.size() + 1, 0)
-  {
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-      for (int i = 0; i < 3 && tr.inside[t]; ++i)
-        ++m_first[tr.vertices[t][i] + 1];
-    for (std::size_t v = 1; v < m_first.size(); ++v)
-      m_first[v] += m_first[v - 1];
-    m_triangles.resize(m_first.back());
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    for (std::size_t t = 0; t < tr.number_of_triangles(); ++t)
-      for (int i = 0; i < 3 && tr.inside[t]; ++i)
-        m_triangles[next[tr.vertices[t][i]]++] = static_cast<Index>(t);
-  }
+    : m_tr(tr), m_g(g), m_around(tr.vertices, tr.points.size(), [&tr](std::size_t t) { return tr.inside[t] != 0; })
+  {}
 
   /// The largest values, up to rounding, that fronts across triangles allow: near to
   /// min over y of values(y) + g |x - y|, measured within the domain. Their linear interpolation may be
@@ -192,7 +181,7 @@ private:
     std::vector<Visit> all;
     m_times_lowered.assign(values.size(), 0);
     for (std::size_t v = 0; v < values.size(); ++v)
-      if (m_first[v] != m_first[v + 1])
+      if (!m_around[v].empty())
         all.emplace_back(values[v], static_cast<Index>(v));
     std::priority_queue<Visit, std::vector<Visit>, std::greater<Visit>> queue(std::greater<Visit>(),
                                                                               std::move(all));
@@ -201,10 +190,10 @@ private:
       queue.pop();
       if (visit.first != values[visit.second])
         continue; // was lowered, and is in the queue again
-      for (std::size_t k = m_first[visit.second]; k < m_first[visit.second + 1]; ++k) {
-        const std::array<double, 3> limit = limits(m_triangles[k], values);
+      for (Index t : m_around[visit.second]) {
+        const std::array<double, 3> limit = limits(t, values);
         for (int i = 0; i < 3; ++i) {
-          const Index v = m_tr.vertices[m_triangles[k]][i];
+          const Index v = m_tr.vertices[t][i];
           if (limit[i] < values[v] * (1 - little)) {
             values[v] = limit[i];
             ++m_times_lowered[v];
@@ -217,8 +206,7 @@ private:
 
   const Flat_triangulation_2& m_tr;
   double m_g;
-  std::vector<std::size_t> m_first; // of each vertex in `m_triangles`
-  std::vector<Index> m_triangles;   // of the domain around each vertex
+  Triangles_around_2 m_around;      // of the domain
   std::vector<int> m_times_lowered; // of each vertex in this sweep
 };
 

@@ -12,9 +12,12 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -39,6 +42,35 @@ struct Triangles_2
   {
     return neighbors[t][0] == neighbor ? 0 : neighbors[t][1] == neighbor ? 1 : 2;
   }
+};
+
+/// The triangles around each vertex, in their order: those for which `is_counted(t)` holds.
+class Triangles_around_2
+{
+public:
+  template <class Is_counted>
+  Triangles_around_2(const std::vector<std::array<Index, 3>>& vertices, std::size_t number_of_vertices,
+                     const Is_counted& is_counted)
+    : m_begins(number_of_vertices + 1, 0)
+  {
+    for (std::size_t t = 0; t < vertices.size(); ++t)
+      for (int i = 0; i < 3 && is_counted(t); ++i)
+        ++m_begins[vertices[t][i]];
+    std::partial_sum(m_begins.begin(), m_begins.end(), m_begins.begin());
+    m_triangles.resize(m_begins.back());
+    for (std::size_t t = vertices.size(); t-- > 0;)
+      for (int i = 0; i < 3 && is_counted(t); ++i)
+        m_triangles[--m_begins[vertices[t][i]]] = static_cast<Index>(t);
+  }
+
+  auto operator[](std::size_t v) const
+  {
+    return CGAL::make_range(m_triangles.data() + m_begins[v], m_triangles.data() + m_begins[v + 1]);
+  }
+
+private:
+  std::vector<std::size_t> m_begins; // of each vertex in `m_triangles`, and the end of the last one
+  std::vector<Index> m_triangles;
 };
 
 /// Calls `visit(t, i)` for edges of the domain, each as the side `i` of the first of the triangles of the domain that

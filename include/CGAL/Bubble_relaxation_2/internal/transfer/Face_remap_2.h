@@ -43,12 +43,13 @@ public:
   /// adds what slopes do, within bounds or without
   void add_slopes(bool is_monotone)
   {
-    const Triangles_around_2 around(m_problem.source);
-    m_slopes = face_slopes(m_problem.source, around, m_problem.values);
+    const Face_set_2& source = m_problem.source;
+    const Triangles_around_2 around(source.triangles, source.points.size(), [](std::size_t) { return true; });
+    m_slopes = face_slopes(source, around, m_problem.values);
     compute_centers();
     std::vector<double> shares(m_slopes.size(), 1);
     if (is_monotone) {
-      widen_bounds(bounds_around(m_problem.source, around, m_problem.values));
+      widen_bounds(bounds_around(source, around, m_problem.values));
       limit(shares);
     }
     for (std::size_t t = 0; t < m_values.size(); ++t) {

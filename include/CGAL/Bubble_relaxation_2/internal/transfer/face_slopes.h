@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SLOPES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SLOPES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Transfer_problem_2.h>
 
@@ -16,36 +17,6 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// The triangles around each point.
-class Triangles_around_2
-{
-public:
-  explicit Triangles_around_2(const Face_set_2& faces) : m_ends(faces.points.size() + 1, 0)
-  {
-    for (const auto& corners : faces.triangles)
-      for (Index v : corners)
-        ++m_ends[v];
-    std::size_t sum = 0;
-    for (std::size_t& end : m_ends)
-      end = sum += end;
-    m_triangles.resize(sum);
-    for (std::size_t t = faces.number_of_triangles(); t-- > 0;)
-      for (Index v : faces.triangles[t])
-        m_triangles[--m_ends[v]] = static_cast<Index>(t);
-  }
-
-  template <class Visitor>
-  void for_each(Index v, const Visitor& visit) const
-  {
-    for (std::size_t k = m_ends[v]; k < m_ends[v + 1]; ++k)
-      visit(m_triangles[k]);
-  }
-
-private:
-  std::vector<std::size_t> m_ends; // where the triangles of a point begin, and those of the last one end
-  std::vector<Index> m_triangles;
-};
 
 /// the centroid of triangle `n`, from that of `t` on, in units of the two sides of `t` at its first corner
 inline Offset_2 centroid_seen_from(const Face_set_2& faces, Index t, Index n)
@@ -74,7 +45,7 @@ inline std::vector<Offset_2> face_slopes(const Face_set_2& faces, const Triangle
     const Index t = static_cast<Index>(k);
     double xx = 0, xy = 0, yy = 0, xu = 0, yu = 0;
     for (Index v : faces.triangles[t])
-      around.for_each(v, [&](Index n) { // one that shares a side comes twice: the nearer ones count more
+      for (Index n : around[v]) { // one that shares a side comes twice: the nearer ones count more
         const Offset_2 d = centroid_seen_from(faces, t, n);
         const double du = values[n] - values[t];
         xx += d.x * d.x;
@@ -82,7 +53,7 @@ inline std::vector<Offset_2> face_slopes(const Face_set_2& faces, const Triangle
         yy += d.y * d.y;
         xu += d.x * du;
         yu += d.y * du;
-      });
+      }
     // where all centroids are on a line, as good as, there is no slope across: the triangle keeps its constant
     const double determinant = xx * yy - xy * xy;
     if (determinant > 1e-12 * xx * yy)
@@ -101,7 +72,8 @@ inline std::vector<Bounds> bounds_around(const Face_set_2& faces, const Triangle
   for (std::size_t t = 0; t < faces.number_of_triangles(); ++t) {
     bounds.push_back(Bounds{values[t], values[t]});
     for (Index v : faces.triangles[t])
-      around.for_each(v, [&](Index n) { bounds.back().include(values[n]); });
+      for (Index n : around[v])
+        bounds.back().include(values[n]);
   }
   return bounds;
 }
