@@ -296,8 +296,7 @@ private:
 
   std::vector<Index> only_movable(std::vector<Index> those) const
   {
-    std::sort(those.begin(), those.end());
-    those.erase(std::unique(those.begin(), those.end()), those.end());
+    sort_each_once(those);
     those.erase(std::remove_if(those.begin(), those.end(),
                                [&](Index i) { return i == no_index || !m_mesh.bubbles.can_move(i); }),
                 those.end());

@@ -150,11 +150,7 @@ struct Bubbles_2
   }
 
   /// of a bubble with an identity, `no_index` if there is none \pre they are sorted by it
-  Index index_of(std::int64_t identity) const
-  {
-    const auto found = std::lower_bound(id.begin(), id.end(), identity);
-    return found != id.end() && *found == identity ? static_cast<Index>(found - id.begin()) : no_index;
-  }
+  Index index_of(std::int64_t identity) const { return index_among(id, identity); }
 
   void stop(std::size_t i) { vx[i] = vy[i] = 0; }
 

@@ -88,6 +88,22 @@ inline std::vector<Index> marked(const std::vector<char>& flags)
   return result;
 }
 
+/// sorts, and keeps one of those that are equal
+template <class Vector>
+void sort_each_once(Vector& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/// where a value is among sorted ones, `no_index` if it is not there
+template <class T>
+Index index_among(const std::vector<T>& sorted, const T& value)
+{
+  const auto found = std::lower_bound(sorted.begin(), sorted.end(), value);
+  return found != sorted.end() && *found == value ? static_cast<Index>(found - sorted.begin()) : no_index;
+}
+
 /// Sorts where it does not matter how long a comparison takes: it is called through a pointer, so that
 /// `std::sort()` is compiled once, and not for each comparison.
 inline void sort_indices(std::vector<Index>& indices, const std::function<bool(Index, Index)>& less)

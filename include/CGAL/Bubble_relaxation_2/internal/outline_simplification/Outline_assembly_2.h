@@ -11,7 +11,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -39,17 +38,9 @@ public:
   }
 
 private:
-  /// the outline's vertex in a place, where one may have come back to
-  Index vertex_at(const Point& p) const
-  {
-    const auto found = std::lower_bound(m_outline.points.begin(), m_outline.points.end(), p);
-    return found != m_outline.points.end() && *found == p ? static_cast<Index>(found - m_outline.points.begin())
-                                                          : no_index;
-  }
-
   Index add_vertex(const Fitted_vertex_2& v)
   {
-    const Index vertex = v.vertex != no_index ? v.vertex : vertex_at(v.point);
+    const Index vertex = v.vertex != no_index ? v.vertex : index_among(m_outline.points, v.point); // it came back to
     if (vertex != no_index && m_number[vertex] != no_index)
       return m_number[vertex];
     const Index number = static_cast<Index>(m_result.points.size());

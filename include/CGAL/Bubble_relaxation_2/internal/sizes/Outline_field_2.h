@@ -193,8 +193,7 @@ private:
       if (candidates.size() > most_sources) {
         for (int k = 0; k < 9; ++k)
           result.push_back(m_stack[nearest(candidates, c.x + (k % 3 - 1) * c.half, c.y + (k / 3 - 1) * c.half)].number);
-        std::sort(result.begin(), result.end());
-        result.erase(std::unique(result.begin(), result.end()), result.end());
+        sort_each_once(result);
       } else
         for (Index k = candidates.first; k < candidates.last; ++k)
           result.push_back(m_stack[k].number);

@@ -35,8 +35,7 @@ inline std::vector<Index> triangles_around(const Marked_triangles_2& m, Index tr
       for (Index n : m.neighbors[t])
         if (n != no_index && m.inside[n] && !std::binary_search(result.begin(), result.end(), n))
           next.push_back(n);
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
+    sort_each_once(next);
     const auto middle = result.insert(result.end(), next.begin(), next.end());
     std::inplace_merge(result.begin(), middle, result.end());
     front = std::move(next);
@@ -65,8 +64,7 @@ public:
     const Marked_triangles_2& all = mesh.triangles;
     for (Index t : m_triangles)
       m_indices.insert(m_indices.end(), all.vertices[t].begin(), all.vertices[t].end());
-    std::sort(m_indices.begin(), m_indices.end());
-    m_indices.erase(std::unique(m_indices.begin(), m_indices.end()), m_indices.end());
+    sort_each_once(m_indices);
     for (Index i : m_indices)
       m_mesh.bubbles.add(mesh.bubbles, i);
     for (Index t : m_triangles)
@@ -78,7 +76,7 @@ public:
   const Bubble_mesh_2& mesh() const { return m_mesh; } ///< bubbles and triangles in the same order
 
   /// the number in the patch of a triangle of the whole mesh, `no_index` if it is not in it
-  Index local_triangle(Index t) const { return t == no_index ? no_index : position(m_triangles, t); }
+  Index local_triangle(Index t) const { return index_among(m_triangles, t); }
 
   /// the same for what is the same, seen from a triangle of the patch
   std::uint64_t signature(Index triangle) const
@@ -94,20 +92,13 @@ public:
   }
 
 private:
-  /// where a number is among those that are sorted
-  static Index position(const std::vector<Index>& sorted, Index number)
-  {
-    const auto found = std::lower_bound(sorted.begin(), sorted.end(), number);
-    return found != sorted.end() && *found == number ? static_cast<Index>(found - sorted.begin()) : no_index;
-  }
-
   void add(const Marked_triangles_2& all, Index t)
   {
     Marked_triangles_2& m = m_mesh.triangles;
     const Index k = append_triangle(m);
     m.edges[k] = all.edges[t];
     for (int i = 0; i < 3; ++i)
-      m.vertices[k][i] = position(m_indices, all.vertices[t][i]);
+      m.vertices[k][i] = index_among(m_indices, all.vertices[t][i]);
     for (int i = 0; i < 3; ++i) {
       const Index n = all.neighbors[t][i];
       m.neighbors[k][i] = local_triangle(n);

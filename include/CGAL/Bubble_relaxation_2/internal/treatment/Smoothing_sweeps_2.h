@@ -218,8 +218,7 @@ private:
     }
     std::vector<Index> result = marked(marks);
     m_team.add_neighbors_of_others(mesh, result);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    sort_each_once(result);
     return result;
   }
 

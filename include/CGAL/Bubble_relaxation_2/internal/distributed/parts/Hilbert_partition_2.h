@@ -61,8 +61,7 @@ public:
           result.push_back(rank);
       return true;
     });
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    sort_each_once(result);
     return result;
   }
 

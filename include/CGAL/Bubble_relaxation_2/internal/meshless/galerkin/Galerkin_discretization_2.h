@@ -165,8 +165,7 @@ struct Shape_block_2
         ++number_of_enlarged_points;
       largest_enlargement = (std::max)(largest_enlargement, s.enlargement);
     }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_each_once(nodes);
     for (Eigen::MatrixXd* m : {&phi, &dx, &dy})
       m->setZero(static_cast<Eigen::Index>(size()), static_cast<Eigen::Index>(nodes.size()));
     for (std::size_t q = 0; q < size(); ++q)

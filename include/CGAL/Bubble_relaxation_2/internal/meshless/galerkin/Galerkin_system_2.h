@@ -314,8 +314,7 @@ private:
       });
     };
     for_each_hat([&](Eigen::Index, const Multiplier_space_2::Hat& hat) { hats.push_back(hat.index); });
-    std::sort(hats.begin(), hats.end());
-    hats.erase(std::unique(hats.begin(), hats.end()), hats.end());
+    sort_each_once(hats);
     Eigen::MatrixXd mu =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(b.size()), static_cast<Eigen::Index>(hats.size()));
     for_each_hat([&](Eigen::Index q, const Multiplier_space_2::Hat& hat) {
