@@ -176,7 +176,7 @@ public:
     const Influence_domain_2<Kernel> influence(nodes, rounded_nodes.radius, np);
     m_discretization = std::make_shared<const Discretization>(
       options, std::move(rounded_nodes), std::move(domain), influence.search(), read_mls_options(np),
-      make_parallel_loop<Concurrency<NamedParameters>>());
+      threads_of<Concurrency<NamedParameters>>());
   }
 
   /*!

@@ -99,7 +99,7 @@ public:
     CGAL_USE(np);
     using namespace Bubble_relaxation_2::internal;
     return m_discretization->mls.evaluate(rounded(points), m_coefficients, number_of_derivatives,
-                                          make_parallel_loop<Concurrency<NamedParameters>>());
+                                          threads_of<Concurrency<NamedParameters>>());
   }
 
   /*!

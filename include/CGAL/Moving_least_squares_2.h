@@ -208,7 +208,7 @@ public:
     for (std::size_t i = 0; i < numbers.size(); ++i)
       numbers[i] = coefficients[i];
     return m_approximation.evaluate(rounded(points), numbers, number_of_derivatives,
-                                    make_parallel_loop<Concurrency<NamedParameters>>());
+                                    threads_of<Concurrency<NamedParameters>>());
   }
 
 private:

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Integration_domain_2.h>
@@ -197,20 +198,21 @@ constexpr std::size_t parts_at_once = 512;
 /// of threads: calls `compute(i, place)` for places from 0 to the number of parts that are computed at once, then
 /// `take(number)` for the parts in so many places. Of several exceptions that of the first part is the one that is
 /// thrown. Stops when `take` returns false, and returns that.
-inline bool compute_in_order(const Parallel_loop& parallel, std::size_t n,
+inline bool compute_in_order(const Threads& threads, std::size_t n,
                              const std::function<void(std::size_t i, std::size_t place)>& compute,
                              const std::function<bool(std::size_t number)>& take)
 {
   std::vector<std::exception_ptr> errors((std::min)(n, parts_at_once));
   for (std::size_t first = 0; first < n; first += parts_at_once) {
     const std::size_t number = (std::min)(parts_at_once, n - first);
-    parallel(number, [&](std::size_t place) {
+    const auto compute_one = [&](std::size_t place) {
       try {
         compute(first + place, place);
       } catch (...) {
         errors[place] = std::current_exception();
       }
-    });
+    };
+    parallel_for(threads, number, compute_one, 1);
     for (const std::exception_ptr& error : errors)
       if (error)
         std::rethrow_exception(error);
@@ -284,13 +286,13 @@ public:
   std::vector<Boundary_segment_2> segments;
   const Cell_quadrature_2 cell_rule;
   const Gauss_rule segment_rule;
-  const Parallel_loop parallel;
+  const Threads threads;
 
   Galerkin_discretization_2(const Galerkin_options& o, Galerkin_nodes_2 n, Integration_domain_2 d,
                             std::shared_ptr<const Influence_search_2> s, const Mls_options& mls_options,
-                            Parallel_loop p)
+                            const Threads& th)
     : options(o), nodes(std::move(n)), domain(std::move(d)), search(std::move(s)), mls(search, mls_options),
-      cell_rule(options.gauss_points), segment_rule(gauss_rule(options.gauss_points)), parallel(std::move(p))
+      cell_rule(options.gauss_points), segment_rule(gauss_rule(options.gauss_points)), threads(th)
   {
     make_cells();
   }
@@ -332,7 +334,7 @@ public:
       cell_rule.for_each_point(cell, [&](double x, double y, double) { add(x, y); });
     for (const Boundary_segment_2& s : segments)
       for_each_point(edge(s), s, segment_rule, [&](double, double x, double y, double) { add(x, y); });
-    mls.evaluate(points, std::vector<double>(nodes.number(), 0.), 0, make_parallel_loop<Sequential_tag>());
+    mls.evaluate(points, std::vector<double>(nodes.number(), 0.), 0, Threads());
   }
 
   /// At each point of a block the size of the nodes around, which follows the shape functions.

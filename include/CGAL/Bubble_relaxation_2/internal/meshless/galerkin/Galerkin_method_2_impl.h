@@ -99,7 +99,7 @@ Element_free_Galerkin_error_2 error_of_solution(const Galerkin_discretization_2&
     d.evaluate_cell(i, rule, blocks[k]);
     errors[k] = squared_errors(blocks[k], coefficients, u, gradient_of_u);
   };
-  compute_in_order(d.parallel, d.cells.size(), compute, [&](std::size_t n) {
+  compute_in_order(d.threads, d.cells.size(), compute, [&](std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
       values += errors[k][0];
       gradients += errors[k][1];

@@ -62,20 +62,20 @@ public:
     };
     if (m_gradients.is_needed()) {
       const auto compute = [&](std::size_t i, std::size_t k) { correct(i, m_parts[k]); };
-      if (!compute_in_order(m.parallel, number, compute, add_sums))
+      if (!compute_in_order(m.threads, number, compute, add_sums))
         return false;
       m_gradients.solve();
     }
     done = 0;
     m_rows = std::make_unique<Sparse_rows>(number_of_unknowns());
     const auto add_rows = [&](std::size_t n) {
-      m_rows->add(m.parallel, m_parts, n);
+      m_rows->add(m.threads, m_parts, n);
       for (std::size_t k = 0; k < n; ++k)
         count(m_parts[k]);
       return report_progress(m_gradients.is_needed() ? 0.5 : 0, done += n, number);
     };
     const bool all =
-      compute_in_order(m.parallel, number, [&](std::size_t i, std::size_t k) { integrate(i, m_parts[k]); }, add_rows);
+      compute_in_order(m.threads, number, [&](std::size_t i, std::size_t k) { integrate(i, m_parts[k]); }, add_rows);
     m_parts.clear();
     if (all) {
       check_rows();

@@ -10,8 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_MESHLESS_GALERKIN_SPARSE_SOLVER_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/mls/Mls_evaluation_2.h>
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
@@ -47,7 +47,7 @@ public:
 
   /// adds the first `number` of parts, which have a `Galerkin_part` for a base
   template <class Part>
-  void add(const Parallel_loop& parallel, const std::vector<Part>& parts, std::size_t number)
+  void add(const Threads& threads, const std::vector<Part>& parts, std::size_t number)
   {
     // the rows of all parts, sorted by row; a row is one thread's
     std::vector<Row_of_part> sorted;
@@ -61,10 +61,11 @@ public:
       if (k == 0 || sorted[k].row != sorted[k - 1].row)
         first.push_back(k);
     first.push_back(sorted.size());
-    parallel(first.size() - 1, [&](std::size_t i) {
+    const auto add_to_row = [&](std::size_t i) {
       for (std::size_t k = first[i]; k < first[i + 1]; ++k)
         add_row(sorted[k].row, parts[sorted[k].part], sorted[k].row_of_part);
-    });
+    };
+    parallel_for(threads, first.size() - 1, add_to_row, 1);
   }
 
   const Eigen::VectorXd& load() const { return m_load; }

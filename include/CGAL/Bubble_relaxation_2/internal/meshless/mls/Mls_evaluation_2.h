@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -29,17 +28,6 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// calls `f(i)` for all i in [0, n), perhaps by several threads
-using Parallel_loop = std::function<void(std::size_t n, const std::function<void(std::size_t)>& f)>;
-
-template <class Concurrency_tag>
-Parallel_loop make_parallel_loop()
-{
-  return [](std::size_t n, const std::function<void(std::size_t)>& f) {
-    parallel_for(threads_of<Concurrency_tag>(), n, f, 1);
-  };
-}
 
 template <class Point_2>
 Point rounded(const Point_2& p)
@@ -129,7 +117,7 @@ public:
   /// Evaluates at many points, in blocks that several threads may compute.
   /// \throws Deficient_support_error_2 about the first point that has no value
   Mls_values_2 evaluate(const std::vector<Point>& points, const std::vector<double>& coefficients,
-                        int number_of_derivatives, const Parallel_loop& parallel) const
+                        int number_of_derivatives, const Threads& threads) const
   {
     check_number_of_derivatives(number_of_derivatives);
     check_number_of_coefficients(coefficients.size());
@@ -142,9 +130,10 @@ public:
     for (auto* array : {&result.dxx, &result.dxy, &result.dyy})
       array->resize(number_of_derivatives > 1 ? points.size() : 0);
     std::vector<Block> blocks((points.size() + block_size - 1) / block_size);
-    parallel(blocks.size(), [&](std::size_t b) {
+    const auto evaluate_one = [&](std::size_t b) {
       blocks[b] = evaluate_block(points, b, coefficients, number_of_derivatives, result);
-    });
+    };
+    parallel_for(threads, blocks.size(), evaluate_one, 1);
     std::size_t number_of_deficient = 0, first_deficient = points.size();
     for (const Block& b : blocks) {
       result.number_of_enlarged_supports += b.number_of_enlarged;
@@ -153,7 +142,7 @@ public:
       first_deficient = (std::min)(first_deficient, b.first_deficient);
     }
     if (number_of_deficient > 0)
-      throw error(points[first_deficient], sufficient_enlargement(points, parallel), number_of_deficient);
+      throw error(points[first_deficient], sufficient_enlargement(points, threads), number_of_deficient);
     return result;
   }
 
@@ -219,11 +208,11 @@ private:
   /// The least power of 1.1 found that does at all points; 0 if there is none. Larger radii may also spoil the
   /// fit at a point, where two or three nodes get close in units of them before others are met: so all points are
   /// looked at again after each enlargement, until nothing changes.
-  double sufficient_enlargement(const std::vector<Point>& points, const Parallel_loop& parallel) const
+  double sufficient_enlargement(const std::vector<Point>& points, const Threads& threads) const
   {
     std::vector<double> largest((points.size() + block_size - 1) / block_size);
     for (double enlargement = 1;;) {
-      parallel(largest.size(), [&](std::size_t b) {
+      const auto find_largest = [&](std::size_t b) {
         Influence_query_2 q = query();
         Mls_shapes_2 shapes;
         largest[b] = enlargement;
@@ -231,7 +220,8 @@ private:
           const double e = sufficient_enlargement(points[i], enlargement, q, shapes);
           largest[b] = e > 0 ? (std::max)(largest[b], e) : 0;
         }
-      });
+      };
+      parallel_for(threads, largest.size(), find_largest, 1);
       if (std::find(largest.begin(), largest.end(), 0.) != largest.end())
         return 0;
       const double next = *std::max_element(largest.begin(), largest.end());
