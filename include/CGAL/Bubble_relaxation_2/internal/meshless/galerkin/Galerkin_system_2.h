@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Galerkin_discretization_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Multiplier_space_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/Sparse_solver.h>
-#include <CGAL/Bubble_relaxation_2/internal/meshless/galerkin/weighted_sums.h>
 
 #include <CGAL/Element_free_Galerkin_report_2.h>
 
@@ -32,6 +31,39 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
+
+// Matrices in few types: every type of an expression takes long to compile.
+
+/// the product of each element
+inline Eigen::VectorXd products(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+{
+  Eigen::VectorXd result(a.size());
+  for (Eigen::Index k = 0; k < a.size(); ++k)
+    result[k] = a[k] * b[k];
+  return result;
+}
+
+/// `a` + `factor` `b`, in the place of `a`
+inline void add(Eigen::MatrixXd& a, double factor, const Eigen::MatrixXd& b)
+{
+  for (Eigen::Index k = 0; k < a.size(); ++k)
+    a.data()[k] += factor * b.data()[k];
+}
+
+/// the vector of sums over rows q of a(q, i) weights(q)
+inline Eigen::VectorXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights)
+{
+  return a.transpose() * weights;
+}
+
+/// the matrix of sums over rows q of a(q, i) weights(q) b(q, j)
+inline Eigen::MatrixXd weighted_sums(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights, Eigen::MatrixXd b)
+{
+  for (Eigen::Index j = 0; j < b.cols(); ++j)
+    for (Eigen::Index q = 0; q < b.rows(); ++q)
+      b(q, j) *= weights[q];
+  return a.transpose() * b;
+}
 
 /// Assembles the equations of a Poisson problem: first the integrals over the cells, then those over the
 /// segments of the boundary. The unknowns are the coefficients of the nodes, then the multipliers.
