@@ -103,18 +103,14 @@ private:
     });
   }
 
-  /// takes `w`, which follows `u`, out of the only polyline that goes there; its point, too, which would be kept for
-  /// ever
+  /// takes `w`, which follows `u`, out of the only polyline that goes there
   static void take_out(Cdt& cdt, Vertex_handle u, Vertex_handle w)
   {
     auto context = *cdt.contexts_begin(u, w);
     auto it = context.current();
     if (*it == u)
       ++it;
-    const typename Cdt::Points_in_constraint_iterator point = it;
-    auto before = it, after = it;
-    cdt.hierarchy_ref().simplify(--before, it, ++after);
-    context.id().vl_ptr()->erase(point.base());
+    take_out_of_polyline(cdt, context, it);
   }
 
   const Part_reading_2<Cdt>& m_reading;

@@ -60,6 +60,16 @@ void check_is_of_constraint(const Cdt& cdt, Vertex_handle u, Vertex_handle v)
                               " is constrained, but belongs to no constraint of the triangulation");
 }
 
+/// Takes a vertex, which is not an end, out of the polyline of a constraint; its point, too, else it is kept for ever.
+template <class Cdt, class Context, class Vertex_iterator>
+void take_out_of_polyline(Cdt& cdt, Context& context, Vertex_iterator vertex)
+{
+  const typename Cdt::Points_in_constraint_iterator point = vertex;
+  auto before = vertex, after = vertex;
+  cdt.hierarchy_ref().simplify(--before, vertex, ++after);
+  context.id().vl_ptr()->erase(point.base());
+}
+
 /// The vertices of a user's triangulation in the lexicographic order of their points. In what is read they have the
 /// numbers of this order, since the order in which they were inserted must not matter.
 struct Sorted_vertices_2

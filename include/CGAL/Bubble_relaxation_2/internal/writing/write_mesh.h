@@ -109,8 +109,7 @@ private:
       return cdt;
   }
 
-  /// takes the vertices that only split the chain out of its polylines, and their points, which these would keep: with
-  /// each relaxation there would be more
+  /// takes the vertices that only split the chain out of its polylines
   void forget_splits(const Chain& chain)
   {
     if (chain.splits.empty())
@@ -120,13 +119,8 @@ private:
     const bool is_forward = *it == corner(chain.source);
     if (is_forward)
       ++it;
-    for (std::size_t k = 0; k < chain.splits.size(); ++k) {
-      const auto v = is_forward ? it++ : it--;
-      const typename Cdt::Points_in_constraint_iterator point = v;
-      auto before = v, after = v;
-      m_cdt.hierarchy_ref().simplify(--before, v, ++after);
-      context.id().vl_ptr()->erase(point.base());
-    }
+    for (std::size_t k = 0; k < chain.splits.size(); ++k)
+      take_out_of_polyline(m_cdt, context, is_forward ? it++ : it--);
   }
 
   void split_constraints()
