@@ -224,9 +224,7 @@ private:
           out[rank].push_back(record(b, i));
           m_answers.note_sent(rank, static_cast<Index>(i));
         }
-    for (const auto& message : deliver(m_comm, out))
-      for (const Bubble_record_2& r : message.second)
-        add(m_mesh.bubbles, r, message.first);
+    deliver(m_comm, out, [&](int owner, const Bubble_record_2& r) { add(m_mesh.bubbles, r, owner); });
     m_mesh.bubbles.sort_by_id();
   }
 
@@ -301,21 +299,20 @@ private:
   void ask(const Messages<Triangle_question_2>& questions)
   {
     Messages<Bubble_answer_2> answers;
-    for (const auto& message : deliver(m_comm, questions))
-      for (const Triangle_question_2& question : message.second)
-        m_answers(message.first, question, answers[message.first]);
+    deliver(m_comm, questions, [&](int rank, const Triangle_question_2& question) {
+      m_answers(rank, question, answers[rank]);
+    });
     m_answers.end_round();
-    answers = deliver(m_comm, answers);
+    m_is_new = false;
     std::vector<char> is_open(m_asked.size(), 0);
-    for (const auto& message : answers)
-      for (const Bubble_answer_2& answer : message.second) {
-        add(m_mesh.bubbles, answer.bubble, message.first);
-        is_open[static_cast<std::size_t>(answer.question)] = 1;
-      }
+    deliver(m_comm, answers, [&](int owner, const Bubble_answer_2& answer) {
+      add(m_mesh.bubbles, answer.bubble, owner);
+      is_open[static_cast<std::size_t>(answer.question)] = 1;
+      m_is_new = true;
+    });
     for (std::size_t k = 0; k < m_asked.size(); ++k)
       if (!is_open[k])
         m_is_certain.insert(m_asked[k]);
-    m_is_new = !answers.empty();
     if (m_is_new)
       m_mesh.bubbles.sort_by_id();
   }

@@ -83,6 +83,15 @@ Messages<T> deliver(Communicator& comm, const Messages<T>& out)
   return in;
 }
 
+/// Collective. Delivers messages, and calls `take(rank, record)` for what comes, from lower ranks first.
+template <class T, class Take>
+void deliver(Communicator& comm, const Messages<T>& out, const Take& take)
+{
+  for (const auto& message : deliver(comm, out))
+    for (const T& record : message.second)
+      take(message.first, record);
+}
+
 /// What a rank shares with others: the indices of what it owns and they have, and of what they own and it has, in one
 /// order on both sides.
 struct Shared_lists

@@ -59,11 +59,10 @@ Shared_lists share_around(Communicator& comm, double reach, std::vector<Record>&
     out[rank].push_back(records[k]);
   };
   const auto exchange = [&] {
-    for (const auto& message : deliver(comm, out))
-      for (const Record& record : message.second) {
-        lists.received[message.first].push_back(static_cast<Index>(records.size()));
-        records.push_back(record);
-      }
+    deliver(comm, out, [&](int rank, const Record& record) {
+      lists.received[rank].push_back(static_cast<Index>(records.size()));
+      records.push_back(record);
+    });
     out.clear();
   };
   for (std::size_t k = 0; k < own; ++k)

@@ -52,8 +52,7 @@ std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& par
     const int owner = clearance(r.x, r.y, r.d) > 0 ? comm.rank() : partition.owner(r.x, r.y);
     (owner == comm.rank() ? home : out[owner]).push_back(r);
   }
-  for (const auto& message : deliver(comm, out))
-    home.insert(home.end(), message.second.begin(), message.second.end());
+  deliver(comm, out, [&](int, const Record& r) { home.push_back(r); });
   return home;
 }
 
@@ -104,8 +103,7 @@ inline Placed_part_2 send_home_evenly(Communicator& comm, const Hilbert_curve_2&
     const int owner = result.partition.owner(p.first);
     (owner == comm.rank() ? home : out[owner]).push_back(bubbles[p.second]);
   }
-  for (const auto& message : deliver(comm, out))
-    home.insert(home.end(), message.second.begin(), message.second.end());
+  deliver(comm, out, [&](int, const Bubble_record_2& r) { home.push_back(r); });
   result.bubbles.make_room_for(home.size() + home.size() / 8); // with those of other ranks that will be added
   for (const auto& p : places_on(curve, home))
     add_own(result.bubbles, home[p.second]);
@@ -171,8 +169,7 @@ private:
     for (std::int64_t number : points.id)
       out[static_cast<int>(number % m_comm.size())].push_back(number);
     std::vector<std::int64_t> numbers;
-    for (const auto& message : deliver(m_comm, out))
-      numbers.insert(numbers.end(), message.second.begin(), message.second.end());
+    deliver(m_comm, out, [&](int, std::int64_t number) { numbers.push_back(number); });
     std::sort(numbers.begin(), numbers.end());
     m_comm.agree_after([&] {
       const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
@@ -255,8 +252,7 @@ inline void compact_numbers(Communicator& comm, std::int64_t end, std::vector<st
     for (std::int64_t& number : message.second)
       number = before + (std::lower_bound(counted.begin(), counted.end(), number) - counted.begin());
   auto next = numbers.begin();
-  for (const auto& message : deliver(comm, in)) // from lower ranks come lower numbers
-    next = std::copy(message.second.begin(), message.second.end(), next);
+  deliver(comm, in, [&](int, std::int64_t number) { *next++ = number; }); // from lower ranks come lower numbers
 }
 
 /// Collective. Removes bubbles of ours that would confuse the triangulation, as `remove_confusing_on_edges()` does of
@@ -270,9 +266,7 @@ inline void remove_confusing_of_ours(Communicator& comm, const Domain_2& domain,
   Bubbles_2 some;
   for (const Bubble_record_2& r : gather_outline(comm, b, false))
     add_own(some, r);
-  for (const auto& message : deliver(comm, out))
-    for (const Bubble_record_2& r : message.second)
-      add_own(some, r);
+  deliver(comm, out, [&](int, const Bubble_record_2& r) { add_own(some, r); });
   some.sort_by_id();
   remove_confusing_on_edges(domain, some);
   std::vector<std::int64_t> gone; // few

@@ -76,12 +76,11 @@ public:
     std::iota(common.begin(), common.end(), Index(0));
     bubbles.select(common);
     directions.resize(m_number_of_common);
-    for (const auto& message : deliver(m_comm, out)) // from lower ranks come lower numbers
-      for (const Seed& s : message.second) {
-        bubbles.add(Point(s.x, s.y), s.d, Bubbles_2::FACE, s.triangle);
-        directions.push_back(s.direction);
-        m_seeds.push_back(s.number);
-      }
+    deliver(m_comm, out, [&](int, const Seed& s) { // from lower ranks come lower numbers
+      bubbles.add(Point(s.x, s.y), s.d, Bubbles_2::FACE, s.triangle);
+      directions.push_back(s.direction);
+      m_seeds.push_back(s.number);
+    });
   }
 
   std::vector<Index> keep_near(const Bubbles_2& b) override
@@ -324,13 +323,12 @@ private:
   /// adds the bubbles that this rank gets to know to the crystal and to `bubbles`
   void exchange_late(Crystal_2& crystal, std::vector<Growth_proposal_2>& bubbles)
   {
-    for (const auto& message : deliver(m_comm, m_late))
-      for (const Late& late : message.second) {
-        const Growth_proposal_2& p = late.bubble;
-        crystal.add_known(Point(p.x, p.y), p.d, late.dimension, p.triangle, p.direction, late.turn);
-        enter(crystal, late.birth, p.d, p.key, no_index);
-        bubbles.push_back(p);
-      }
+    deliver(m_comm, m_late, [&](int, const Late& late) {
+      const Growth_proposal_2& p = late.bubble;
+      crystal.add_known(Point(p.x, p.y), p.d, late.dimension, p.triangle, p.direction, late.turn);
+      enter(crystal, late.birth, p.d, p.key, no_index);
+      bubbles.push_back(p);
+    });
     m_late.clear();
   }
 

@@ -198,11 +198,10 @@ public:
           tell_owner(b, i, finder, state, out);
       m_traffic.add(out);
       those.clear();
-      for (const auto& message : deliver(m_comm, out))
-        for (const Bubble_state_2& s : message.second) {
-          those.push_back(static_cast<Index>(b.size()));
-          add(s, message.first);
-        }
+      deliver(m_comm, out, [&](int owner, const Bubble_state_2& s) {
+        those.push_back(static_cast<Index>(b.size()));
+        add(s, owner);
+      });
     }
   }
 

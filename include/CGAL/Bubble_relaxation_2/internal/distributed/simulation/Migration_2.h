@@ -83,8 +83,7 @@ public:
         .push_back(Bubble_state_2{record(bubbles, i), simulation.memory(static_cast<Index>(i))});
     }
     m_traffic.add(out);
-    for (const auto& message : deliver(m_comm, out))
-      ours.insert(ours.end(), message.second.begin(), message.second.end());
+    deliver(m_comm, out, [&](int, const Bubble_state_2& s) { ours.push_back(s); });
     std::sort(ours.begin(), ours.end(),
               [](const Bubble_state_2& s, const Bubble_state_2& t) { return s.bubble.id < t.bubble.id; });
     bubbles = Bubbles_2();

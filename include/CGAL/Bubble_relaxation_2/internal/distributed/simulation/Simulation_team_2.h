@@ -77,15 +77,13 @@ public:
       return;
     const auto state_of = [&](Index i) { return state(simulation, bubbles, i); };
     Messages<Bubble_state_2> out;
-    for (const auto& message : deliver(m_comm, asked))
-      for (const Wide_hole_side_2& side : message.second)
-        neighbors.find_around(side.x, side.y, side.d, [&](Index j) {
-          if (bubbles.is_ours(j))
-            m_halo.give(j, message.first, state_of, out);
-        });
-    for (const auto& message : deliver(m_comm, out))
-      for (const Bubble_state_2& s : message.second)
-        add_of_other(simulation, bubbles, s, message.first);
+    deliver(m_comm, asked, [&](int rank, const Wide_hole_side_2& side) {
+      neighbors.find_around(side.x, side.y, side.d, [&](Index j) {
+        if (bubbles.is_ours(j))
+          m_halo.give(j, rank, state_of, out);
+      });
+    });
+    deliver(m_comm, out, [&](int owner, const Bubble_state_2& s) { add_of_other(simulation, bubbles, s, owner); });
   }
 
   /// Tells other ranks of the bubbles from `first` on, which are new here, and adds those that are new there.
@@ -134,9 +132,9 @@ public:
       const auto found = indices.find(number);
       return found == indices.end() ? no_index : found->second;
     };
-    for (const auto& message : deliver(m_comm, out))
-      for (const Numbers& n : message.second)
-        triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
+    deliver(m_comm, out, [&](int, const Numbers& n) {
+      triangles.push_back(Triangle{index(n[0]), index(n[1]), index(n[2])});
+    });
   }
 
   void share(std::vector<char>& values) override { share_values(m_comm, m_halo.lists(), values); }

@@ -51,9 +51,9 @@ inline void link_with_others(Communicator& comm, Mesh_piece_2& piece)
       wanted[known.owner[i]].push_back(known.id[i]);
       piece.shared.received[known.owner[i]].push_back(static_cast<Index>(i));
     }
-  for (const auto& message : deliver(comm, wanted))
-    for (std::int64_t number : message.second)
-      piece.shared.sent[message.first].push_back(known.index_of(number));
+  deliver(comm, wanted, [&](int rank, std::int64_t number) {
+    piece.shared.sent[rank].push_back(known.index_of(number));
+  });
 }
 
 /// how many bubbles of a triangle are of this rank
@@ -179,8 +179,7 @@ inline std::vector<Numbers_of_triangle> triangles_around_part(Communicator& comm
         out[rank].push_back(sorted_numbers(b, mesh.triangles.vertices[t]));
   }
   std::vector<Numbers_of_triangle> result;
-  for (const auto& message : deliver(comm, out))
-    result.insert(result.end(), message.second.begin(), message.second.end());
+  deliver(comm, out, [&](int, const Numbers_of_triangle& t) { result.push_back(t); });
   std::sort(result.begin(), result.end());
   return result;
 }

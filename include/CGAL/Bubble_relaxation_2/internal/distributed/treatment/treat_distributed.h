@@ -188,9 +188,7 @@ private:
     for (const auto& [rank, v] : told)
       out[rank].push_back({b.x[v], b.y[v]});
     std::vector<Point> result;
-    for (const auto& message : deliver(m_comm, out))
-      for (const std::array<double, 2>& p : message.second)
-        result.emplace_back(p[0], p[1]);
+    deliver(m_comm, out, [&](int, const std::array<double, 2>& p) { result.emplace_back(p[0], p[1]); });
     for (Index v : m_moved)
       result.push_back(b.point(v));
     return result;
