@@ -21,39 +21,19 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The faces of a domain that have a constraint at a side: they know all of its outline.
-template <class Cdt>
-class Outline_copy_2 : public Marked_copy_2
-{
-  using Face_handle = typename Cdt::Face_handle;
-
-public:
-  template <class Is_inside>
-  Outline_copy_2(const Cdt& cdt, const Is_inside& is_in_domain)
-    : Marked_copy_2(cdt, faces_at_outline(cdt, is_in_domain), [](Face_handle, int) { return false; })
-  {}
-
-private:
-  template <class Is_inside>
-  static std::vector<Face_handle> faces_at_outline(const Cdt& cdt, const Is_inside& is_in_domain)
-  {
-    std::vector<Face_handle> result;
-    for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
-      if (is_in_domain(f) && (f->is_constrained(0) || f->is_constrained(1) || f->is_constrained(2)))
-        result.push_back(f);
-    return result;
-  }
-};
-
 /// The sizes that a relaxation of the whole domain would follow, found from its outline alone.
 template <class Cdt>
 class Sizes_of_outline_2
 {
+  using Face_handle = typename Cdt::Face_handle;
+
 public:
   template <class Is_inside, class NamedParameters>
   Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const NamedParameters& np, const Sizes_2& wanted,
                     const Relaxation_options& options)
-    : m_reading(cdt, Outline_copy_2<Cdt>(cdt, is_in_domain), np), m_wanted(wanted)
+    : m_reading(cdt,
+                Marked_copy_2(cdt, faces_at_outline(cdt, is_in_domain), [](Face_handle, int) { return false; }), np),
+      m_wanted(wanted)
   {
     add_pins(cdt, is_in_domain, is_pinned<Cdt>(np));
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
@@ -72,6 +52,17 @@ public:
   const std::vector<Forced_place_2>& forced_places() const { return m_forced; }
 
 private:
+  /// the faces of the domain that have a constraint at a side: they know all of its outline
+  template <class Is_inside>
+  static std::vector<Face_handle> faces_at_outline(const Cdt& cdt, const Is_inside& is_in_domain)
+  {
+    std::vector<Face_handle> result;
+    for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
+      if (is_in_domain(f) && (f->is_constrained(0) || f->is_constrained(1) || f->is_constrained(2)))
+        result.push_back(f);
+    return result;
+  }
+
   template <class Is_inside, class Is_pinned>
   void add_pins(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned)
   {

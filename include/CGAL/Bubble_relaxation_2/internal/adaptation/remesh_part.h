@@ -9,13 +9,13 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_REMESH_PART_H
 
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_copy_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_write_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_defects.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_sizes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
@@ -36,7 +36,7 @@ public:
   template <class Is_inside, class NamedParameters>
   Part_input_2(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain, const NamedParameters& np,
                const Relaxation_options& options, const std::optional<Sizes_2>& sizes)
-    : Part_input_2(cdt, Part_copy_2<Cdt>(cdt, part, is_in_domain), is_in_domain, np, options, sizes)
+    : Part_input_2(cdt, copy_of(cdt, part, is_in_domain), is_in_domain, np, options, sizes)
   {}
 
   const Part_reading_2<Cdt>& reading() const { return m_reading; }
@@ -52,7 +52,7 @@ private:
   static constexpr double little = 1.1;
 
   template <class Is_inside, class NamedParameters>
-  Part_input_2(const Cdt& cdt, const Part_copy_2<Cdt>& copy, const Is_inside& is_in_domain, const NamedParameters& np,
+  Part_input_2(const Cdt& cdt, const Marked_copy_2& copy, const Is_inside& is_in_domain, const NamedParameters& np,
                const Relaxation_options& o, const std::optional<Sizes_2>& sizes)
     : m_options(o), m_reading(cdt, copy, np),
       m_wanted(sizes ? sizes_from_rim(cdt, is_in_domain, *sizes) : sizes_of_mesh(copy)),
@@ -62,6 +62,16 @@ private:
     thin_out(m_reading.domain, m_limits, m_options, m_reading.given);
     if (!m_options.placement_is_given) // then what fits of a mesh is kept
       m_reading.look_around(copy);
+  }
+
+  /// the part in arrays; its rim, behind which the domain goes on, stays as it is
+  template <class Is_inside>
+  static Marked_copy_2 copy_of(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain)
+  {
+    Marked_copy_2 result(cdt, part,
+                         [&](typename Cdt::Face_handle f, int i) { return is_in_domain(f->neighbor(i)); });
+    result.check_domain();
+    return result;
   }
 
   template <class Is_inside>

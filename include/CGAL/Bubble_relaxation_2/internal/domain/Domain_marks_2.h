@@ -38,32 +38,6 @@ struct Has_domain_mark<Face, std::void_t<decltype(std::declval<Face&>().set_in_d
 class Marked_copy_2 : public Triangulation_copy_2
 {
 public:
-  /// whether the side `i` of a triangle is constrained
-  bool is_constrained(Index t, int i) const { return (m_constrained[t] >> i & 1) != 0; }
-
-  bool is_inside(Index t) const { return t != no_index && tr.inside[t]; }
-
-  /// whether the side `i` of a triangle parts what is copied from what is not, and is to stay as it is
-  bool is_rim(Index t, int i) const { return !m_rim.empty() && (m_rim[t] >> i & 1) != 0; }
-
-  std::size_t number_of_faces() const { return m_number_of_faces; }
-
-protected:
-  /// \throws std::invalid_argument if there are no triangles, or as `check_coordinates()` does
-  template <class Cdt>
-  explicit Marked_copy_2(const Cdt& cdt)
-    : Triangulation_copy_2(check_dimension(cdt, cdt.dimension(), cdt.number_of_vertices()))
-  {
-    check_coordinates(tr.points);
-    tr.inside.assign(tr.number_of_triangles(), 0);
-    m_constrained.reserve(tr.number_of_triangles());
-    for (void* f : faces.addresses()) {
-      tick(m_constrained.size());
-      const auto& face = *static_cast<typename Cdt::Face*>(f);
-      add_constraints(face.is_constrained(0), face.is_constrained(1), face.is_constrained(2));
-    }
-  }
-
   /// some faces of a triangulation, which all are inside. `is_rim(face, i)`: whether a side that has none of them
   /// behind it is to stay as it is; then it counts as constrained
   /// \throws std::invalid_argument as `check_coordinates()` does
@@ -86,6 +60,36 @@ protected:
     }
   }
 
+  /// whether the side `i` of a triangle is constrained
+  bool is_constrained(Index t, int i) const { return (m_constrained[t] >> i & 1) != 0; }
+
+  bool is_inside(Index t) const { return t != no_index && tr.inside[t]; }
+
+  /// whether the side `i` of a triangle parts what is copied from what is not, and is to stay as it is
+  bool is_rim(Index t, int i) const { return !m_rim.empty() && (m_rim[t] >> i & 1) != 0; }
+
+  std::size_t number_of_faces() const { return m_number_of_faces; }
+
+  /// \throws std::invalid_argument if there is no domain, if a constraint is missing around it, where bubbles could
+  /// leave it, or if vertices are nearer to each other than the least length
+  void check_domain() const;
+
+protected:
+  /// \throws std::invalid_argument if there are no triangles, or as `check_coordinates()` does
+  template <class Cdt>
+  explicit Marked_copy_2(const Cdt& cdt)
+    : Triangulation_copy_2(check_dimension(cdt, cdt.dimension(), cdt.number_of_vertices()))
+  {
+    check_coordinates(tr.points);
+    tr.inside.assign(tr.number_of_triangles(), 0);
+    m_constrained.reserve(tr.number_of_triangles());
+    for (void* f : faces.addresses()) {
+      tick(m_constrained.size());
+      const auto& face = *static_cast<typename Cdt::Face*>(f);
+      add_constraints(face.is_constrained(0), face.is_constrained(1), face.is_constrained(2));
+    }
+  }
+
   void set_inside(Index t)
   {
     tr.inside[t] = 1;
@@ -96,10 +100,6 @@ protected:
   void mark_by_seeds(const std::vector<Index>& seeds, bool seeds_are_in_domain);
 
   void mark_by_nesting();
-
-  /// \throws std::invalid_argument if there is no domain, if a constraint is missing around it, where bubbles could
-  /// leave it, or if vertices are nearer to each other than the least length
-  void check_domain() const;
 
   static void check_seed(const Point& seed);
 
