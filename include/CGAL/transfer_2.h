@@ -16,7 +16,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/read_faces.h>
-#include <CGAL/Bubble_relaxation_2/internal/transfer/read_transfer.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/transfer_face_values.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/transfer_vertex_values.h>
 #include <CGAL/Bubble_relaxation_enums.h>
@@ -142,18 +141,17 @@ Transfer_report_2 transfer_vertex_values_2(const SourceTriangulation& source, co
   using namespace Bubble_relaxation_2::internal;
   double seconds = 0;
   Phase_timer time(seconds);
-  const Transfer_reading_2<SourceTriangulation, TargetTriangulation> read(source, target, np);
-  Transfer_problem_2 problem = read_transfer(read.source.faces(), read.target.faces(), np);
-  problem.values = read_values(read.source.vertices(), source_values,
-                               [&](std::size_t k) { return read.source.faces().points[k]; });
+  Transfer_reading_2<SourceTriangulation, TargetTriangulation> read(source, target, np);
+  read.problem.values = read_values(read.source.vertices(), source_values,
+                                    [&](std::size_t k) { return read.source.faces().points[k]; });
   if constexpr (Is_given<NamedParameters, internal_np::vertex_is_constrained_t>::value) {
     const auto is_fixed = parameters::get_parameter(np, internal_np::vertex_is_constrained);
     for (auto v : read.target.vertices())
-      problem.is_fixed.push_back(get(is_fixed, v) ? 1 : 0);
+      read.problem.is_fixed.push_back(get(is_fixed, v) ? 1 : 0);
   }
   const Vertex_transfer method = read_transfer_method(np, Vertex_transfer::PROJECTION);
   Transferred_values_2 result =
-    transfer_vertex_values(std::move(problem), method, threads_of<Concurrency<NamedParameters>>());
+    transfer_vertex_values(std::move(read.problem), method, threads_of<Concurrency<NamedParameters>>());
   write_values(result.values, read.target.vertices(), target_values);
   time.stop();
   result.report.seconds = seconds;
@@ -224,13 +222,13 @@ Transfer_report_2 transfer_face_values_2(const SourceTriangulation& source, cons
   using namespace Bubble_relaxation_2::internal;
   double seconds = 0;
   Phase_timer time(seconds);
-  const Transfer_reading_2<SourceTriangulation, TargetTriangulation> read(source, target, np);
-  Transfer_problem_2 problem = read_transfer(read.source.faces(), read.target.faces(), np);
-  problem.values = read_values(read.source.handles(), source_values,
-                               [&](std::size_t k) { return read.source.faces().point(static_cast<Index>(k), 0); });
+  Transfer_reading_2<SourceTriangulation, TargetTriangulation> read(source, target, np);
+  read.problem.values = read_values(read.source.handles(), source_values, [&](std::size_t k) {
+    return read.source.faces().point(static_cast<Index>(k), 0);
+  });
   const Face_transfer method = read_transfer_method(np, Face_transfer::MONOTONE_RECONSTRUCTION);
   Transferred_values_2 result =
-    transfer_face_values(std::move(problem), method, threads_of<Concurrency<NamedParameters>>());
+    transfer_face_values(std::move(read.problem), method, threads_of<Concurrency<NamedParameters>>());
   write_values(result.values, read.target.handles(), target_values);
   time.stop();
   result.report.seconds = seconds;

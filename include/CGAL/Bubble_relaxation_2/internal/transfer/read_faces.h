@@ -9,9 +9,10 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_READ_FACES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_READ_FACES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
-#include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/transfer/Transfer_problem_2.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
 
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -114,19 +116,38 @@ private:
   std::vector<Face_handle> m_face_handles;
 };
 
-/// What is read of both triangulations of a transfer.
+/// What is read of both triangulations of a transfer, and what the parameters say of them, without values.
 template <class Source_triangulation, class Target_triangulation>
 struct Transfer_reading_2
 {
   Face_reading_2<Source_triangulation> source;
   Face_reading_2<Target_triangulation> target;
+  Transfer_problem_2 problem;
 
   template <class NamedParameters>
   Transfer_reading_2(const Source_triangulation& from, const Target_triangulation& to, const NamedParameters& np)
     : source(from, "source", np, internal_np::source_faces, internal_np::source_in_domain_map),
       target(to, "target", np, internal_np::target_faces, internal_np::target_in_domain_map)
-  {}
+  {
+    problem.source = source.faces();
+    problem.target = target.faces();
+    take(np, internal_np::keep_integral, problem.keeps_integral);
+  }
 };
+
+/// The value of `transfer_method`; those of vertices and of faces are different types.
+template <class NamedParameters, class Method>
+Method read_transfer_method([[maybe_unused]] const NamedParameters& np, Method by_default)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::transfer_method_t>::value) {
+    const auto method = parameters::get_parameter(np, internal_np::transfer_method);
+    static_assert(std::is_same<std::decay_t<decltype(method)>, Method>::value,
+                  "transfer_method is a Vertex_transfer for values at vertices, a Face_transfer for values of faces");
+    return method;
+  } else {
+    return by_default;
+  }
+}
 
 /// The values of vertices or faces. `place(k)` is where the k-th lies, for messages.
 /// \throws std::invalid_argument if one is not finite
