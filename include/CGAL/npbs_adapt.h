@@ -122,7 +122,7 @@ auto npbs_remesh_faces(CDT& cdt, const FaceRange& faces, const NamedParameters& 
     const Relaxation_options options = read_local_options(pack);
     const Progress_scope scope(*options.progress);
     const Is_in_domain<CDT> is_in_domain{cdt};
-    const std::optional<Sizes_2> sizes = given_sizes<CDT>(pack);
+    const std::optional<Sizes_2> sizes = given_sizes<Place_2<CDT>>(pack);
     const Elevation_function<CDT> elevation = given_elevation<CDT>(pack);
     auto visitor = visitor_of<CDT>(pack);
     Report report;

@@ -52,8 +52,7 @@ auto triangulate_by_all(const PointSet& points, const Cdt& domain, MPI_Comm comm
   constexpr bool has_sizes = Is_given<NamedParameters, internal_np::sizing_function_t>::value;
   Sizes_2 sizes([](double, double) { return std::numeric_limits<double>::quiet_NaN(); });
   if constexpr (has_sizes)
-    sizes = Sizes_2(checked_sizing_field<typename Cdt::Geom_traits::Point_2>(
-      parameters::get_parameter_reference(np, internal_np::sizing_function)));
+    sizes = *given_sizes<typename Cdt::Geom_traits::Point_2>(np);
   Bubbles_2 own;
   ranks.agree_after([&] { own = read_bubbles(points, reading->domain, sizes); });
   Point_distribution_2 distribute(reading->domain, ranks);

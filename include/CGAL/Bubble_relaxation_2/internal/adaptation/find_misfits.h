@@ -79,7 +79,7 @@ Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const
   const Misfit_criteria criteria = read_misfit_criteria(np);
   check_has_domain(cdt, is_in_domain);
   const auto faces = faces_to_check(cdt, is_in_domain, np);
-  const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, np, *given_sizes<Cdt>(np), options);
+  const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, np, *given_sizes<Place_2<Cdt>>(np), options);
   Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
   return Misfits_2<Cdt>{search(faces), outline.sizes_of_parts()};
 }

@@ -10,18 +10,15 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_READ_ADAPTATION_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Default_adaptation_visitor_2.h>
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -57,17 +54,6 @@ Misfit_criteria read_misfit_criteria(const NamedParameters& np)
   if (!(c.misfit_quality >= 0 && c.misfit_quality <= 0.9))
     throw_invalid_parameter("misfit_quality", c.misfit_quality, "0 to 0.9");
   return c;
-}
-
-/// the user's sizes, if there are any
-template <class Cdt, class NamedParameters>
-std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
-{
-  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value)
-    return Sizes_2(
-      checked_sizing_field<Place_2<Cdt>>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
-  else
-    return std::nullopt;
 }
 
 /// whether a visitor can be told of parts that are meshed anew

@@ -11,7 +11,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
@@ -22,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -66,17 +66,12 @@ Simplification_options read_simplification_options(const NamedParameters& np)
 template <class Cdt, class NamedParameters>
 Sizes_2 sizes_of_pieces(const NamedParameters& np, const Simplification_options& options)
 {
-  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
-    using Point_2 = typename Cdt::Geom_traits::Point_2;
-    return Sizes_2(
-      checked_sizing_field<Point_2>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
-  } else {
-    if (!std::isfinite(options.tolerance))
-      throw std::invalid_argument("Bubble_relaxation_2: simplify_outline_2 needs the parameter sizing_function, or "
-                                  "outline_tolerance, a tenth of it");
-    const double size = 10 * options.tolerance;
-    return Sizes_2([size](double, double) { return size; });
-  }
+  if (const std::optional<Sizes_2> sizes = given_sizes<typename Cdt::Geom_traits::Point_2>(np))
+    return *sizes;
+  if (!std::isfinite(options.tolerance))
+    throw std::invalid_argument("Bubble_relaxation_2: simplify_outline_2 needs the parameter sizing_function, or "
+                                "outline_tolerance, a tenth of it");
+  return Sizes_2([size = 10 * options.tolerance](double, double) { return size; });
 }
 
 /// What is read from a user's triangulation, and which vertex is what.

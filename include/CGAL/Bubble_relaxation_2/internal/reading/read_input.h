@@ -27,6 +27,7 @@
 #include <CGAL/property_map.h>
 
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -43,22 +44,30 @@ auto is_pinned(const NamedParameters& np)
   return [pinned](Vertex_handle v) { return static_cast<bool>(get(pinned, v)); };
 }
 
-/// The sizes that the user wants: the sizing function, checked, or by default those of the mesh that is there, or else
-/// what the outline asks for.
+/// the user's sizing function, checked, if there is one
+template <class User_point, class NamedParameters>
+std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value)
+    return Sizes_2(
+      checked_sizing_field<User_point>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
+  else
+    return std::nullopt;
+}
+
+/// The sizes that the user wants: the sizing function, or by default those of the mesh that is there, or else what the
+/// outline asks for.
 template <class Cdt, class NamedParameters>
 Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
                      const Domain_reading_2<Cdt>& reading)
 {
-  if constexpr (Is_given<NamedParameters, internal_np::sizing_function_t>::value) {
-    return Sizes_2(
-      checked_sizing_field<Place_2<Cdt>>(parameters::get_parameter_reference(np, internal_np::sizing_function)));
-  } else if (reading.free.empty()) { // no mesh yet
-    double growth = default_size_growth;
-    take(np, internal_np::size_growth, growth);
-    return sizes_of_domain(reading.domain, reading.given, growth);
-  } else {
+  if (const std::optional<Sizes_2> sizes = given_sizes<Place_2<Cdt>>(np))
+    return *sizes;
+  if (!reading.free.empty())
     return sizes_of_mesh(marks);
-  }
+  double growth = default_size_growth; // there is no mesh yet
+  take(np, internal_np::size_growth, growth);
+  return sizes_of_domain(reading.domain, reading.given, growth);
 }
 
 /// A visitor of the user's, or a reference to one.
