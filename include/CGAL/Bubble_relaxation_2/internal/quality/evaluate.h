@@ -72,31 +72,17 @@ inline void tell_wanted_number(const Problem_2& problem, Report& report)
   report.number_of_wanted_vertices = static_cast<std::size_t>(std::llround(problem.wanted.number_without_corners));
 }
 
-/// How much d changes along edges, in whatever order they come.
+/// How much d changes from one vertex of a mesh to the next, which is what the mesh can see of its gradient, kinks and
+/// jumps included.
 class Size_gradient_2
 {
 public:
-  /// `steep`: edges with a larger gradient are counted
-  explicit Size_gradient_2(double steep) : m_steep(steep) {}
-
-  /// adds an edge with d at its ends
-  void add(const Point& p, double d_p, const Point& q, double d_q)
+  /// adds the edges of this rank; `sizes`: d at the vertices
+  void add(const Bubble_mesh_2& mesh, const std::vector<double>& sizes)
   {
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(); // of the user's formula
-    const double dx = q.x() - p.x(), dy = q.y() - p.y();
-    const double change = std::abs(d_q - d_p), length = std::sqrt(dx * dx + dy * dy), gradient = change / length;
-    ++m_number;
-    if (change > m_steep * length + rounding * (d_p + d_q))
-      ++m_number_of_steep;
-    if (!(gradient > 0) || gradient < m_largest)
-      return;
-    // from the end that comes first: what rounds must not depend on the triangle from which the edge is seen
-    const Point& first = CGAL::lexicographically_xy_smaller(q, p) ? q : p;
-    const double sign = &first == &q ? -1 : 1;
-    const Point middle(first.x() + sign * dx / 2, first.y() + sign * dy / 2);
-    if (gradient > m_largest || CGAL::lexicographically_xy_smaller(middle, m_steepest))
-      m_steepest = middle;
-    m_largest = gradient;
+    for_each_own_edge(mesh, 0, mesh.triangles.number_of_triangles(), [&](Index a, Index b) {
+      add_edge(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
+    });
   }
 
   /// Puts it into the report. Of edges with the same gradient it tells that with the lexicographically smallest
@@ -117,21 +103,30 @@ public:
   }
 
 private:
-  double m_steep, m_largest = 0;
+  /// an edge with d at its ends, in whatever order they come
+  void add_edge(const Point& p, double d_p, const Point& q, double d_q)
+  {
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(); // of the user's formula
+    const double dx = q.x() - p.x(), dy = q.y() - p.y();
+    const double change = std::abs(d_q - d_p), length = std::sqrt(dx * dx + dy * dy), gradient = change / length;
+    ++m_number;
+    if (change > Report::steep_size_gradient * length + rounding * (d_p + d_q))
+      ++m_number_of_steep;
+    if (!(gradient > 0) || gradient < m_largest)
+      return;
+    // from the end that comes first: what rounds must not depend on the triangle from which the edge is seen
+    const Point& first = CGAL::lexicographically_xy_smaller(q, p) ? q : p;
+    const double sign = &first == &q ? -1 : 1;
+    const Point middle(first.x() + sign * dx / 2, first.y() + sign * dy / 2);
+    if (gradient > m_largest || CGAL::lexicographically_xy_smaller(middle, m_steepest))
+      m_steepest = middle;
+    m_largest = gradient;
+  }
+
+  double m_largest = 0;
   Point m_steepest = Point(0, 0);
   std::size_t m_number_of_steep = 0, m_number = 0;
 };
-
-/// How much d changes from one vertex of a mesh to the next, which is what the mesh can see of its gradient, kinks and
-/// jumps included; over the edges of this rank.
-inline Size_gradient_2 size_gradient(const Bubble_mesh_2& mesh, const std::vector<double>& sizes)
-{
-  Size_gradient_2 gradient(Report::steep_size_gradient);
-  for_each_own_edge(mesh, 0, mesh.triangles.number_of_triangles(), [&](Index a, Index b) {
-    gradient.add(mesh.bubbles.point(a), sizes[a], mesh.bubbles.point(b), sizes[b]);
-  });
-  return gradient;
-}
 
 /// How many of something there are, and where the least of them is, in whatever order they come.
 struct Counted_places_2
@@ -328,12 +323,12 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Team& 
   report.quality = quality_of(mesh, &problem.sizes, threads, team);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();
-  Size_gradient_2 gradient(Report::steep_size_gradient);
+  Size_gradient_2 gradient;
   Small_angles_2 small(problem.whole_domain(), problem.options.minimum_angle);
   Forced_places_2 forced(problem.whole_domain());
   team.agree_after([&] {
     const std::vector<double> wanted = sizes_at_vertices(mesh, problem.wanted, threads);
-    gradient = size_gradient(mesh, wanted);
+    gradient.add(mesh, wanted);
     forced.add(mesh.bubbles, wanted);
     small.add(mesh);
   });
