@@ -118,34 +118,25 @@ std::vector<Point> rim_at_jumps(const Cdt& cdt, const Is_inside& is_in_domain, c
   return result;
 }
 
-/// The length of the shorter edge of the rim at each corner of a part, where that is far more than sizes ask for. The
-/// corners `at_jumps` do not count.
-inline std::vector<Size_source_2> coarse_rim(const Domain_2& part, const Sizes_2& wanted,
-                                             const std::vector<Point>& at_jumps)
-{
-  constexpr double tolerated = 1.25; // a vertex is kept if the mesh around it is as coarse as that
-  const std::vector<double> length = lengths_at_rim(part);
-  std::vector<Size_source_2> result;
-  for (std::size_t c = 0; c < length.size(); ++c) {
-    const Point& p = part.corners()[c];
-    if (!std::isinf(length[c]) && length[c] > tolerated * wanted(p) &&
-        !std::binary_search(at_jumps.begin(), at_jumps.end(), p))
-      result.push_back(Size_source_2{p, length[c]});
-  }
-  return result;
-}
-
 /// The wanted sizes, and larger ones beside edges of the rim that are far longer: from there they shrink by no more
-/// than `growth` per unit of length, else triangles at the rim would be needles.
+/// than `growth` per unit of length, else triangles at the rim would be needles. The corners `at_jumps` do not count.
 inline Sizes_2 no_finer_than_rim(const Domain_2& part, const Sizes_2& wanted, const std::vector<Point>& at_jumps,
                                  double growth)
 {
-  std::vector<Size_source_2> sources = coarse_rim(part, wanted, at_jumps);
+  constexpr double tolerated = 1.25; // a vertex is kept if the mesh around it is as coarse as that
+  const std::vector<double> length = lengths_at_rim(part);
+  std::vector<Size_source_2> sources;
+  double longest = 0;
+  for (std::size_t c = 0; c < length.size(); ++c) {
+    const Point& p = part.corners()[c];
+    if (!std::isinf(length[c]) && length[c] > tolerated * wanted(p) &&
+        !std::binary_search(at_jumps.begin(), at_jumps.end(), p)) {
+      sources.push_back(Size_source_2{p, length[c]});
+      longest = (std::max)(longest, length[c]);
+    }
+  }
   if (sources.empty())
     return wanted;
-  double longest = 0;
-  for (const Size_source_2& s : sources)
-    longest = (std::max)(longest, s.d);
   for (Size_source_2& s : sources) // the largest of d_s - g |x - s| is less than the longest by the least of these
     s.d = longest - s.d;
   Outline_field_2 less(sources, part.bbox(), growth);
