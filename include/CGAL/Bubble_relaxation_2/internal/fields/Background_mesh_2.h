@@ -36,8 +36,7 @@ public:
   Background_mesh_2(const Domain_2& domain, const std::vector<Point>& points, const Sizes_2& sizing, double g,
                     std::size_t maximum_number_of_vertices)
     : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices),
-      m_extent((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
-                          domain.bbox().ymax() - domain.bbox().ymin())),
+      m_extent((std::max)(domain.bbox().x_span(), domain.bbox().y_span())),
       m_points(domain.corners()), m_pieces(domain.edges()), m_curve(domain.bbox(), false)
   {
     m_points.insert(m_points.end(), points.begin(), points.end());

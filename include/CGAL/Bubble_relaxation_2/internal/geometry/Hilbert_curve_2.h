@@ -88,7 +88,7 @@ public:
   explicit Hilbert_curve_2(const Bbox_2& box, bool is_upright = false)
     : m_x0(box.xmin()), m_y0(box.ymin()), m_is_upright(is_upright)
   {
-    const double side = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    const double side = (std::max)(box.x_span(), box.y_span());
     m_side = side > 0 ? side : 1.;
     m_scale = cells / m_side;
   }

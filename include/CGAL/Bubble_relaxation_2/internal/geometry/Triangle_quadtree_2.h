@@ -111,7 +111,7 @@ private:
     using Iterator = std::vector<Index>::iterator;
     using Range = std::pair<Iterator, Iterator>;
     const Bbox_2 box = bbox_2(tr.points.begin(), tr.points.end());
-    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    const double width = box.x_span(), height = box.y_span();
     std::vector<Index> vertices(tr.points.size());
     std::iota(vertices.begin(), vertices.end(), 0);
     Index last = 0; // neighbouring leaves follow each other, so the last one's triangle is near

@@ -33,7 +33,7 @@ inline Disc_2 disc_of_triangle(const Bubble_mesh_2& mesh, Index t, const Bbox_2&
   const double ax = q.x() - p.x(), ay = q.y() - p.y(), bx = r.x() - p.x(), by = r.y() - p.y();
   const double a = ax * ax + ay * ay, b = bx * bx + by * by, area2 = ax * by - ay * bx;
   if (!(area2 > margin * (a + b))) {
-    const double dx = (box.xmax() - box.xmin()) / 2, dy = (box.ymax() - box.ymin()) / 2;
+    const double dx = box.x_span() / 2, dy = box.y_span() / 2;
     return Disc_2{box.xmin() + dx, box.ymin() + dy, (1 + margin) * length_of(dx, dy)};
   }
   const double x = (by * a - ay * b) / (2 * area2), y = (ax * b - bx * a) / (2 * area2);

@@ -253,7 +253,7 @@ private:
   {
     const std::vector<Point>& old = m_reading.problem.outline.points;
     const Bbox_2 box = bbox_2(old.begin(), old.end());
-    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), x = box.xmax() + size;
+    const double size = (std::max)(box.x_span(), box.y_span()), x = box.xmax() + size;
     m_beside[0] = &*m_cdt.insert(Cdt_point(x, box.ymin()));
     m_beside[1] = &*m_cdt.insert(Cdt_point(x, box.ymin() + size));
     std::vector<typename Cdt::Constraint_id> ids(m_cdt.constraints_begin(), m_cdt.constraints_end());

@@ -38,7 +38,7 @@ public:
     // the rhombus spanned by (1, 0) and (1/2, sqrt(3)/2) whose side is a power of two times d in some
     // place of the domain, so that a constant d is met exactly
     const Bbox_2& box = m_domain.bbox();
-    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    const double width = box.x_span(), height = box.y_span();
     const double needed = (std::max)(width + height / std::sqrt(3.), height * 2 / std::sqrt(3.));
     double side = *std::min_element(m_bubbles.d.begin(), m_bubbles.d.end());
     while (side < needed)

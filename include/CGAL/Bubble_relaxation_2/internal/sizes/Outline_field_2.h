@@ -43,7 +43,7 @@ public:
   /// `growth`: g \pre there are sources
   Outline_field_2(const std::vector<Size_source_2>& sources, const Bbox_2& box, double growth)
     : m_growth(growth), m_leaves({0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
-                                  0.5 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), 0})
+                                  0.5 * (std::max)(box.x_span(), box.y_span()), 0})
   {
     add(sources);
   }

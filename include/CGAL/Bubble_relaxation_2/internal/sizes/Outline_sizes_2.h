@@ -34,8 +34,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 inline double extent(const Domain_2& domain)
 {
-  const Bbox_2& box = domain.bbox();
-  return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  return (std::max)(domain.bbox().x_span(), domain.bbox().y_span());
 }
 
 /// Two vertices that almost coincide would ask for bubbles without number: no size is a smaller share of the extent,

@@ -28,8 +28,7 @@ public:
   /// `limit`: sums are not followed beyond it
   Expected_number_of_bubbles(const Domain_2& domain, const Sizes_2& sizing, double limit)
     : m_domain(domain), m_sizing(sizing), m_limit(limit),
-      m_coarsest((std::max)(domain.bbox().xmax() - domain.bbox().xmin(),
-                            domain.bbox().ymax() - domain.bbox().ymin()) / 16)
+      m_coarsest((std::max)(domain.bbox().x_span(), domain.bbox().y_span()) / 16)
   {}
 
   double operator()()

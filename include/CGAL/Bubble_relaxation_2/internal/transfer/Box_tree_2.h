@@ -95,7 +95,7 @@ private:
     m_nodes.push_back(Node{box, first, last});
     if (last - first <= most_in_leaf)
       return;
-    const bool is_wide = box.xmax() - box.xmin() > box.ymax() - box.ymin();
+    const bool is_wide = box.x_span() > box.y_span();
     const auto middle = [&](Index t) {
       return is_wide ? boxes[t].xmin() + boxes[t].xmax() : boxes[t].ymin() + boxes[t].ymax();
     };

@@ -66,7 +66,7 @@ struct Face_set_2
 inline double scale_to_unit(Face_set_2& source, Face_set_2& target)
 {
   const Bbox_2 box = bbox_2(source.points.begin(), source.points.end());
-  const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  const double extent = (std::max)(box.x_span(), box.y_span());
   const double factor = extent > 0 ? std::ldexp(1., -std::ilogb(extent)) : 1;
   for (Face_set_2* faces : {&source, &target})
     for (Point& p : faces->points)
