@@ -231,10 +231,8 @@ private:
   void add_points(const Part& mesh, std::vector<Index>& local)
   {
     const auto& b = mesh.bubbles;
-    std::vector<Index> those;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.owner[i] == m_rank)
-        those.push_back(static_cast<Index>(i));
+    std::vector<Index> those =
+      Bubble_relaxation_2::internal::indices_where(b.size(), [&](Index i) { return b.owner[i] == m_rank; });
     m_owned_points = those.size();
     for (std::size_t t = 0; t < mesh.is_final.size(); ++t)
       if (mesh.is_final[t])

@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -142,8 +141,7 @@ struct Bubbles_2
     const auto sorted_end = std::is_sorted_until(id.begin(), id.end());
     if (sorted_end == id.end())
       return;
-    std::vector<Index> order(size());
-    std::iota(order.begin(), order.end(), Index(0));
+    std::vector<Index> order = indices_below(size());
     const auto has_less = [this](Index i, Index j) { return id[i] < id[j]; };
     merge_tail(order, static_cast<std::size_t>(sorted_end - id.begin()), has_less);
     select(order);

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 // What is compiled once is declared in headers, and defined in headers whose names end in `_impl.h`. A program that is
@@ -76,16 +77,32 @@ void make_room_for(std::size_t n, std::vector<T>& array)
   array.swap(larger);
 }
 
+/// the indices below `n`
+inline std::vector<Index> indices_below(std::size_t n)
+{
+  std::vector<Index> result(n);
+  std::iota(result.begin(), result.end(), Index(0));
+  return result;
+}
+
+/// those for which something holds
+template <class Holds>
+std::vector<Index> indices_where(std::size_t n, const Holds& holds)
+{
+  std::vector<Index> result;
+  for (std::size_t i = 0; i < n; ++i)
+    if (holds(static_cast<Index>(i)))
+      result.push_back(static_cast<Index>(i));
+  return result;
+}
+
 /// where flags are set
 inline std::vector<Index> marked(const std::vector<char>& flags)
 {
-  std::vector<Index> result;
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    tick(i);
-    if (flags[i])
-      result.push_back(static_cast<Index>(i));
-  }
-  return result;
+  return indices_where(flags.size(), [&flags](Index i) {
+    tick(static_cast<std::size_t>(i));
+    return flags[i];
+  });
 }
 
 /// sorts, and keeps one of those that are equal

@@ -116,13 +116,10 @@ inline std::vector<Index> perhaps_in_one_place(const Bubbles_2& b)
       is_taken_twice[hash(i)] = true;
     is_taken[hash(i)] = true;
   }
-  std::vector<Index> result;
-  for (std::size_t i = 0; i < b.size(); ++i) {
+  return indices_where(b.size(), [&](std::size_t i) {
     tick(i);
-    if (is_taken_twice[hash(i)] && !b.is_gone(i))
-      result.push_back(static_cast<Index>(i));
-  }
-  return result;
+    return is_taken_twice[hash(i)] && !b.is_gone(i);
+  });
 }
 
 /// Of bubbles in one place removes all but one of the lowest dimension.

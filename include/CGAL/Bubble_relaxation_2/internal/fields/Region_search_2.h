@@ -72,10 +72,7 @@ private:
   /// triangles outside take the region of one beside them, from the domain on
   void spread_outside()
   {
-    std::vector<Index> queue;
-    for (std::size_t t = 0; t < m_region.size(); ++t)
-      if (m_region[t] != no_index)
-        queue.push_back(static_cast<Index>(t));
+    std::vector<Index> queue = indices_where(m_region.size(), [this](Index t) { return m_region[t] != no_index; });
     for (std::size_t k = 0; k < queue.size(); ++k)
       for (Index n : m_tr.neighbors[queue[k]])
         if (n != no_index && m_region[n] == no_index) {

@@ -17,7 +17,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -35,8 +34,7 @@ public:
                   const Threads& threads, const Is_possible& is_possible)
   {
     const std::size_t n = holes.size();
-    m_order.resize(n);
-    std::iota(m_order.begin(), m_order.end(), Index(0));
+    m_order = indices_below(n);
     sort_indices(m_order, [&holes](Index a, Index b) { return holes[a] < holes[b]; });
     m_is_possible.resize(n);
     parallel_for(

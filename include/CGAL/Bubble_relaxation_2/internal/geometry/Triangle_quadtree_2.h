@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -112,8 +111,7 @@ private:
     using Range = std::pair<Iterator, Iterator>;
     const Bbox_2 box = bbox_2(tr.points.begin(), tr.points.end());
     const double width = box.x_span(), height = box.y_span();
-    std::vector<Index> vertices(tr.points.size());
-    std::iota(vertices.begin(), vertices.end(), 0);
+    std::vector<Index> vertices = indices_below(tr.points.size());
     Index last = 0; // neighbouring leaves follow each other, so the last one's triangle is near
     const auto fill = [&](const Tree::Square& s, const Range& r, Index* triangle, const auto& divide) {
       if (r.second - r.first <= most_vertices || s.depth == deepest) {

@@ -84,8 +84,7 @@ private:
 
   void find_components()
   {
-    for (std::size_t v = 0; v < m_outline.points.size(); ++v)
-      m_component.push_back(static_cast<Index>(v));
+    m_component = indices_below(m_outline.points.size());
     for (const Outline_segment_2& s : m_outline.segments) {
       const Index a = root(s.source), b = root(s.target);
       m_component[(std::max)(a, b)] = (std::min)(a, b); // the first vertex tells which it is

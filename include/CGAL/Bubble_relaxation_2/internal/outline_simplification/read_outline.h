@@ -104,8 +104,7 @@ private:
     for (void* v : addresses)
       m_numbers.add(v);
     problem.outline.points = vertices.points;
-    for (std::size_t v = 0; v < addresses.size(); ++v)
-      problem.outline.given.push_back(static_cast<Index>(v));
+    problem.outline.given = indices_below(addresses.size());
     check_places();
     read_segments(marks, vertices);
     problem.outline.is_fixed.assign(addresses.size(), 0);

@@ -84,9 +84,7 @@ inline Outline_demands_2 with_caution(Outline_demands_2 demands, const Outline_2
 /// The order in which spans are replaced: long ones first, since they have more to gain.
 inline std::vector<Index> order_of_spans(const std::vector<Outline_span_2>& spans)
 {
-  std::vector<Index> order;
-  for (std::size_t s = 0; s < spans.size(); ++s)
-    order.push_back(static_cast<Index>(s));
+  std::vector<Index> order = indices_below(spans.size());
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return spans[a].size() > spans[b].size(); });
   return order;
 }

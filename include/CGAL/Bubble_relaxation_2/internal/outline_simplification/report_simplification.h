@@ -101,9 +101,7 @@ inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplifi
 inline std::vector<Bounded_side> sides_of_boundary(const Simplified_outline_2& outline,
                                                    const std::vector<Point>& points)
 {
-  std::vector<Index> order;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    order.push_back(static_cast<Index>(k));
+  std::vector<Index> order = indices_below(points.size());
   std::sort(order.begin(), order.end(), [&](Index k, Index l) { return points[k].x() < points[l].x(); });
   std::vector<Bounded_side> sides(points.size(), ON_UNBOUNDED_SIDE);
   for (const Outline_segment_2& s : outline.segments) {

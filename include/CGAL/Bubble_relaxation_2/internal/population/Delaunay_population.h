@@ -102,11 +102,7 @@ private:
     add_crowded(b, crowded, triangles, choice);
     decide_together(
       m_team, [&] { return choice.decide([](Index) { return true; }); }, [&] { m_team.share(choice.states()); });
-    std::vector<Index> result;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (choice.is_chosen(static_cast<Index>(i)))
-        result.push_back(static_cast<Index>(i));
-    return result;
+    return indices_where(b.size(), [&choice](Index i) { return choice.is_chosen(i); });
   }
 
   Crowded find_crowded(const Bubbles_2& b, const std::vector<Index>& touched,

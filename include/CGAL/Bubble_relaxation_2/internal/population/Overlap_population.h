@@ -86,10 +86,7 @@ private:
     const auto is_worse = [&](Index i, Index j) {
       return ratio[i] > ratio[j] || (ratio[i] == ratio[j] && b.is_before(i, j));
     };
-    std::vector<Index> crowded; // of ours
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (b.is_ours(i) && is_crowded(static_cast<Index>(i)))
-        crowded.push_back(static_cast<Index>(i));
+    std::vector<Index> crowded = indices_where(b.size(), [&](Index i) { return b.is_ours(i) && is_crowded(i); });
     sort_indices(crowded, is_worse);
     Greedy_choice choice;
     choice.start(b.size());

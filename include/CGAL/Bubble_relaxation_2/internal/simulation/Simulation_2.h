@@ -203,10 +203,9 @@ public:
     }
     m_neighbors.build(m_bubbles, Bubble_references_2{x, y, d}, m_options.threads);
     m_active.restart(is_active, is_touched, is_roused);
-    m_outrun.clear();
-    for (std::size_t i = 0; i < memories.size(); ++i)
-      if (m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i))
-        m_outrun.push_back(static_cast<Index>(i));
+    m_outrun = indices_where(memories.size(), [this](Index i) {
+      return m_bubbles.can_move(i) && m_neighbors.is_outrun_by(m_bubbles, i);
+    });
   }
 
   /// the bubbles that may have moved in the last round

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -26,9 +25,8 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Box_tree_2
 {
 public:
-  explicit Box_tree_2(const Face_set_2& faces) : m_triangles(faces.number_of_triangles())
+  explicit Box_tree_2(const Face_set_2& faces) : m_triangles(indices_below(faces.number_of_triangles()))
   {
-    std::iota(m_triangles.begin(), m_triangles.end(), 0);
     std::vector<Bbox_2> boxes;
     for (Index t : m_triangles)
       boxes.push_back(faces.box(t));

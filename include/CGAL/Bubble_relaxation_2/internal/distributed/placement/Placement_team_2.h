@@ -25,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -72,9 +71,7 @@ public:
       for (int rank : m_partition->owners_in_disc(s.x, s.y, reach * s.d))
         out[rank].push_back(s);
     }
-    std::vector<Index> common(m_number_of_common);
-    std::iota(common.begin(), common.end(), Index(0));
-    bubbles.select(common);
+    bubbles.select(indices_below(m_number_of_common));
     directions.resize(m_number_of_common);
     deliver(m_comm, out, [&](int, const Seed& s) { // from lower ranks come lower numbers
       bubbles.add(Point(s.x, s.y), s.d, Bubbles_2::FACE, s.triangle);

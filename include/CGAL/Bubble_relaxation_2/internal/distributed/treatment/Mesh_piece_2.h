@@ -65,11 +65,9 @@ inline int number_of_ours(const Bubbles_2& bubbles, const std::array<Index, 3>& 
 /// the triangles of a piece with a bubble of another rank: among them all at its border
 inline std::vector<Index> triangles_beside_others(const Bubble_mesh_2& piece)
 {
-  std::vector<Index> result;
-  for (std::size_t t = 0; t < piece.triangles.inside.size(); ++t)
-    if (piece.triangles.inside[t] && number_of_ours(piece.bubbles, piece.triangles.vertices[t]) < 3)
-      result.push_back(static_cast<Index>(t));
-  return result;
+  return indices_where(piece.triangles.inside.size(), [&piece](Index t) {
+    return piece.triangles.inside[t] && number_of_ours(piece.bubbles, piece.triangles.vertices[t]) < 3;
+  });
 }
 
 /// Finds the triangles of a piece of a mesh, Delaunay for itself, that the whole may not have any more: there can be
