@@ -12,13 +12,17 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_write_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_defects.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_sizes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
+#include <CGAL/radius_ratio_2.h>
+
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -140,6 +144,28 @@ void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename 
   write.finish();
   write.write_tags(tags);
   visitor.after_change(new_faces, new_vertices);
+}
+
+/// The corners of a part on its rim that have a bad triangle: the treatment could not make it better, since they stay.
+inline std::vector<Index> rim_defects(const Domain_2& part, const Bubble_mesh_2& mesh)
+{
+  constexpr double bad = 0.92; // few are worse in a mesh that is made at once
+  std::vector<char> is_on_rim(part.corners().size(), 0), is_defect(is_on_rim);
+  for (const Domain_edge_2& e : part.edges())
+    if (!e.takes_bubbles)
+      is_on_rim[e.source] = is_on_rim[e.target] = 1;
+  const Bubbles_2& b = mesh.bubbles;
+  for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {
+    tick(t);
+    const Index f = static_cast<Index>(t);
+    if (!mesh.triangles.inside[t] ||
+        !(CGAL::radius_ratio_2(mesh.point(f, 0), mesh.point(f, 1), mesh.point(f, 2)) < bad))
+      continue;
+    for (Index v : mesh.triangles.vertices[t])
+      if (b.is_corner(v) && b.host[v] != no_index && is_on_rim[b.host[v]])
+        is_defect[b.host[v]] = 1;
+  }
+  return marked(is_defect);
 }
 
 /// What is to be done with a part of a triangulation, and how.
