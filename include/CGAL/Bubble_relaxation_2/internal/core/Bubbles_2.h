@@ -15,16 +15,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Sorts a sequence whose first elements are sorted, so many of them: mostly few came after these.
-template <class T, class Is_before = std::less<T>>
-void merge_tail(std::vector<T>& sequence, std::size_t sorted, const Is_before& is_before = Is_before())
+/// Sorts a sequence whose first elements are sorted: mostly few came after these.
+template <class T, class Is_before>
+void merge_tail(std::vector<T>& sequence, const Is_before& is_before)
 {
-  const auto middle = sequence.begin() + static_cast<std::ptrdiff_t>(sorted);
+  const auto middle = std::is_sorted_until(sequence.begin(), sequence.end(), is_before);
   std::sort(middle, sequence.end(), is_before);
   std::inplace_merge(sequence.begin(), middle, sequence.end(), is_before);
 }
@@ -138,12 +137,10 @@ struct Bubbles_2
   /// Orders them by their identities. Mostly few were added to those that ascend.
   void sort_by_id()
   {
-    const auto sorted_end = std::is_sorted_until(id.begin(), id.end());
-    if (sorted_end == id.end())
+    if (std::is_sorted(id.begin(), id.end()))
       return;
     std::vector<Index> order = indices_below(size());
-    const auto has_less = [this](Index i, Index j) { return id[i] < id[j]; };
-    merge_tail(order, static_cast<std::size_t>(sorted_end - id.begin()), has_less);
+    merge_tail(order, [this](Index i, Index j) { return id[i] < id[j]; });
     select(order);
   }
 

@@ -79,12 +79,10 @@ inline std::vector<std::pair<Hilbert_curve_2::Key, Index>> places_on(const Hilbe
   places.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     places.emplace_back(curve.key(bubbles[i].x, bubbles[i].y), static_cast<Index>(i));
-  const auto is_before = [&bubbles](const auto& p, const auto& q) {
+  merge_tail(places, [&bubbles](const auto& p, const auto& q) {
     const Bubble_record_2 &b = bubbles[p.second], &c = bubbles[q.second];
     return p.first != q.first ? p.first < q.first : std::tie(b.x, b.y, b.dimension) < std::tie(c.x, c.y, c.dimension);
-  };
-  const auto sorted_end = std::is_sorted_until(places.begin(), places.end(), is_before);
-  merge_tail(places, static_cast<std::size_t>(sorted_end - places.begin()), is_before);
+  });
   return places;
 }
 
