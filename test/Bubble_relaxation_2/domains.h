@@ -12,12 +12,11 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <boost/property_map/property_map.hpp>
+#include <CGAL/property_map.h>
 
 #include <cmath>
 #include <random>
-#include <set>
+#include <utility>
 #include <vector>
 
 /// Kernels, triangulations and domains that several tests use.
@@ -30,20 +29,6 @@ using CDT = CGAL::Constrained_Delaunay_triangulation_2<
   K, CGAL::Triangulation_data_structure_2<Vb, CGAL::Delaunay_mesh_face_base_2<K>>>;
 
 using Outline = std::vector<std::pair<double, double>>;
-
-/// which vertices are pinned
-template <class Cdt>
-struct Map_of_pins
-{
-  using key_type = typename Cdt::Vertex_handle;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-
-  const std::set<key_type>* pins;
-
-  friend bool get(const Map_of_pins& map, key_type v) { return map.pins->count(v) > 0; }
-};
 
 template <class Cdt>
 void insert(Cdt& cdt, const Outline& outline, bool closed = true)

@@ -127,8 +127,8 @@ inline void expect_vertices_kept(const std::set<Xy>& vertices, const Snapshot& a
 
 /// The vertices that no relaxation may move: ends and bends of constraints, and those that the user pinned. A bend is
 /// more than what the rounding of its vertices makes.
-template <class CDT, class Is_pinned>
-std::set<Xy> fixed_vertices(const CDT& cdt, const Is_pinned& is_pinned)
+template <class CDT>
+std::set<Xy> fixed_vertices(const CDT& cdt, const std::set<typename CDT::Vertex_handle>& pins)
 {
   double largest = 0;
   for (auto v : cdt.finite_vertex_handles())
@@ -147,7 +147,7 @@ std::set<Xy> fixed_vertices(const CDT& cdt, const Is_pinned& is_pinned)
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest;
     const bool is_straight = ends.size() == 2 && off({ends[0], ends[1]}, xy(v)) <= rounding &&
                              along({ends[0], xy(v)}, ends[1]) >= length({ends[0], xy(v)});
-    if (is_pinned(v) || (!ends.empty() && !is_straight))
+    if (pins.count(v) > 0 || (!ends.empty() && !is_straight))
       result.insert(xy(v));
   }
   return result;

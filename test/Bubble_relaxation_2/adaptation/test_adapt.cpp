@@ -32,7 +32,6 @@ namespace test_adapt {
 
 using adaptation::faces_near;
 using domains::K;
-using domains::Map_of_pins;
 using domains::Outline;
 
 using Info_vb = CGAL::Triangulation_vertex_base_with_info_2<int, K>;
@@ -107,7 +106,7 @@ TYPED_TEST(Adapt, inner_constraints_and_pins_stay)
   std::set<typename TypeParam::Vertex_handle> pins;
   for (const Point& p : {Point(0.7, 0.7), Point(0.71, 0.12), Point(0.35, 0)})
     pins.insert(cdt.insert(p));
-  const Map_of_pins<TypeParam> map{&pins};
+  const auto map = CGAL::make_boolean_property_map(pins);
   const validation::Snapshot before = validation::snapshot(cdt);
   CGAL::npbs_relax(cdt, size(0.06).vertex_is_constrained_map(map));
   for (const Disc& disc : {Disc{0.5, 0.25, 0.2}, Disc{0.5, 0.8, 0.2}, Disc{0.2, 0.6, 0.3}, Disc{0.7, 0.7, 0.2},

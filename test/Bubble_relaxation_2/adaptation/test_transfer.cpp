@@ -680,7 +680,7 @@ TEST(Transfer, a_part_keeps_its_rim_and_its_integral)
   for (Vertex_transfer method : projections) {
     Vertex_values<CDT> values;
     const auto r = transfer(s, at_s, t, values, P::source_faces(removed).target_faces(added).transfer_method(method)
-                                                  .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&rim}));
+                                                  .vertex_is_constrained_map(CGAL::make_boolean_property_map(rim)));
     EXPECT_EQ(values.size(), rim.size() + 2);
     for (CDT::Vertex_handle v : rim)
       EXPECT_EQ(values[v], before[v->point()]);

@@ -148,7 +148,7 @@ TEST(Voronoi_dual_meshes, of_a_pinned_vertex)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1)});
   const std::set<CDT::Vertex_handle> pins{cdt.insert(Point(0.31, 0.47))};
-  CGAL::npbs_relax(cdt, P::sizing_function(0.08).vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}));
+  CGAL::npbs_relax(cdt, P::sizing_function(0.08).vertex_is_constrained_map(CGAL::make_boolean_property_map(pins)));
   const Dual dual(cdt);
   expect_valid(dual, 1);
   expect_good(dual.quality(), "pin");

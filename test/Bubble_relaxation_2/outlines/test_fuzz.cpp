@@ -211,7 +211,7 @@ protected:
                       .size_growth(c.growth)
                       .minimum_angle(c.angle)
                       .maximum_number_of_bubbles(3000)
-                      .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&in.pins});
+                      .vertex_is_constrained_map(CGAL::make_boolean_property_map(in.pins));
     if (c.keeps && c.size)
       return CGAL::npbs_relax(in.cdt, np.sizing_function(*c.size).initial_placement(CGAL::Bubble_placement::KEEP));
     return c.size ? CGAL::npbs_relax(in.cdt, np.sizing_function(*c.size)) : CGAL::npbs_relax(in.cdt, np);
@@ -258,8 +258,7 @@ protected:
     if (!in.cdt.is_valid())
       return; // what CGAL makes of crossings a rounding apart may not be
     const validation::Snapshot before = validation::snapshot(in.cdt);
-    const std::set<validation::Xy> fixed =
-      validation::fixed_vertices(in.cdt, [&](CDT::Vertex_handle v) { return in.pins.count(v) > 0; });
+    const std::set<validation::Xy> fixed = validation::fixed_vertices(in.cdt, in.pins);
     ++m_number_of_cases;
     try {
       const std::clock_t start = std::clock();

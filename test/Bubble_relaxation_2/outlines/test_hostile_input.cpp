@@ -143,7 +143,7 @@ struct Input
     snapshot = validation::snapshot(cdt);
     for (const validation::Segment& s : snapshot.constraints)
       length += validation::length(s);
-    fixed = validation::fixed_vertices(cdt, [this](CDT::Vertex_handle v) { return pins.count(v) > 0; });
+    fixed = validation::fixed_vertices(cdt, pins);
     explore();
   }
 
@@ -207,7 +207,7 @@ protected:
   template <class Parameters>
   auto relax(Input& in, const Parameters& parameters, double scale = 1) const
   {
-    const auto np = parameters.vertex_is_constrained_map(domains::Map_of_pins<CDT>{&in.pins})
+    const auto np = parameters.vertex_is_constrained_map(CGAL::make_boolean_property_map(in.pins))
                       .maximum_number_of_bubbles(file.maximum);
     return file.size ? CGAL::npbs_relax(in.cdt, np.sizing_function(scale * *file.size)) : CGAL::npbs_relax(in.cdt, np);
   }

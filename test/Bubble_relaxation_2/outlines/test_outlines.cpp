@@ -32,6 +32,8 @@
 
 namespace test_outlines {
 
+namespace P = CGAL::Bubble_relaxation_parameters;
+using CGAL::make_boolean_property_map;
 using domains::CDT;
 using domains::Outline;
 using domains::Point;
@@ -210,11 +212,10 @@ protected:
   void mesh(CDT cdt, const std::set<Point>& places, double d)
   {
     const Pins pins = pins_at(cdt, places);
-    const auto is_pinned = [&pins](CDT::Vertex_handle v) { return pins.count(v) > 0; };
-    const std::set<validation::Xy> fixed = validation::fixed_vertices(cdt, is_pinned);
+    const std::set<validation::Xy> fixed = validation::fixed_vertices(cdt, pins);
     const validation::Snapshot before = validation::snapshot(cdt);
     const std::set<Point> sharp = sharp_corners(cdt);
-    const auto np = CGAL::Bubble_relaxation_parameters::vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins});
+    const auto np = P::vertex_is_constrained_map(make_boolean_property_map(pins));
     const auto report = d > 0 ? CGAL::npbs_relax(cdt, np.sizing_function(d)) : CGAL::npbs_relax(cdt, np);
     validation::expect_valid_mesh(cdt);
     validation::expect_constraints_kept(before, validation::snapshot(cdt));
@@ -295,7 +296,7 @@ TEST_F(Outlines, one_circle_that_cannot_be_cut_off_spoils_no_other)
   cdt.insert(other_pin);
   const Pins pins = pins_at(cdt, {pin, other_pin});
   ASSERT_EQ(pins.size(), 2u);
-  CGAL::npbs_relax(cdt, CGAL::parameters::vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}));
+  CGAL::npbs_relax(cdt, CGAL::parameters::vertex_is_constrained_map(make_boolean_property_map(pins)));
   // a circle leaves one triangle in a corner, with two sides that are equal
   int number = 0;
   for (auto f : cdt.finite_face_handles())
@@ -316,8 +317,8 @@ TEST_F(Outlines, a_crack_keeps_no_other_place_from_refinement)
     const std::set<Point> sharp = sharp_corners(without);
     const auto count = [&](CDT& cdt, double angle) {
       const Pins pins = pins_at(cdt, places);
-      CGAL::npbs_relax(cdt, CGAL::Bubble_relaxation_parameters::number_of_rounds(1).size_growth(0.3).minimum_angle(angle)
-                              .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}));
+      const auto np = P::number_of_rounds(1).size_growth(0.3).minimum_angle(angle);
+      CGAL::npbs_relax(cdt, np.vertex_is_constrained_map(make_boolean_property_map(pins)));
       int number = 0;
       for (auto f : cdt.finite_face_handles())
         number += f->is_in_domain() && f->vertex(0)->point().x() < 2 && is_free(cdt.triangle(f), sharp) &&
@@ -460,8 +461,8 @@ TEST_F(Outlines, memory_is_bounded)
   CDT cdt = graph(random_seeds::seed(), 1000, 0.3, places);
   const Pins pins = pins_at(cdt, places);
   counted_memory::most_memory = counted_memory::memory;
-  const auto report = CGAL::npbs_relax(cdt, CGAL::Bubble_relaxation_parameters::minimum_angle(33.).vertex_is_constrained_map(
-                                              domains::Map_of_pins<CDT>{&pins}));
+  const auto report =
+    CGAL::npbs_relax(cdt, P::minimum_angle(33.).vertex_is_constrained_map(make_boolean_property_map(pins)));
   EXPECT_LE(double(counted_memory::most_memory - counted_memory::memory), 400 * double(report.number_of_vertices));
   EXPECT_GT(report.number_of_small_angles, 0u); // so refinement was tried
 }
@@ -478,11 +479,11 @@ TEST_F(Outlines, small_angles_are_refined)
     CDT coarse = graph(random_seeds::seed(k), 40, 0.3, places), fine(coarse);
     const Pins pins = pins_at(coarse, places), pins_of_fine = pins_at(fine, places);
     const std::set<Point> sharp = sharp_corners(coarse);
-    using Map = domains::Map_of_pins<CDT>;
-    namespace P = CGAL::Bubble_relaxation_parameters;
-    const auto np = P::number_of_rounds(1).size_growth(0.3);
-    const auto without = CGAL::npbs_relax(coarse, np.vertex_is_constrained_map(Map{&pins}).minimum_angle(0.));
-    const auto with = CGAL::npbs_relax(fine, np.vertex_is_constrained_map(Map{&pins_of_fine}).minimum_angle(degrees));
+    const auto relax = [](CDT& cdt, const Pins& pinned, double angle) {
+      const auto np = P::number_of_rounds(1).size_growth(0.3).minimum_angle(angle);
+      return CGAL::npbs_relax(cdt, np.vertex_is_constrained_map(make_boolean_property_map(pinned)));
+    };
+    const auto without = relax(coarse, pins, 0), with = relax(fine, pins_of_fine, degrees);
     EXPECT_TRUE(fine.is_valid());
     EXPECT_EQ(without.number_of_small_angles, 0u); // none is smaller than 0
     if (with.number_of_small_angles > 0) {

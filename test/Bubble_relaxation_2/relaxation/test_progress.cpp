@@ -333,7 +333,7 @@ TEST(Progress_visitor, sees_all_bubbles_move)
   };
   const auto report = CGAL::npbs_relax(
     cdt, CGAL::Bubble_relaxation_parameters::sizing_function(0.06).limit_by_outline(false).defect_treatment(false)
-           .vertex_is_constrained_map(domains::Map_of_pins<CDT>{&pins}).visitor(std::ref(log)));
+           .vertex_is_constrained_map(CGAL::make_boolean_property_map(pins)).visitor(std::ref(log)));
   EXPECT_EQ(number_fixed, 61u); // 60 corners and a pin
   EXPECT_EQ(number, report.number_of_vertices);
   EXPECT_GT(number_moved, report.number_of_moves / 2);

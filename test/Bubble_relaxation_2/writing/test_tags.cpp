@@ -183,7 +183,7 @@ TYPED_TEST(Tags, change_nothing_of_a_mesh_but_where_they_change)
   for (auto v : without.cdt.finite_vertex_handles())
     if (x_of<TypeParam>(v) == 0.7)
       pins.insert(v);
-  const domains::Map_of_pins<TypeParam> pinned{&pins};
+  const auto pinned = CGAL::make_boolean_property_map(pins);
   CGAL::npbs_relax(with.cdt, with.maps().sizing_function(0.1));
   CGAL::npbs_relax(without.cdt, P::vertex_is_constrained_map(pinned).sizing_function(0.1));
   EXPECT_GT(with.vertices().size(), 200u);

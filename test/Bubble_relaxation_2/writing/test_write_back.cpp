@@ -29,7 +29,6 @@
 namespace test_write_back {
 
 using domains::K;
-using domains::Map_of_pins;
 using domains::Outline;
 
 using Info_vb = CGAL::Triangulation_vertex_base_with_info_2<std::string, K>;
@@ -108,7 +107,7 @@ TYPED_TEST(Write_back, inner_constraints_and_pinned_vertices_are_kept)
   pins.insert(cdt.insert(Point(0.7, 0.7)));
   pins.insert(cdt.insert(Point(0.71, 0.12)));
   pins.insert(cdt.insert(Point(0.35, 0))); // splits an edge of the square, and stays
-  const Map_of_pins<TypeParam> map{&pins};
+  const auto map = CGAL::make_boolean_property_map(pins);
   const validation::Snapshot before = validation::snapshot(cdt);
   for (double d : {0.08, 0.05, 0.12}) {
     const auto report = CGAL::npbs_relax(cdt, size(d).vertex_is_constrained_map(map));
