@@ -12,6 +12,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/npbs_relax.h>
 #include <CGAL/property_map.h>
 
 #include <cmath>
@@ -22,21 +23,35 @@
 /// Kernels, triangulations and domains that several tests use.
 namespace domains {
 
+/// of points of a kernel, or of traits, with faces that have marks
+template <class Traits, class Intersection_tag = CGAL::Default>
+using Cdt_of = CGAL::Constrained_Delaunay_triangulation_2<
+  Traits, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Traits>,
+                                               CGAL::Delaunay_mesh_face_base_2<Traits>>, Intersection_tag>;
+
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = K::Point_2;
-using Vb = CGAL::Triangulation_vertex_base_2<K>;
-using CDT = CGAL::Constrained_Delaunay_triangulation_2<
-  K, CGAL::Triangulation_data_structure_2<Vb, CGAL::Delaunay_mesh_face_base_2<K>>>;
+using CDT = Cdt_of<K>;
 
 using Outline = std::vector<std::pair<double, double>>;
 
-template <class Cdt>
-void insert(Cdt& cdt, const Outline& outline, bool closed = true)
+/// a domain without symmetries, and a hole in it
+inline const Outline slanted{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}}, hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
+
+template <class P = Point>
+std::vector<P> points_of(const Outline& outline)
 {
-  std::vector<typename Cdt::Point> points;
-  for (const auto& p : outline)
-    points.push_back(typename Cdt::Point(p.first, p.second));
-  cdt.insert_constraint(points.begin(), points.end(), closed);
+  std::vector<P> points;
+  for (const auto& [x, y] : outline)
+    points.emplace_back(x, y);
+  return points;
+}
+
+template <class Cdt>
+auto insert(Cdt& cdt, const Outline& outline, bool closed = true)
+{
+  const auto points = points_of<typename Cdt::Point>(outline);
+  return cdt.insert_constraint(points.begin(), points.end(), closed);
 }
 
 template <class Cdt = CDT>
@@ -45,6 +60,15 @@ Cdt make(const std::vector<Outline>& outlines)
   Cdt cdt;
   for (const Outline& o : outlines)
     insert(cdt, o);
+  return cdt;
+}
+
+/// the mesh of a domain; `d` may be a number or a function
+template <class Cdt = CDT, class D>
+Cdt mesh(const std::vector<Outline>& outlines, const D& d)
+{
+  Cdt cdt = make<Cdt>(outlines);
+  CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
   return cdt;
 }
 

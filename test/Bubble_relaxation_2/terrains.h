@@ -29,12 +29,7 @@ namespace terrains {
 
 using domains::K;
 
-template <class Traits>
-using Terrain_of = CGAL::Constrained_Delaunay_triangulation_2<
-  Traits, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Traits>,
-                                               CGAL::Delaunay_mesh_face_base_2<Traits>>>;
-
-using Terrain = Terrain_of<CGAL::Projection_traits_xy_3<K>>;
+using Terrain = domains::Cdt_of<CGAL::Projection_traits_xy_3<K>>;
 
 /// how a test sees a triangulation: which coordinates count, and which one is the elevation
 template <class Cdt_, int u, int v, int z, class Flat_ = domains::CDT>

@@ -26,6 +26,12 @@
 /// Which parts of a mesh are meshed anew, and that nothing else changes.
 namespace adaptation {
 
+template <class D>
+auto size(const D& d)
+{
+  return CGAL::parameters::sizing_function(d);
+}
+
 /// the faces of the domain whose centroids are within a distance of a place
 template <class CDT>
 std::vector<typename CDT::Face_handle> faces_near(const CDT& cdt, double x, double y, double radius)

@@ -31,24 +31,20 @@
 namespace test_adapt {
 
 using adaptation::faces_near;
+using adaptation::size;
+using domains::Cdt_of;
+using domains::hole;
 using domains::K;
+using domains::mesh;
 using domains::Outline;
+using domains::slanted;
 
 using Info_vb = CGAL::Triangulation_vertex_base_with_info_2<int, K>;
 using Info_fb = CGAL::Triangulation_face_base_with_info_2<int, K, CGAL::Delaunay_mesh_face_base_2<K>>;
 using Info_cdt = CGAL::Constrained_Delaunay_triangulation_2<K, CGAL::Triangulation_data_structure_2<Info_vb, Info_fb>>;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-template <class Kernel>
-using Cdt_of = CGAL::Constrained_Delaunay_triangulation_2<
-  Kernel, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>,
-                                               CGAL::Delaunay_mesh_face_base_2<Kernel>>>;
 using Exact_cdt = Cdt_of<Exact>;
 using Exact_plus = CGAL::Constrained_triangulation_plus_2<Exact_cdt>;
-
-const Outline slanted{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}};
-const Outline hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
-
-auto size(double d) { return CGAL::parameters::sizing_function(d); }
 
 template <class CDT>
 class Adapt : public testing::Test
@@ -58,14 +54,6 @@ class Adapt : public testing::Test
 // A hierarchy of another kernel is below and in test_adapt_promises.cpp, the exact kernel alone in test_tags.cpp and
 // test_terrain.cpp.
 using Triangulations = testing::Types<Info_cdt, Exact_plus>;
-
-template <class CDT>
-CDT mesh(const std::vector<Outline>& outlines, double d)
-{
-  CDT cdt = domains::make<CDT>(outlines);
-  CGAL::npbs_relax(cdt, size(d));
-  return cdt;
-}
 
 /// of what is in a part: in the middle, at a side, in a corner, at the hole, of all
 struct Disc
@@ -239,9 +227,7 @@ TYPED_TEST(Adapt, nodes_stay_out_of_the_circles_of_faces_outside)
 /// what crosses in a hierarchy, and pieces of two constraints
 TEST(Adapt_plus, overlapping_and_crossing_constraints)
 {
-  using Crossing_cdt = CGAL::Constrained_Delaunay_triangulation_2<K, domains::CDT::Triangulation_data_structure,
-                                                                  CGAL::Exact_predicates_tag>;
-  using Crossing = CGAL::Constrained_triangulation_plus_2<Crossing_cdt>;
+  using Crossing = CGAL::Constrained_triangulation_plus_2<Cdt_of<K, CGAL::Exact_predicates_tag>>;
   Crossing cdt = domains::make<Crossing>({domains::square(0, 0, 1)});
   domains::insert(cdt, {{0.1, 0.2}, {0.9, 0.8}}, false);
   domains::insert(cdt, {{0.2, 0.9}, {0.7, 0.1}}, false);
@@ -280,8 +266,7 @@ TEST(Adapt_kernels, with_inexact_predicates)
 TEST(Adapt_marks, are_not_needed)
 {
   using Bare = CGAL::Constrained_Delaunay_triangulation_2<K>;
-  Bare cdt = domains::make<Bare>({slanted, hole});
-  CGAL::npbs_relax(cdt, size(0.05));
+  Bare cdt = mesh<Bare>({slanted, hole}, 0.05);
   const auto at_hole = [&cdt] {
     std::size_t sum = 0;
     for (const auto& e : cdt.finite_edges()) {
@@ -308,11 +293,7 @@ TEST(Adapt_marks, are_not_needed)
   CGAL::npbs_adapt(cdt, size(0.02));
   EXPECT_TRUE(cdt.is_valid());
   EXPECT_GT(at_hole(), 2 * before);
-  std::size_t at_once = 0;
-  {
-    Bare other = domains::make<Bare>({slanted, hole});
-    at_once = CGAL::npbs_relax(other, size(0.02)).number_of_vertices;
-  }
+  const std::size_t at_once = mesh<Bare>({slanted, hole}, 0.02).number_of_vertices();
   EXPECT_NEAR(double(cdt.number_of_vertices()), double(at_once), 0.02 * double(at_once));
 }
 

@@ -42,28 +42,20 @@ namespace test_adapt_promises {
 
 using adaptation::Content;
 using adaptation::faces_near;
+using adaptation::size;
 using counted_memory::allocations_left;
 using domains::CDT;
+using domains::hole;
 using domains::Outline;
 using domains::Point;
+using domains::slanted;
 using Faces = std::vector<CDT::Face_handle>;
 using Plus = CGAL::Constrained_triangulation_plus_2<CDT>;
-
-const Outline slanted{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}};
-const Outline hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
-
-template <class D>
-auto size(const D& d)
-{
-  return CGAL::parameters::sizing_function(d);
-}
 
 template <class Cdt = CDT>
 Cdt mesh(double d = 0.05)
 {
-  Cdt cdt = domains::make<Cdt>({slanted, hole});
-  CGAL::npbs_relax(cdt, size(d));
-  return cdt;
+  return domains::mesh<Cdt>({slanted, hole}, d);
 }
 
 struct Stop : std::exception {};
@@ -124,15 +116,13 @@ TEST(Adapt_determinism, bits_do_not_depend_on_how_faces_number_their_corners)
     CGAL::npbs_adapt(other, size(d));
     EXPECT_TRUE(validation::triangles(other) == validation::triangles(cdt));
   };
-  CDT sharp = domains::make({Outline{{0, 0}, {1, 0}, {1, 0.25}}});
-  CGAL::npbs_relax(sharp, size(0.05));
+  CDT sharp = domains::mesh({Outline{{0, 0}, {1, 0}, {1, 0.25}}}, 0.05);
   expect_same(sharp, 0.025);
   for (double reach : {0.25, 0.3}) {
     const auto jump = [&reach](const Point& p) {
       return std::hypot(p.x() - 0.45, p.y() - 0.5) < reach ? 0.06 / 1.8 : 0.06;
     };
-    CDT cdt = domains::make({domains::square(0, 0, 1)});
-    CGAL::npbs_relax(cdt, size(std::cref(jump)));
+    CDT cdt = domains::mesh({domains::square(0, 0, 1)}, std::cref(jump));
     reach += 0.05;
     expect_same(cdt, std::cref(jump));
   }

@@ -44,13 +44,6 @@ CDT l_shape()
   return cdt;
 }
 
-CDT mesh_of(const domains::Outline& outline, double d)
-{
-  CDT cdt = domains::make({outline});
-  CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
-  return cdt;
-}
-
 Solved solve_corner(const CDT&, const Mesh& mesh)
 {
   Problem problem;
@@ -71,7 +64,7 @@ double h1(const Adaptive_step& s) { return s.error.h1; }
 
 TEST(Linear_finite_elements, reproduce_linear_solutions)
 {
-  const CDT cdt = mesh_of(domains::square(0, 0, 1), 0.1);
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1)}, 0.1);
   const Mesh mesh(cdt);
   Problem problem;
   problem.dirichlet = [](const Point& p) { return 1 + 2 * p.x() - 3 * p.y(); };
@@ -88,7 +81,7 @@ TEST(Linear_finite_elements, converge_with_a_source)
   problem.source = [](const Point& p) { return 2 * (p.x() * (1 - p.x()) + p.y() * (1 - p.y())); };
   std::vector<double> errors;
   for (double d : {0.1, 0.05}) {
-    const CDT cdt = mesh_of(domains::square(0, 0, 1), d);
+    const CDT cdt = domains::mesh({domains::square(0, 0, 1)}, d);
     const Mesh mesh(cdt);
     const Eigen::VectorXd u = solve_by_linear_elements(mesh, problem);
     const auto error = integrate_error(mesh, Point(-1, -1), 4, [&](std::size_t t, const Point& p, const auto& bary) {
@@ -112,7 +105,7 @@ TEST(Error_norms, are_exact_at_the_singular_corner)
     const double theta = node[0] * Exact::pi / 4;
     expected += 2 * node[1] * Exact::pi / 4 * 4. / 9 * std::pow(std::cos(theta), -4. / 3) / (4. / 3);
   }
-  const CDT cdt = mesh_of(domains::square(0, 0, 1), 0.4);
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1)}, 0.4);
   const Mesh mesh(cdt);
   const auto gradient_alone = [](std::size_t, const Point& p, const auto&) {
     const auto g = Exact::gradient(p);

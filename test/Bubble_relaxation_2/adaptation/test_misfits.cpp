@@ -29,19 +29,13 @@ namespace test_misfits {
 
 using adaptation::Content;
 using adaptation::faces_near;
+using adaptation::size;
 using domains::CDT;
+using domains::hole;
 using domains::Outline;
 using domains::Point;
+using domains::slanted;
 using Faces = std::vector<CDT::Face_handle>;
-
-const Outline slanted{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}};
-const Outline hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
-
-template <class D>
-auto size(const D& d)
-{
-  return CGAL::parameters::sizing_function(d);
-}
 
 /// a size that is small in some places
 struct Places
@@ -67,9 +61,7 @@ CGAL::Mesh_quality_2<double> quality(const CDT& cdt, const D& d)
 template <class D>
 CDT at_once(const D& d)
 {
-  CDT cdt = domains::make({slanted, hole});
-  CGAL::npbs_relax(cdt, size(d));
-  return cdt;
+  return domains::mesh({slanted, hole}, d);
 }
 
 TEST(Misfits, are_none_where_sizes_did_not_change)
@@ -101,8 +93,7 @@ TEST(Misfits, outlines_are_known)
 {
   const Outline fine = domains::polygon(0, 0, 1, 150), sharp{{0, 0}, {1, 0}, {1, 0.1}}, far{{3, 0}, {4, 0}, {4, 0.2}};
   for (const std::vector<Outline>& outlines : {std::vector<Outline>{fine}, {sharp}, {sharp, far}}) {
-    CDT cdt = domains::make(outlines);
-    CGAL::npbs_relax(cdt, size(0.1));
+    const CDT cdt = domains::mesh(outlines, 0.1);
     EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(0.1)).empty());
     EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, size(0.1).limit_by_outline(false)).empty());
     EXPECT_FALSE(CGAL::npbs_misfit_faces(cdt, size(0.02)).empty());
@@ -128,11 +119,10 @@ TEST(Misfits, are_none_at_sharp_corners_of_adapted_meshes)
     for (double d : {0.025, 0.1}) {
       SCOPED_TRACE(testing::Message() << height << ' ' << d);
       const Outline outline{{0, 0}, {1, 0}, {1, height}};
-      CDT cdt = domains::make({outline}), once = domains::make({outline});
-      CGAL::npbs_relax(cdt, size(0.05));
+      CDT cdt = domains::mesh({outline}, 0.05);
+      const CDT once = domains::mesh({outline}, d);
       EXPECT_GT(CGAL::npbs_adapt(cdt, size(d)).number_of_triangles, 0u);
       EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(d)).empty());
-      CGAL::npbs_relax(once, size(d));
       EXPECT_NEAR(double(cdt.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.1);
     }
 }
@@ -148,8 +138,7 @@ TEST(Misfits, are_none_where_sizes_jump)
         const double x = p.x() - 0.45, y = p.y() - 0.5;
         return (is_disc ? std::hypot(x, y) : x + 0.3 * y + 0.2) < reach ? 0.06 / factor : 0.06;
       };
-      CDT cdt = domains::make({domains::square(0, 0, 1)});
-      CGAL::npbs_relax(cdt, size(std::cref(d)));
+      CDT cdt = domains::mesh({domains::square(0, 0, 1)}, std::cref(d));
       EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(std::cref(d))).empty());
       std::size_t changed = 0, again = 0;
       for (int move = 0; move < 4; ++move) {
@@ -161,11 +150,10 @@ TEST(Misfits, are_none_where_sizes_jump)
       }
       EXPECT_GE(changed, factor < 2 ? 1u : 2u);
       EXPECT_EQ(again, 0u);
-      const auto now = quality(cdt, std::cref(d)), once = [&] {
-        CDT other = domains::make({domains::square(0, 0, 1)});
-        return CGAL::npbs_relax(other, size(std::cref(d))).quality;
-      }();
-      EXPECT_NEAR(double(now.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.08); // at most .064 is measured
+      const auto now = quality(cdt, std::cref(d)),
+                 once = quality(domains::mesh({domains::square(0, 0, 1)}, std::cref(d)), std::cref(d));
+      // at most .064 is measured
+      EXPECT_NEAR(double(now.number_of_vertices()) / double(once.number_of_vertices()), 1, 0.08);
       EXPECT_GE(now.minimum_quality(), 0.8);
     }
 }
@@ -245,8 +233,7 @@ TEST(Misfits, bad_faces_to_check_are_told)
   EXPECT_TRUE(Content<CDT>(cdt) == before);
 
   using Bare = CGAL::Constrained_Delaunay_triangulation_2<domains::K>; // no marks
-  Bare bare = domains::make<Bare>({slanted, hole});
-  CGAL::npbs_relax(bare, size(0.05));
+  const Bare bare = domains::mesh<Bare>({slanted, hole}, 0.05);
   const std::vector<Bare::Face_handle> inside{bare.locate(Point(0.2, 0.2))}, outside{bare.locate(Point(0.52, 0.5))};
   EXPECT_FALSE(CGAL::npbs_misfit_faces(bare, size(0.02).faces_to_check(inside)).empty());
   expect_invalid([&] { CGAL::npbs_misfit_faces(bare, size(0.02).faces_to_check(outside)); },

@@ -37,6 +37,7 @@ using CGAL::Face_transfer;
 using CGAL::Vertex_transfer;
 using domains::CDT;
 using domains::K;
+using domains::mesh;
 using domains::Point;
 using Delaunay = CGAL::Delaunay_triangulation_2<K>;
 
@@ -52,13 +53,6 @@ template <class T>
 using Vertex_values = Values<typename T::Vertex_handle>;
 template <class T>
 using Face_values = Values<typename T::Face_handle>;
-
-CDT mesh(const std::vector<domains::Outline>& outlines, double d)
-{
-  CDT cdt = domains::make(outlines);
-  CGAL::npbs_relax(cdt, P::sizing_function(d));
-  return cdt;
-}
 
 template <class T, class Function>
 Vertex_values<T> at_vertices(const T& t, const Function& f)
@@ -260,7 +254,7 @@ struct Turning_disc
 {
   static constexpr int sides = 100;
 
-  Turning_disc() : mesh(test_transfer::mesh({domains::polygon(0, 0, 1, sides)}, 2 * CGAL_PI / sides)), turned(mesh)
+  Turning_disc() : mesh(domains::mesh({domains::polygon(0, 0, 1, sides)}, 2 * CGAL_PI / sides)), turned(mesh)
   {
     std::map<Point, CDT::Vertex_handle> vertex_at;
     std::map<Point, CDT::Face_handle> face_at;

@@ -61,8 +61,7 @@ TEST(Voronoi_dual, of_equilateral_triangles)
 
 TEST(Voronoi_dual, of_a_domain_that_touches_itself)
 {
-  CDT cdt = domains::make({domains::square(0, 0, 1), domains::square(1, 1, 1)});
-  CGAL::npbs_relax(cdt, P::sizing_function(0.2));
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1), domains::square(1, 1, 1)}, 0.2);
   const Dual dual(cdt);
   expect_valid(dual, 2);
   const auto soup = dual.polygon_soup();

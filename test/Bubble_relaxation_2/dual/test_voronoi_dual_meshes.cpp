@@ -13,6 +13,7 @@
 #include "random_seeds.h"
 #include "rough_outlines.h"
 #include "terrains.h"
+#include "validation.h"
 
 #include "../../../demo/Bubble_relaxation_2/paper_domains.h"
 
@@ -40,24 +41,6 @@ using domains::Point;
 using dual_checks::expect_valid;
 using Dual = CGAL::Voronoi_dual_2<CDT>;
 namespace P = CGAL::parameters;
-
-CDT relaxed(const std::vector<domains::Outline>& outlines, double d)
-{
-  CDT cdt = domains::make(outlines);
-  CGAL::npbs_relax(cdt, P::sizing_function(d));
-  return cdt;
-}
-
-/// what all triangles of the domain have
-template <class Cdt>
-double area_of_domain(const Cdt& cdt)
-{
-  double sum = 0;
-  for (auto f : cdt.finite_face_handles())
-    if (f->is_in_domain())
-      sum += CGAL::to_double(cdt.triangle(f).area());
-  return sum;
-}
 
 /// no triangle is obtuse and no face negative
 void expect_good(const CGAL::Voronoi_quality_2& q, const std::string& name)
@@ -97,7 +80,7 @@ void expect_cells_of_nearest(const CDT& cdt, const Dual& dual)
 
 TEST(Voronoi_dual_meshes, of_a_square_with_hole)
 {
-  const CDT cdt = relaxed({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.07);
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.07);
   const Dual dual(cdt);
   expect_valid(dual, 0.96);
   expect_good(dual.quality(), "square with hole");
@@ -107,7 +90,7 @@ TEST(Voronoi_dual_meshes, of_a_square_with_hole)
 TEST(Voronoi_dual_meshes, of_a_ring)
 {
   const domains::Outline outer = domains::polygon(0, 0, 1, 60), inner = domains::polygon(0, 0, 0.5, 30);
-  const CDT cdt = relaxed({outer, inner}, 0.1);
+  const CDT cdt = domains::mesh({outer, inner}, 0.1);
   const Dual dual(cdt);
   expect_valid(dual, domains::area(outer) - domains::area(inner));
   expect_good(dual.quality(), "ring");
@@ -117,7 +100,7 @@ TEST(Voronoi_dual_meshes, of_a_ring)
 TEST(Voronoi_dual_meshes, of_an_outline_that_is_not_convex)
 {
   const domains::Outline bent{{0, 0}, {2, 0}, {2, 1}, {1.2, 1}, {1, 1.6}, {0.4, 1.6}, {0, 1}};
-  const CDT cdt = relaxed({bent}, 0.1);
+  const CDT cdt = domains::mesh({bent}, 0.1);
   const Dual dual(cdt);
   expect_valid(dual, domains::area(bent));
   expect_good(dual.quality(), "bent");
@@ -159,11 +142,7 @@ TEST(Voronoi_dual_meshes, of_a_pinned_vertex)
 
 TEST(Voronoi_dual_meshes, of_other_triangulations)
 {
-  using Vb = CGAL::Triangulation_vertex_base_2<K>;
-  using Fb = CGAL::Delaunay_mesh_face_base_2<K>;
-  using Tagged = CGAL::Constrained_Delaunay_triangulation_2<K, CGAL::Triangulation_data_structure_2<Vb, Fb>,
-                                                            CGAL::Exact_predicates_tag>;
-  using Plus = CGAL::Constrained_triangulation_plus_2<Tagged>;
+  using Plus = CGAL::Constrained_triangulation_plus_2<domains::Cdt_of<K, CGAL::Exact_predicates_tag>>;
   Plus plus = domains::make<Plus>({domains::square(0, 0, 1)});
   domains::insert(plus, {{0.2, 0.1}, {0.7, 0.9}}, false);
   domains::insert(plus, {{0.2, 0.8}, {0.9, 0.3}}, false); // they cross
@@ -172,8 +151,7 @@ TEST(Voronoi_dual_meshes, of_other_triangulations)
 
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<Exact>;
-  Exact_cdt exact = domains::make<Exact_cdt>({domains::square(0, 0, 1)});
-  CGAL::npbs_relax(exact, P::sizing_function(0.2));
+  const auto exact = domains::mesh<Exact_cdt>({domains::square(0, 0, 1)}, 0.2);
   const CGAL::Voronoi_dual_2 dual(exact); // the parameter is deduced
   expect_valid(dual, 1);
 
@@ -191,7 +169,7 @@ TEST(Voronoi_dual_meshes, of_a_terrain_is_that_of_its_projection)
   CGAL::npbs_relax(terrain, P::sizing_function(0.15));
   const CGAL::Voronoi_dual_2<terrains::Terrain> dual(terrain);
   expect_valid(dual, 1);
-  const Dual flat(relaxed({domains::square(0, 0, 1)}, 0.15));
+  const Dual flat(domains::mesh({domains::square(0, 0, 1)}, 0.15));
   EXPECT_EQ(dual.quality().smallest_face_ratio, flat.quality().smallest_face_ratio);
 }
 
@@ -205,7 +183,7 @@ TEST(Voronoi_dual_meshes, domains_of_the_benchmark_have_no_obtuse_triangle_and_n
     CGAL::npbs_relax(cdt, P::sizing_function(domain.d));
     const CGAL::Voronoi_dual_2<paper::CDT> dual(cdt);
     expect_good(dual.quality(), domain.name);
-    expect_valid(dual, area_of_domain(cdt));
+    expect_valid(dual, validation::domain_area(cdt));
   }
 }
 
@@ -218,7 +196,7 @@ TEST(Voronoi_dual_meshes, a_simplified_coast_has_no_obtuse_triangle_and_no_negat
   CGAL::npbs_relax(cdt, P::sizing_function(d));
   const Dual dual(cdt);
   expect_good(dual.quality(), "archipelago");
-  expect_valid(dual, area_of_domain(cdt));
+  expect_valid(dual, validation::domain_area(cdt));
 }
 
 } // namespace test_voronoi_dual_meshes

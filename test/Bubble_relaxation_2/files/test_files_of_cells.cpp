@@ -45,9 +45,8 @@ namespace P = CGAL::parameters;
 
 TEST(Files_of_cells, for_paraview)
 {
-  CDT cdt = domains::make({domains::square(0, 0, 1)});
-  CGAL::Constraint_marker_map_2<CDT> markers(7);
-  CGAL::npbs_relax(cdt, P::sizing_function(0.2));
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1)}, 0.2);
+  const CGAL::Constraint_marker_map_2<CDT> markers(7);
   const Dual dual(cdt, P::edge_marker_map(markers));
   std::vector<double> values;
   for (const auto& c : dual.cells())
@@ -108,8 +107,7 @@ std::vector<double> numbers_of_block(const std::string& text, const std::string&
 
 TEST(Files_of_cells, for_groundwater)
 {
-  CDT cdt = domains::make({domains::square(0, 0, 1), domains::polygon(0.5, 0.5, 0.2, 12)});
-  CGAL::npbs_relax(cdt, 0.1);
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1), domains::polygon(0.5, 0.5, 0.2, 12)}, 0.1);
   const Dual dual(cdt);
   std::ostringstream out;
   const auto top = [](const Point& p) { return 10 + p.x(); };
@@ -155,9 +153,8 @@ TEST(Files_of_cells, for_groundwater)
 TEST(Files_of_cells, what_is_no_groundwater_is_refused)
 {
   std::ostringstream out;
-  CDT square = domains::make({domains::square(0, 0, 1)}), obtuse = domains::make({{{0, 0}, {4, 0}, {2, 1}}}),
-      touching = domains::make({domains::square(0, 0, 1), domains::square(1, 1, 1)});
-  CGAL::npbs_relax(touching, 0.2);
+  const CDT square = domains::make({domains::square(0, 0, 1)}), obtuse = domains::make({{{0, 0}, {4, 0}, {2, 1}}}),
+            touching = domains::mesh({domains::square(0, 0, 1), domains::square(1, 1, 1)}, 0.2);
   const auto write = [&out](const CDT& cdt, double top, double bottom, std::size_t layers) {
     CGAL::IO::write_DISV(out, Dual(cdt), top, bottom, layers);
   };

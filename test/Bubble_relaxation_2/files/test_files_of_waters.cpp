@@ -256,8 +256,7 @@ TEST(Files_of_waters, two_dm)
 // an outline that touches itself: nothing is lost, though models of oceans will not take it
 TEST(Files_of_waters, adcirc_of_an_island_at_the_coast)
 {
-  domains::CDT cdt = domains::make({domains::square(0, 0, 1), {{0, 0.5}, {0.3, 0.3}, {0.3, 0.7}}});
-  CGAL::npbs_relax(cdt, 0.1);
+  const domains::CDT cdt = domains::mesh({domains::square(0, 0, 1), {{0, 0.5}, {0.3, 0.3}, {0.3, 0.7}}}, 0.1);
   Mesh_arrays_2 mesh = cdt;
   mesh.vertex_data["depth"].assign(mesh.points.size(), 1);
   const Ocean ocean = ocean_of(mesh, {});

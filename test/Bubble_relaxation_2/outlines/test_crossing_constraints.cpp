@@ -24,17 +24,11 @@
 
 namespace test_crossing_constraints {
 
-template <class Kernel, class Tag>
-using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
-  Kernel,
-  CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>,
-                                       CGAL::Delaunay_mesh_face_base_2<Kernel>>,
-  Tag>;
-
+using domains::Cdt_of;
 using Inexact = domains::K;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using Default = domains::CDT;
-using None = Cdt<Inexact, CGAL::No_constraint_intersection_tag>;
+using None = Cdt_of<Inexact, CGAL::No_constraint_intersection_tag>;
 
 /// in a square two inner constraints that cross, beside a hole, so that there is more than the domain
 template <class CDT>
@@ -51,9 +45,9 @@ class Crossing : public testing::Test
 {};
 
 using Crossable = testing::Types<
-  Cdt<Inexact, CGAL::Exact_predicates_tag>,
-  CGAL::Constrained_triangulation_plus_2<Cdt<Inexact, CGAL::Exact_predicates_tag>>,
-  CGAL::Constrained_triangulation_plus_2<Cdt<Exact, CGAL::Exact_intersections_tag>>>;
+  Cdt_of<Inexact, CGAL::Exact_predicates_tag>,
+  CGAL::Constrained_triangulation_plus_2<Cdt_of<Inexact, CGAL::Exact_predicates_tag>>,
+  CGAL::Constrained_triangulation_plus_2<Cdt_of<Exact, CGAL::Exact_intersections_tag>>>;
 
 TYPED_TEST_SUITE(Crossing, Crossable);
 
@@ -81,7 +75,7 @@ TYPED_TEST(Crossing, what_is_in_two_outlines_is_a_hole)
 
 TEST(Crossing_of_exact, ends_in_one_place_when_rounded)
 {
-  using CDT = Cdt<Exact, CGAL::Exact_intersections_tag>;
+  using CDT = Cdt_of<Exact, CGAL::Exact_intersections_tag>;
   // two ends that only exact numbers can tell from each other
   CDT cdt = domains::make<CDT>({domains::square(0, 0, 1)});
   const Exact::FT little = Exact::FT(1) / (Exact::FT(1e20) * 3);
@@ -118,7 +112,7 @@ TEST(Crossing_of_none, constraints_are_split_by_bubbles)
 
 TEST(Crossing_that_is_rounded, may_leave_edges_of_no_constraint)
 {
-  using Plus = CGAL::Constrained_triangulation_plus_2<Cdt<Inexact, CGAL::Exact_predicates_tag>>;
+  using Plus = CGAL::Constrained_triangulation_plus_2<Cdt_of<Inexact, CGAL::Exact_predicates_tag>>;
   // the place where the last side crosses the top of the square is rounded onto it
   const domains::Outline outline{{0, 0}, {1.7e-16, 7.6e-14}, {1, 0}, {1, 1}, {0, 1},
                                  {4.9691305262083531e-16, 0.99999999999999589},

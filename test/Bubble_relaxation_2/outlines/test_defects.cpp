@@ -25,6 +25,7 @@ namespace test_defects {
 
 namespace P = CGAL::parameters;
 namespace internal = CGAL::Bubble_relaxation_2::internal;
+using domains::points_of;
 using internal::Index;
 using paper::CDT;
 using paper::Domain;
@@ -72,14 +73,6 @@ double smallest_angle_away_from(const std::set<Point>& corners, const CDT& cdt)
                              angle(c->point(), a->point(), b->point())});
   }
   return smallest;
-}
-
-paper::Outline points(const domains::Outline& outline)
-{
-  paper::Outline result;
-  for (const auto& p : outline)
-    result.push_back(Point(p.first, p.second));
-  return result;
 }
 
 Domain uniform(const paper::Outline& outline, double d)
@@ -165,7 +158,7 @@ struct Square_with_constraint
 
   Square_with_constraint()
   {
-    c.cdt = paper::triangulate(uniform(points(domains::square(0, 0, 1)), 0.1));
+    c.cdt = paper::triangulate(uniform(points_of(domains::square(0, 0, 1)), 0.1));
     c.cdt.insert_constraint(Point(0.2, 0.45), Point(0.8, 0.6));
     for (CDT::Face_handle f : c.cdt.all_face_handles())
       f->set_in_domain(false); // then all are by nesting
@@ -283,7 +276,7 @@ TEST(Defects, surgery_removes_and_inserts)
 {
   // a vertex too many, and one that is missing, which moving alone cannot mend
   for (bool is_missing : {false, true}) {
-    const Domain domain = uniform(points(domains::square(0, 0, 1)), 0.1);
+    const Domain domain = uniform(points_of(domains::square(0, 0, 1)), 0.1);
     CDT cdt;
     relax_and_validate(domain, cdt, P::mass(1.));
     const CDT::Vertex_handle victim = inner_vertex(cdt, Point(0.5, 0.5));
@@ -334,8 +327,7 @@ TEST(Defects, a_given_mesh_is_never_kept_where_d_asks_for_another)
         [=](const Point& p) { return (std::min)(d0, d0 / 8 + 0.3 * distance(p)); },
         [=](const Point& p) { return distance(p) < 0.05 ? d0 / 2 : d0; },
         [=](const Point& p) { return distance(p) < 0.08 ? 2 * d0 : d0; }};
-      CDT before = domains::make({outline});
-      CGAL::npbs_relax(before, P::sizing_function(d0));
+      const CDT before = domains::mesh({outline}, d0);
       for (const auto& d : changed) {
         CDT cdt = before;
         CGAL::npbs_relax(cdt, P::sizing_function(d).initial_placement(CGAL::Bubble_placement::KEEP));
@@ -363,7 +355,7 @@ TEST(Defects, angles_away_from_sharp_corners_of_random_domains)
     std::uniform_real_distribution<double> u(0, 1);
     Domain domain;
     for (const domains::Outline& o : domains::random_star(seed))
-      domain.outlines.push_back(points(o));
+      domain.outlines.push_back(points_of(o));
     const double d0 = std::exp(std::log(0.02) + u(random) * std::log(15.)), g = 0.28 * u(random);
     const double x = 2 * u(random) - 1, y = 2 * u(random) - 1;
     domain.d = [=](const Point& p) { return d0 + g * std::hypot(p.x() - x, p.y() - y); };

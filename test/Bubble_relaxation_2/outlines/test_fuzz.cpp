@@ -36,8 +36,7 @@ namespace P = CGAL::parameters;
 using domains::K;
 using domains::Outline;
 using domains::Point;
-using CDT = CGAL::Constrained_Delaunay_triangulation_2<
-  K, CGAL::Triangulation_data_structure_2<domains::Vb, CGAL::Delaunay_mesh_face_base_2<K>>, CGAL::Exact_predicates_tag>;
+using CDT = domains::Cdt_of<K, CGAL::Exact_predicates_tag>;
 
 /// a domain with pins and what it is meshed with
 class Random_case

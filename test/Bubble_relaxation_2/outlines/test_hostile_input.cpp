@@ -36,9 +36,7 @@ namespace test_hostile_input {
 
 namespace P = CGAL::parameters;
 using domains::Point;
-using CDT = CGAL::Constrained_Delaunay_triangulation_2< // some files have lines that cross
-  domains::K, CGAL::Triangulation_data_structure_2<domains::Vb, CGAL::Delaunay_mesh_face_base_2<domains::K>>,
-  CGAL::Exact_predicates_tag>;
+using CDT = domains::Cdt_of<domains::K, CGAL::Exact_predicates_tag>; // some files have lines that cross
 using validation::Snapshot;
 
 std::vector<std::string> names()

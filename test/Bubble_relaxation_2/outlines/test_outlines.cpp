@@ -140,9 +140,7 @@ Outline coast(unsigned seed, int times)
 {
   for (std::mt19937 random(seed);;) {
     const Outline ring = broken_ring(random, times);
-    std::vector<Point> points;
-    for (const auto& p : ring)
-      points.push_back(Point(p.first, p.second));
+    const std::vector<Point> points = domains::points_of(ring);
     if (CGAL::is_simple_2(points.begin(), points.end()))
       return ring;
   }

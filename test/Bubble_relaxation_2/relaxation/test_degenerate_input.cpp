@@ -178,8 +178,7 @@ TEST(Degenerate_input, size_that_falls_below_all_roundings)
 // by the thousands the bubbles would push all others, in each step
 TEST(Degenerate_input, given_mesh_far_finer_than_the_size)
 {
-  CDT mesh = domains::make({domains::square(0, 0, 1)});
-  CGAL::npbs_relax(mesh, size(0.02));
+  const CDT mesh = domains::mesh({domains::square(0, 0, 1)}, 0.02);
   const std::size_t number = mesh.number_of_vertices();
   for (auto population : {CGAL::Bubble_population::OVERLAP_RATIO, CGAL::Bubble_population::DELAUNAY}) {
     const auto keep = [&](double d) {
@@ -223,7 +222,7 @@ class Scaled_and_shifted : public testing::TestWithParam<std::pair<double, doubl
 TEST_P(Scaled_and_shifted, slanted_domain)
 {
   const double scale = GetParam().first, shift = GetParam().second;
-  Outline outer{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}}, hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
+  Outline outer = domains::slanted, hole = domains::hole;
   for (Outline* o : {&outer, &hole})
     for (auto& p : *o)
       p = {scale * p.first + shift, scale * p.second - shift};

@@ -27,9 +27,7 @@ using validation::Xy;
 
 using Plus = CGAL::Constrained_triangulation_plus_2<domains::CDT>;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<
-  Exact, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Exact>,
-                                              CGAL::Delaunay_mesh_face_base_2<Exact>>>;
+using Exact_cdt = domains::Cdt_of<Exact>;
 
 /// Allocates and frees at random, and keeps triangulations that have nothing to do with the test, so that
 /// what is built next lies elsewhere in memory, and not in increasing addresses.

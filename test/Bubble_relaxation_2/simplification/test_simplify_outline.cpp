@@ -452,15 +452,6 @@ TEST(Simplify_outline, without_islands_and_narrows_meshes_are_good)
   }
 }
 
-double area_of_domain(const CDT& cdt)
-{
-  double sum = 0;
-  for (auto f : cdt.finite_face_handles())
-    if (f->is_in_domain())
-      sum += cdt.triangle(f).area();
-  return sum;
-}
-
 TEST(Simplify_outline, seeds_stay_in_their_regions)
 {
   const std::vector<Outline> outlines = archipelago(random_seeds::seed(6));
@@ -475,10 +466,10 @@ TEST(Simplify_outline, seeds_stay_in_their_regions)
   CDT fresh = make(outlines);
   const Report report = CGAL::simplify_outline_2(fresh, np);
   EXPECT_EQ(report.seeds.size(), seeds.size());
-  const double area = area_of_domain(fresh); // marked
+  const double area = validation::domain_area(fresh); // marked
   CGAL::npbs_relax(fresh, np);
-  EXPECT_NEAR(area_of_domain(fresh), area, 1e-9 * area);
-  EXPECT_NEAR(area, area_of_domain(cdt), 0.05 * area);
+  EXPECT_NEAR(validation::domain_area(fresh), area, 1e-9 * area);
+  EXPECT_NEAR(area, validation::domain_area(cdt), 0.05 * area);
 
   CDT emptier = make(outlines);
   const Report dropped = CGAL::simplify_outline_2(emptier, np.minimum_island_area(0.1));
@@ -516,14 +507,9 @@ TEST(Simplify_outline, constraints_keep_their_identifiers)
   using Ctp = CGAL::Constrained_triangulation_plus_2<CDT>;
   Ctp cdt;
   std::vector<Ctp::Constraint_id> ids;
-  for (const Outline& o : {coast(0, 0, 10, 900, 1), coast(-3, 0, 1, 100, 2), coast(3, 0, 1.5, 100, 3)}) {
-    std::vector<Point> points;
-    for (const auto& p : o)
-      points.emplace_back(p.first, p.second);
-    ids.push_back(cdt.insert_constraint(points.begin(), points.end(), true));
-  }
-  const std::vector<Point> line{{-1, -1}, {0, -1.01}, {1, -1}, {1.1, 1}};
-  ids.push_back(cdt.insert_constraint(line.begin(), line.end()));
+  for (const Outline& o : {coast(0, 0, 10, 900, 1), coast(-3, 0, 1, 100, 2), coast(3, 0, 1.5, 100, 3)})
+    ids.push_back(insert(cdt, o));
+  ids.push_back(insert(cdt, {{-1, -1}, {0, -1.01}, {1, -1}, {1.1, 1}}, false));
   std::vector<std::vector<Segment>> before;
   for (auto id : ids)
     before.push_back(segments_of(cdt, id));
@@ -545,7 +531,7 @@ TEST(Simplify_outline, constraints_keep_their_identifiers)
     auto last = cdt.vertices_in_constraint_end(ids[k]);
     EXPECT_EQ(*first == *--last, k < 3);
   }
-  EXPECT_EQ((*cdt.vertices_in_constraint_begin(ids[3]))->point(), line.front());
+  EXPECT_EQ((*cdt.vertices_in_constraint_begin(ids[3]))->point(), Point(-1, -1));
   CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(1.));
   EXPECT_EQ(cdt.number_of_constraints(), 4u);
 }

@@ -48,14 +48,6 @@ using Report = CGAL::Outline_simplification_report_2;
 using Pins = std::set<CDT::Vertex_handle>;
 namespace parameters = CGAL::Bubble_relaxation_parameters;
 
-std::vector<Point> points_of(const Outline& o)
-{
-  std::vector<Point> points;
-  for (const auto& p : o)
-    points.emplace_back(p.first, p.second);
-  return points;
-}
-
 double filled_area(const Report& report)
 {
   double sum = 0;
@@ -120,9 +112,8 @@ TEST(Simplify_outline_promises, a_closed_constraint_stays_one_wherever_it_starts
   for (std::size_t start = 0; start < square.size(); ++start) {
     Outline o = square;
     std::rotate(o.begin(), o.begin() + static_cast<std::ptrdiff_t>(start), o.end());
-    const std::vector<Point> points = points_of(o);
     Ctp cdt;
-    const auto id = cdt.insert_constraint(points.begin(), points.end(), true);
+    const auto id = insert(cdt, o);
     const Report report = CGAL::simplify_outline_2(cdt, sizing_function(1.));
     std::vector<Segment> pieces;
     for (const Report::Piece& p : report.pieces)
@@ -138,9 +129,8 @@ TEST(Simplify_outline_promises, a_closed_constraint_stays_one_wherever_it_starts
 // as if it were open: it goes on beyond its start
 TEST(Simplify_outline_promises, a_constraint_may_overlap_itself)
 {
-  const std::vector<Point> triangle{{0, 0}, {10, 0}, {5, 9}, {0, 0}, {10, 0}};
   Ctp cdt;
-  const auto id = cdt.insert_constraint(triangle.begin(), triangle.end());
+  const auto id = insert(cdt, {{0, 0}, {10, 0}, {5, 9}, {0, 0}, {10, 0}}, false);
   CGAL::simplify_outline_2(cdt, sizing_function(1.));
   const auto segments = segments_of(cdt, id);
   EXPECT_EQ(std::set<Segment>(segments.begin(), segments.end()).size() + 10, segments.size());
@@ -372,9 +362,7 @@ TEST(Simplify_outline_promises, gaps_that_are_roundings)
 
 using Float = CGAL::Filtered_kernel<CGAL::Simple_cartesian<float>>;
 template <class Tag>
-using Float_cdt = CGAL::Constrained_Delaunay_triangulation_2<
-  Float, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Float>,
-                                              CGAL::Delaunay_mesh_face_base_2<Float>>, Tag>;
+using Float_cdt = Cdt_of<Float, Tag>;
 
 /// expects the error of numbers that are too coarse, and the same content as before
 template <class Cdt>

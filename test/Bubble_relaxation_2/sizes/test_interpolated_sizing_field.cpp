@@ -71,9 +71,7 @@ double linear(const Point& p) { return 0.1 + 0.2 * p.x() + 0.3 * p.y(); }
 
 CDT graded_mesh(const std::vector<domains::Outline>& outlines)
 {
-  CDT cdt = domains::make(outlines);
-  CGAL::npbs_relax(cdt, P::sizing_function([](const Point& p) { return 0.03 + 0.1 * p.x(); }));
-  return cdt;
+  return domains::mesh(outlines, [](const Point& p) { return 0.03 + 0.1 * p.x(); });
 }
 
 TEST(Interpolated_sizing_field, is_linear_inside_and_nearest_outside)

@@ -39,6 +39,7 @@ namespace test_terrain {
 
 namespace P = CGAL::parameters;
 using namespace terrains;
+using domains::Cdt_of;
 
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
@@ -49,15 +50,15 @@ class Terrains : public testing::Test
 using Plus = CGAL::Constrained_triangulation_plus_2<Terrain>;
 using Xy = View<Terrain, 0, 1, 2>;
 using Xy_plus = View<Plus, 0, 1, 2, CGAL::Constrained_triangulation_plus_2<domains::CDT>>;
-using Xy_exact = View<Terrain_of<CGAL::Projection_traits_xy_3<Exact>>, 0, 1, 2, Terrain_of<Exact>>;
+using Xy_exact = View<Cdt_of<CGAL::Projection_traits_xy_3<Exact>>, 0, 1, 2, Cdt_of<Exact>>;
 
 template <class V>
 class Terrains_along_axes : public testing::Test
 {};
 
 // which coordinates count is seen by two tests; what else is done to terrains is seen along the z-axis
-using Axes = testing::Types<View<Terrain_of<CGAL::Projection_traits_yz_3<K>>, 1, 2, 0>,
-                            View<Terrain_of<CGAL::Projection_traits_xz_3<K>>, 0, 2, 1>>;
+using Axes = testing::Types<View<Cdt_of<CGAL::Projection_traits_yz_3<K>>, 1, 2, 0>,
+                            View<Cdt_of<CGAL::Projection_traits_xz_3<K>>, 0, 2, 1>>;
 
 template <class V>
 void expect_the_mesh_of_the_plane()

@@ -8,10 +8,9 @@
 
 // What else takes a terrain: fields of sizes, criteria of refinement, transfers. All see its projection.
 
+#include "domains.h"
+
 #include <CGAL/Bubble_mesh_criteria_2.h>
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_mesh_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gradation_limited_sizing_field_2.h>
 #include <CGAL/Projection_traits_yz_3.h>
 #include <CGAL/npbs_relax.h>
@@ -27,11 +26,9 @@ namespace test_terrain_fields {
 
 namespace P = CGAL::parameters;
 
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using domains::K;
 using Traits = CGAL::Projection_traits_yz_3<K>; // places are (y, z), elevations are x
-using Terrain = CGAL::Constrained_Delaunay_triangulation_2<
-  Traits, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Traits>,
-                                               CGAL::Delaunay_mesh_face_base_2<Traits>>>;
+using Terrain = domains::Cdt_of<Traits>;
 
 /// a square on a slope; its mesh if `d` is positive
 Terrain square(double d = 0)

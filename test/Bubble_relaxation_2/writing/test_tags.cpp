@@ -42,9 +42,7 @@ namespace P = CGAL::parameters;
 
 using Plus = CGAL::Constrained_triangulation_plus_2<domains::CDT>;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<
-  Exact, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Exact>,
-                                              CGAL::Delaunay_mesh_face_base_2<Exact>>>;
+using Exact_cdt = domains::Cdt_of<Exact>;
 using Unmarked_cdt = CGAL::Constrained_Delaunay_triangulation_2<K>; // its faces cannot be marked
 
 template <class Cdt>
@@ -197,8 +195,8 @@ TEST(Tags_of_outlines, with_sharp_corners_and_narrows)
   Cdt cdt;
   const Outline outline{{0, 0}, {3, 0.1}, {1, 0.5}, {3, 0.6}, {0.9, 0.97}, {1, 1}, {0, 1.1}};
   std::vector<Cdt::Vertex_handle> corners;
-  for (const auto& p : outline)
-    corners.push_back(cdt.insert(domains::Point(p.first, p.second)));
+  for (const domains::Point& p : domains::points_of(outline))
+    corners.push_back(cdt.insert(p));
   std::map<std::pair<Cdt::Vertex_handle, Cdt::Vertex_handle>, int> markers;
   std::vector<double> expected, found(outline.size(), 0);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -225,8 +223,8 @@ TEST(Tags_of_outlines, go_to_simplified_ones)
   CGAL::Constraint_marker_map_2<domains::CDT> markers;
   const auto insert = [&](const Outline& ring, const auto& marker) {
     std::vector<domains::CDT::Vertex_handle> v;
-    for (const auto& p : ring)
-      v.push_back(cdt.insert(domains::Point(p.first, p.second)));
+    for (const domains::Point& p : domains::points_of(ring))
+      v.push_back(cdt.insert(p));
     for (std::size_t k = 0; k < v.size(); ++k) {
       cdt.insert_constraint(v[k], v[(k + 1) % v.size()]);
       markers.set(cdt, v[k], v[(k + 1) % v.size()], marker(k));

@@ -28,20 +28,17 @@
 
 namespace test_write_back {
 
+using domains::hole;
 using domains::K;
 using domains::Outline;
+using domains::slanted;
 
 using Info_vb = CGAL::Triangulation_vertex_base_with_info_2<std::string, K>;
 using Info_cdt = CGAL::Constrained_Delaunay_triangulation_2<
   K, CGAL::Triangulation_data_structure_2<Info_vb, CGAL::Delaunay_mesh_face_base_2<K>>>;
 using Plus = CGAL::Constrained_triangulation_plus_2<domains::CDT>;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<
-  Exact, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Exact>,
-                                              CGAL::Delaunay_mesh_face_base_2<Exact>>>;
-
-const Outline slanted{{0, 0.1}, {0.97, 0}, {1.1, 0.9}, {0.1, 1.03}};
-const Outline hole{{0.4, 0.4}, {0.7, 0.43}, {0.5, 0.65}};
+using Exact_cdt = domains::Cdt_of<Exact>;
 
 auto size(double d) { return CGAL::parameters::sizing_function(d); }
 
@@ -135,10 +132,7 @@ TYPED_TEST(Write_back, unpinned_split_vertices_may_go)
 template <class Kernel>
 void relax_without_intersections()
 {
-  using Strict_cdt = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel,
-    CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>, CGAL::Delaunay_mesh_face_base_2<Kernel>>,
-    CGAL::No_constraint_intersection_tag>;
+  using Strict_cdt = domains::Cdt_of<Kernel, CGAL::No_constraint_intersection_tag>;
   using Point = typename Strict_cdt::Point;
   using FT = typename Kernel::FT;
   constexpr double rounding = std::is_same<FT, float>::value ? 1e-5 : 1e-6;
@@ -256,9 +250,7 @@ struct Counting_kernel : K
 
 TEST(Write_back_plus, vertices_of_needles_go_and_come_without_the_square_of_their_number)
 {
-  using Counting = CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
-    Counting_kernel, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Counting_kernel>,
-                                                          CGAL::Delaunay_mesh_face_base_2<Counting_kernel>>>>;
+  using Counting = CGAL::Constrained_triangulation_plus_2<domains::Cdt_of<Counting_kernel>>;
   std::vector<K::Point_2> star;
   for (int i = 0; i < 20; ++i) {
     const double angle = CGAL_PI / 10 * i, r = i % 2 == 1 ? 0.003 * (1 + i % 5) : 1 - 0.05 * (i % 7);
@@ -312,8 +304,7 @@ TEST(Direct_write, of_single_triangles)
     for (int k = 0; k < 3; ++k)
       triangle.emplace_back(std::cos(turn + 2.1 * k), std::sin(turn + 2.1 * k));
     for (double d : {10., 0.5}) {
-      domains::CDT cdt = domains::make({triangle});
-      CGAL::npbs_relax(cdt, size(d));
+      const domains::CDT cdt = domains::mesh({triangle}, d);
       validation::expect_valid_mesh(cdt);
       EXPECT_NEAR(validation::domain_area(cdt), domains::area(triangle), 1e-14);
     }
@@ -322,8 +313,7 @@ TEST(Direct_write, of_single_triangles)
 
 TEST(Direct_write, content_comes_back_after_an_error)
 {
-  domains::CDT cdt = domains::make({slanted, hole});
-  CGAL::npbs_relax(cdt, size(0.1));
+  domains::CDT cdt = domains::mesh({slanted, hole}, 0.1);
   const validation::Snapshot before = validation::snapshot(cdt);
   {
     CGAL::Bubble_relaxation_2::internal::Restore_on_throw<domains::CDT> guard(cdt);
@@ -362,8 +352,7 @@ TEST(Direct_write, beside_narrow_gaps_outside_of_the_domain)
     for (double d : {0.05, 0.083, 0.11}) {
       const Outline clamp{{0, 0}, {1, 0}, {1, 0.5}, {0.2, 0.5}, {0.2, 0.8}, {0.4, 0.8}, {0.6, 0.5 + gap},
                           {0.8, 0.8}, {1, 0.8}, {1, 1}, {0, 1}};
-      domains::CDT cdt = domains::make({clamp});
-      CGAL::npbs_relax(cdt, size(d));
+      const domains::CDT cdt = domains::mesh({clamp}, d);
       validation::expect_valid_mesh(cdt);
       EXPECT_NEAR(validation::domain_area(cdt), domains::area(clamp), 1e-12);
     }
@@ -469,10 +458,8 @@ auto everything(const Plus& cdt)
 /// a mesh with polylines: one closed with a point given on a straight side, one open, one apart
 void make_polylines(Plus& cdt)
 {
-  const std::vector<domains::Point> line{{0, 0}, {0.4, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-  cdt.insert_constraint(line.begin(), line.end());
-  const std::vector<domains::Point> inner{{0.2, 0.3}, {0.5, 0.35}, {0.8, 0.7}};
-  cdt.insert_constraint(inner.begin(), inner.end());
+  domains::insert(cdt, {{0, 0}, {0.4, 0}, {1, 0}, {1, 1}, {0, 1}});
+  domains::insert(cdt, {{0.2, 0.3}, {0.5, 0.35}, {0.8, 0.7}}, false);
   cdt.insert_constraint(domains::Point(0.3, 0.1), domains::Point(0.35, 0.25));
   CGAL::npbs_relax(cdt, size(0.15));
 }
@@ -599,12 +586,12 @@ TEST(Write_back_plus, points_that_the_user_kept_stay)
 {
   // as after a simplification of polylines that keeps the points
   Plus cdt;
-  const std::vector<domains::Point> line{{0, 0}, {0.5, 0.1}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-  const auto id = cdt.insert_constraint(line.begin(), line.end());
+  const auto id = domains::insert(cdt, {{0, 0}, {0.5, 0.1}, {1, 0}, {1, 1}, {0, 1}});
   cdt.simplify(std::next(cdt.vertices_in_constraint_begin(id)));
   for (double d : {0.1, 0.2}) {
     CGAL::npbs_relax(cdt, size(d));
-    EXPECT_EQ(std::count(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id), line[1]), 1);
+    EXPECT_EQ(std::count(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id),
+                         domains::Point(0.5, 0.1)), 1);
     EXPECT_EQ(std::distance(cdt.points_in_constraint_begin(id), cdt.points_in_constraint_end(id)),
               1 + std::distance(cdt.vertices_in_constraint_begin(id), cdt.vertices_in_constraint_end(id)));
   }
@@ -707,8 +694,7 @@ TEST(Write_back_default_size, an_existing_mesh_keeps_its_size)
 
 TEST(Write_back_keep, the_population_stays_if_it_shall)
 {
-  domains::CDT cdt = domains::make({domains::square(0, 0, 1)});
-  CGAL::npbs_relax(cdt, size(0.1));
+  domains::CDT cdt = domains::mesh({domains::square(0, 0, 1)}, 0.1);
   const std::size_t n = cdt.number_of_vertices();
   const auto report = CGAL::npbs_relax(
     cdt, size(0.1).initial_placement(CGAL::Bubble_placement::KEEP)
