@@ -209,6 +209,16 @@ void expect_valid_mesh(const CDT& cdt, const std::set<Xy>& outside = {})
     }
 }
 
+/// a valid mesh that has all vertices and constraints which there were before
+template <class CDT>
+void expect_mesh_of(const Snapshot& before, const CDT& cdt, const std::set<Xy>& outside = {})
+{
+  const Snapshot after = snapshot(cdt);
+  expect_valid_mesh(cdt, outside);
+  expect_vertices_kept(before.vertices, after);
+  expect_constraints_kept(before, after);
+}
+
 /// No vertex of the domain is nearer to another than `least` times the mean of d at both, but two of
 /// `fixed`, whose distance is the user's. Only edges are looked at: in a Delaunay triangulation each
 /// vertex is joined to its nearest one.

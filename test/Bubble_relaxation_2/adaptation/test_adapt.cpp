@@ -105,10 +105,7 @@ TYPED_TEST(Adapt, inner_constraints_and_pins_stay)
       const adaptation::Outside<TypeParam> outside(cdt, part);
       CGAL::npbs_remesh_faces(cdt, part, size(d).vertex_is_constrained_map(map));
       outside.expect_untouched(cdt);
-      const validation::Snapshot after = validation::snapshot(cdt);
-      validation::expect_valid_mesh(cdt);
-      validation::expect_vertices_kept(before.vertices, after);
-      validation::expect_constraints_kept(before, after);
+      validation::expect_mesh_of(before, cdt);
       EXPECT_NEAR(validation::domain_area(cdt), 1, 1e-12);
       std::size_t found = 0;
       for (auto v : cdt.finite_vertex_handles())
@@ -157,10 +154,7 @@ TYPED_TEST(Adapt, random_parts_of_random_domains)
       const adaptation::Outside<TypeParam> outside(cdt, part);
       CGAL::npbs_remesh_faces(cdt, part, size(std::exp(uniform(std::log(0.03), std::log(0.3)))));
       outside.expect_untouched(cdt);
-      validation::expect_valid_mesh(cdt);
-      const validation::Snapshot after = validation::snapshot(cdt);
-      validation::expect_vertices_kept(input.vertices, after);
-      validation::expect_constraints_kept(input, after);
+      validation::expect_mesh_of(input, cdt);
       ASSERT_FALSE(testing::Test::HasFailure()) << "domain " << k << ", change " << change;
     }
   }
@@ -240,9 +234,7 @@ TEST(Adapt_plus, overlapping_and_crossing_constraints)
       const adaptation::Outside<Crossing> outside(cdt, part);
       CGAL::npbs_remesh_faces(cdt, part, size(d));
       outside.expect_untouched(cdt);
-      validation::expect_valid_mesh(cdt);
-      validation::expect_vertices_kept(before.vertices, validation::snapshot(cdt));
-      validation::expect_constraints_kept(before, validation::snapshot(cdt));
+      validation::expect_mesh_of(before, cdt);
       EXPECT_EQ(cdt.number_of_constraints(), 4u);
     }
 }

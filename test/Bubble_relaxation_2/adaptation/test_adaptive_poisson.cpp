@@ -136,10 +136,7 @@ TEST(Adaptive_solution, falls_at_the_optimal_rate)
   options.most_nodes = 16000;
   const validation::Snapshot domain = validation::snapshot(l_shape());
   const Steps adapted = solve_corner(options, [&](const CDT& cdt, const Adaptive_step& step) {
-    validation::expect_valid_mesh(cdt);
-    const validation::Snapshot mesh = validation::snapshot(cdt);
-    validation::expect_constraints_kept(domain, mesh);
-    validation::expect_vertices_kept(domain.vertices, mesh);
+    validation::expect_mesh_of(domain, cdt);
     EXPECT_NEAR(validation::domain_area(cdt), 3, 1e-12);
     EXPECT_GT(step.minimum_quality, 0.75) << step.nodes;
     EXPECT_GT(step.mean_quality, 0.975) << step.nodes;

@@ -11,6 +11,7 @@
 
 #include "domains.h"
 #include "random_seeds.h"
+#include "relax_and_validate.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
@@ -27,11 +28,7 @@ const Outline l_shape{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 /// the area that is given lies within the outlines
 auto relax(domains::CDT& cdt, double area)
 {
-  const validation::Snapshot before = validation::snapshot(cdt);
-  const auto report = CGAL::npbs_relax(cdt);
-  validation::expect_valid_mesh(cdt);
-  validation::expect_vertices_kept(before.vertices, validation::snapshot(cdt));
-  validation::expect_constraints_kept(before, validation::snapshot(cdt));
+  const auto report = relax_and_validate(cdt, CGAL::parameters::default_values());
   validation::expect_report_adds_up(cdt, report);
   EXPECT_NEAR(validation::domain_area(cdt), area, 1e-12);
   return report;

@@ -11,6 +11,7 @@
 #include "domains.h"
 #include "expect_throw.h"
 #include "random_seeds.h"
+#include "relax_and_validate.h"
 #include "validation.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -20,18 +21,6 @@ namespace test_degenerate_input {
 
 using domains::CDT;
 using domains::Outline;
-
-template <class Parameters>
-auto relax_and_validate(CDT& cdt, const Parameters& parameters)
-{
-  const validation::Snapshot before = validation::snapshot(cdt);
-  const auto report = CGAL::npbs_relax(cdt, parameters);
-  const validation::Snapshot after = validation::snapshot(cdt);
-  validation::expect_valid_mesh(cdt);
-  validation::expect_vertices_kept(before.vertices, after);
-  validation::expect_constraints_kept(before, after);
-  return report;
-}
 
 auto size(double d) { return CGAL::parameters::sizing_function(d); }
 
