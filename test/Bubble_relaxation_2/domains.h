@@ -15,7 +15,9 @@
 #include <CGAL/npbs_relax.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <utility>
 #include <vector>
@@ -121,6 +123,28 @@ inline std::vector<Outline> random_star(unsigned seed)
     o.push_back({r * std::cos(t), r * std::sin(t)});
   }
   return {o, square(-0.15, -0.1, 0.25)};
+}
+
+/// in another order, from other starting points, in other directions
+inline std::vector<Outline> shuffled(std::vector<Outline> outlines, std::mt19937& random)
+{
+  std::shuffle(outlines.begin(), outlines.end(), random);
+  for (Outline& o : outlines) {
+    std::rotate(o.begin(), o.begin() + static_cast<std::ptrdiff_t>(random() % o.size()), o.end());
+    if (random() % 2 == 0)
+      std::reverse(o.begin(), o.end());
+  }
+  return outlines;
+}
+
+inline std::vector<Outline> scaled(std::vector<Outline> outlines, double scale)
+{
+  for (Outline& o : outlines)
+    for (auto& [x, y] : o) {
+      x *= scale;
+      y *= scale;
+    }
+  return outlines;
 }
 
 } // namespace domains

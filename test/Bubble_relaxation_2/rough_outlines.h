@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -68,6 +69,14 @@ std::size_t number_of_pinches(const Cdt& cdt)
     for (const validation::Xy& p : {s.first, s.second})
       n += ++degree[p] == 3;
   return n;
+}
+
+/// of all gaps that a report tells of
+template <class Report>
+double filled_area(const Report& report)
+{
+  return std::accumulate(report.filled_gaps.begin(), report.filled_gaps.end(), 0.,
+                         [](double sum, const auto& gap) { return sum + gap.area; });
 }
 
 /// from a place of a report to another one, the smaller first

@@ -17,13 +17,14 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/npbs_relax.h>
 
-#include <array>
 #include <memory>
+#include <set>
+#include <vector>
 
 namespace test_reproducibility {
 
 using domains::Outline;
-using validation::Xy;
+using domains::shuffled;
 
 using Plus = CGAL::Constrained_triangulation_plus_2<domains::CDT>;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -57,8 +58,8 @@ private:
 /// All that must be equal: points, triangles of the domain and statistics.
 struct Outcome
 {
-  std::vector<Xy> points;
-  std::vector<std::array<Xy, 3>> triangles;
+  std::set<validation::Xy> points;
+  std::vector<validation::Triangle> triangles;
   std::vector<double> numbers;
 };
 
@@ -81,23 +82,10 @@ std::vector<double> all_numbers(const CGAL::Mesh_quality_2<FT>& q)
 template <class Cdt, class Report>
 Outcome outcome(const Cdt& cdt, const Report& report)
 {
-  Outcome result;
-  for (auto v : cdt.finite_vertex_handles())
-    result.points.push_back(validation::xy(v));
-  std::sort(result.points.begin(), result.points.end());
-  for (auto f : cdt.finite_face_handles()) {
-    if (!f->is_in_domain())
-      continue;
-    result.triangles.push_back({validation::xy(f->vertex(0)), validation::xy(f->vertex(1)),
-                                validation::xy(f->vertex(2))});
-    std::sort(result.triangles.back().begin(), result.triangles.back().end());
-  }
-  std::sort(result.triangles.begin(), result.triangles.end());
-  result.numbers = all_numbers(report.quality);
-  result.numbers.push_back(double(report.number_of_steps));
-  result.numbers.push_back(double(report.number_of_insertions));
-  result.numbers.push_back(double(report.number_of_deletions));
-  return result;
+  std::vector<double> numbers = all_numbers(report.quality);
+  for (std::size_t n : {report.number_of_steps, report.number_of_insertions, report.number_of_deletions})
+    numbers.push_back(double(n));
+  return {validation::snapshot(cdt).vertices, validation::triangles(cdt), numbers};
 }
 
 void expect_equal(const Outcome& a, const Outcome& b)
@@ -162,18 +150,6 @@ Cdt make(const std::vector<Outline>& outlines, const Outline& inner)
   Cdt cdt = domains::make<Cdt>(outlines);
   domains::insert(cdt, inner, false);
   return cdt;
-}
-
-/// in another order, from other starting points, in other directions
-std::vector<Outline> shuffled(std::vector<Outline> outlines, std::mt19937& random)
-{
-  std::shuffle(outlines.begin(), outlines.end(), random);
-  for (Outline& o : outlines) {
-    std::rotate(o.begin(), o.begin() + static_cast<std::ptrdiff_t>(random() % o.size()), o.end());
-    if (random() % 2 == 0)
-      std::reverse(o.begin(), o.end());
-  }
-  return outlines;
 }
 
 template <class Cdt>
