@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -168,6 +170,52 @@ std::vector<Triangle> triangles(const CDT& cdt)
   std::sort(result.begin(), result.end());
   return result;
 }
+
+/// every face and vertex of a triangulation with all that it knows, by handles
+template <class Cdt>
+struct Content
+{
+  struct Face
+  {
+    std::vector<typename Cdt::Vertex_handle> vertices;
+    std::vector<typename Cdt::Face_handle> neighbors;
+    std::vector<bool> flags;
+
+    bool operator==(const Face& f) const
+    {
+      return vertices == f.vertices && neighbors == f.neighbors && flags == f.flags;
+    }
+  };
+
+  std::map<typename Cdt::Face_handle, Face> faces;
+  std::map<typename Cdt::Vertex_handle, typename Cdt::Point> vertices;
+  std::map<typename Cdt::Vertex_handle, typename Cdt::Face_handle> faces_of_vertices;
+  std::size_t number_of_vertices, number_of_faces;
+
+  explicit Content(const Cdt& cdt)
+    : number_of_vertices(cdt.number_of_vertices()), number_of_faces(cdt.number_of_faces())
+  {
+    for (auto f : cdt.all_face_handles()) {
+      Face& c = faces[f];
+      for (int i = 0; i < 3; ++i) {
+        c.vertices.push_back(f->vertex(i));
+        c.neighbors.push_back(f->neighbor(i));
+        c.flags.push_back(f->is_constrained(i));
+      }
+      c.flags.push_back(f->is_in_domain());
+    }
+    for (auto v : cdt.finite_vertex_handles()) {
+      vertices[v] = v->point();
+      faces_of_vertices[v] = v->face();
+    }
+  }
+
+  bool operator==(const Content& c) const
+  {
+    return faces == c.faces && vertices == c.vertices && faces_of_vertices == c.faces_of_vertices &&
+           number_of_vertices == c.number_of_vertices && number_of_faces == c.number_of_faces;
+  }
+};
 
 /// the area of the faces that are in the domain
 template <class CDT>

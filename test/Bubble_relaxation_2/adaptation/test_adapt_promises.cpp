@@ -40,7 +40,6 @@
 
 namespace test_adapt_promises {
 
-using adaptation::Content;
 using adaptation::faces_near;
 using adaptation::size;
 using counted_memory::allocations_left;
@@ -49,6 +48,7 @@ using domains::hole;
 using domains::Outline;
 using domains::Point;
 using domains::slanted;
+using validation::Content;
 using Faces = std::vector<CDT::Face_handle>;
 using Plus = CGAL::Constrained_triangulation_plus_2<CDT>;
 

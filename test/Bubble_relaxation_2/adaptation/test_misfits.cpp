@@ -27,7 +27,6 @@
 
 namespace test_misfits {
 
-using adaptation::Content;
 using adaptation::faces_near;
 using adaptation::size;
 using domains::CDT;
@@ -35,6 +34,7 @@ using domains::hole;
 using domains::Outline;
 using domains::Point;
 using domains::slanted;
+using validation::Content;
 using Faces = std::vector<CDT::Face_handle>;
 
 /// a size that is small in some places

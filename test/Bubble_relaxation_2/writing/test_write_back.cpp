@@ -19,7 +19,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/npbs_relax.h>
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -401,79 +400,62 @@ struct Enough : std::runtime_error
   Enough() : std::runtime_error("enough") {}
 };
 
-/// all that can be seen of a triangulation with its polylines, handles and identifiers included
-template <class Identifier>
-struct Everything
+/// a polyline of a hierarchy, with what can be seen of it
+struct Polyline
 {
-  std::vector<Plus::Vertex_handle> vertices;
-  std::vector<validation::Xy> points;
-  std::vector<std::array<Plus::Vertex_handle, 3>> faces;
-  std::vector<std::array<bool, 4>> marks; // of the faces' sides, and of the domain
-  std::vector<Identifier> constraints;
-  std::vector<std::vector<std::pair<Plus::Vertex_handle, bool>>> polylines; // with the input flags
-  std::vector<std::vector<domains::Point>> polyline_points;
+  Plus::Constraint_id id;
+  std::vector<std::pair<Plus::Vertex_handle, bool>> vertices; // with the input flags
+  std::vector<domains::Point> points;
 
-  friend bool operator==(const Everything& a, const Everything& b)
-  {
-    return a.vertices == b.vertices && a.points == b.points && a.faces == b.faces &&
-           a.marks == b.marks && a.constraints == b.constraints && a.polylines == b.polylines &&
-           a.polyline_points == b.polyline_points;
-  }
+  bool operator==(const Polyline& p) const { return id == p.id && vertices == p.vertices && points == p.points; }
 };
 
-auto everything(const Plus& cdt)
+std::vector<Polyline> polylines(const Plus& cdt)
 {
-  Everything<Plus::Constraint_id> e;
-  for (auto v : cdt.finite_vertex_handles()) {
-    e.vertices.push_back(v);
-    e.points.push_back(validation::xy(v));
-  }
-  for (auto f : cdt.all_face_handles()) {
-    e.faces.push_back({f->vertex(0), f->vertex(1), f->vertex(2)});
-    e.marks.push_back({f->is_constrained(0), f->is_constrained(1), f->is_constrained(2), f->is_in_domain()});
-  }
+  std::vector<Polyline> result;
   for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
-    e.constraints.push_back(*c);
-    e.polylines.emplace_back();
+    result.push_back({*c, {}, {cdt.points_in_constraint_begin(*c), cdt.points_in_constraint_end(*c)}});
     for (auto v = cdt.vertices_in_constraint_begin(*c); v != cdt.vertices_in_constraint_end(*c); ++v)
-      e.polylines.back().push_back({*v, v.input()});
-    e.polyline_points.emplace_back(cdt.points_in_constraint_begin(*c), cdt.points_in_constraint_end(*c));
+      result.back().vertices.push_back({*v, v.input()});
   }
-  return e;
+  return result;
 }
 
+/// all that can be seen of a triangulation with its polylines, handles and identifiers included
+auto everything(const Plus& cdt) { return std::pair(validation::Content<Plus>(cdt), polylines(cdt)); }
+
 /// a mesh with polylines: one closed with a point given on a straight side, one open, one apart
-void make_polylines(Plus& cdt)
+Plus mesh_with_polylines()
 {
+  Plus cdt;
   domains::insert(cdt, {{0, 0}, {0.4, 0}, {1, 0}, {1, 1}, {0, 1}});
   domains::insert(cdt, {{0.2, 0.3}, {0.5, 0.35}, {0.8, 0.7}}, false);
   cdt.insert_constraint(domains::Point(0.3, 0.1), domains::Point(0.35, 0.25));
   CGAL::npbs_relax(cdt, size(0.15));
+  return cdt;
 }
 
-/// without handles: the polylines as points with their input flags
-auto polylines(const Plus& cdt)
+/// without handles: the polylines as places with their input flags, and all else that has a place
+auto everything_by_places(const Plus& cdt)
 {
-  std::multiset<std::vector<std::pair<validation::Xy, bool>>> result;
-  for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
-    std::vector<std::pair<validation::Xy, bool>> polyline;
-    for (auto v = cdt.vertices_in_constraint_begin(*c); v != cdt.vertices_in_constraint_end(*c); ++v)
-      polyline.push_back({validation::xy(*v), v.input()});
-    result.insert(polyline);
+  std::multiset<std::vector<std::pair<validation::Xy, bool>>> lines;
+  for (const Polyline& p : polylines(cdt)) {
+    std::vector<std::pair<validation::Xy, bool>> line;
+    for (const auto& [v, is_input] : p.vertices)
+      line.push_back({validation::xy(v), is_input});
+    lines.insert(line);
   }
-  return result;
+  return std::pair(validation::snapshot(cdt), lines);
 }
 
 /// later relaxations do what they do in a triangulation in which nothing was ever thrown
 void expect_same_later(Plus& cdt)
 {
-  Plus other;
-  make_polylines(other);
+  Plus other = mesh_with_polylines();
   for (double d : {0.07, 0.2}) {
     CGAL::npbs_relax(cdt, size(d));
     CGAL::npbs_relax(other, size(d));
-    EXPECT_TRUE(validation::snapshot(cdt) == validation::snapshot(other));
-    EXPECT_EQ(polylines(cdt), polylines(other));
+    EXPECT_TRUE(everything_by_places(cdt) == everything_by_places(other));
   }
 }
 
@@ -484,11 +466,9 @@ TEST(Write_back_plus, exceptions_of_the_size_leave_everything_as_it_was)
     ++calls;
     return 0.1;
   };
-  Plus counted;
-  make_polylines(counted);
+  Plus counted = mesh_with_polylines();
   CGAL::npbs_relax(counted, CGAL::parameters::sizing_function(std::cref(counting)));
-  Plus cdt;
-  make_polylines(cdt);
+  Plus cdt = mesh_with_polylines();
   const auto before = everything(cdt);
   for (std::size_t at : {std::size_t(1), calls / 2, calls - 200, calls - 1, calls}) {
     SCOPED_TRACE(at);
@@ -502,8 +482,7 @@ TEST(Write_back_plus, exceptions_of_the_size_leave_everything_as_it_was)
 
 TEST(Write_back_plus, an_exception_of_the_callback_before_the_writing_leaves_everything_as_it_was)
 {
-  Plus cdt;
-  make_polylines(cdt);
+  Plus cdt = mesh_with_polylines();
   const auto before = everything(cdt);
   const auto throwing = [](double fraction) { return fraction < 0.95 ? true : throw Enough(); }; // where writing begins
   EXPECT_THROW(CGAL::npbs_relax(cdt, size(0.1).callback(throwing)), Enough);
@@ -513,58 +492,46 @@ TEST(Write_back_plus, an_exception_of_the_callback_before_the_writing_leaves_eve
 
 TEST(Write_back_plus, an_exception_of_the_last_callback_gives_the_content_back)
 {
-  Plus cdt;
-  make_polylines(cdt);
-  const validation::Snapshot before = validation::snapshot(cdt);
-  const auto lines = polylines(cdt);
+  Plus cdt = mesh_with_polylines();
+  const auto before = everything_by_places(cdt);
   const auto throwing = [](double fraction) { return fraction < 1 ? true : throw Enough(); };
   EXPECT_THROW(CGAL::npbs_relax(cdt, size(0.1).callback(throwing)), Enough);
-  EXPECT_TRUE(validation::snapshot(cdt) == before);
-  EXPECT_EQ(polylines(cdt), lines);
+  EXPECT_TRUE(everything_by_places(cdt) == before);
   expect_same_later(cdt);
 }
 
 TEST(Write_back_plus, content_comes_back_after_an_error_of_the_writing)
 {
-  Plus cdt;
-  make_polylines(cdt);
-  const validation::Snapshot before = validation::snapshot(cdt);
-  const auto lines = polylines(cdt);
+  Plus cdt = mesh_with_polylines();
+  const auto before = everything_by_places(cdt);
   {
     CGAL::Bubble_relaxation_2::internal::Restore_on_throw<Plus> guard(cdt);
     cdt.insert(domains::Point(0.7, 0.2));
     cdt.insert_constraint(domains::Point(0.6, 0.1), domains::Point(0.6, 0.4));
-    EXPECT_FALSE(validation::snapshot(cdt) == before);
+    EXPECT_FALSE(everything_by_places(cdt) == before);
   }
-  EXPECT_TRUE(validation::snapshot(cdt) == before);
-  EXPECT_EQ(polylines(cdt), lines);
+  EXPECT_TRUE(everything_by_places(cdt) == before);
   EXPECT_TRUE(cdt.is_valid());
-  const validation::Snapshot after_line = [&] {
-    cdt.insert_constraint(domains::Point(0.6, 0.1), domains::Point(0.6, 0.4));
-    for (auto f : cdt.all_face_handles()) // the new line's faces have no marks
-      f->set_in_domain(false);
-    CGAL::npbs_relax(cdt, size(0.1));
-    return validation::snapshot(cdt);
-  }();
+  cdt.insert_constraint(domains::Point(0.6, 0.1), domains::Point(0.6, 0.4));
+  for (auto f : cdt.all_face_handles()) // the new line's faces have no marks
+    f->set_in_domain(false);
+  CGAL::npbs_relax(cdt, size(0.1));
   validation::expect_valid_mesh(cdt);
   EXPECT_EQ(cdt.number_of_constraints(), 4u);
-  EXPECT_GT(after_line.vertices.size(), 90u);
+  EXPECT_GT(cdt.number_of_vertices(), 90u);
 }
 
 TEST(Write_back_plus, points_of_polylines_are_those_of_their_vertices)
 {
-  Plus cdt;
-  make_polylines(cdt);
+  Plus cdt = mesh_with_polylines();
   for (int k = 0; k < 3; ++k)
     for (double d : {0.1, 0.05}) {
       CGAL::npbs_relax(cdt, size(d));
-      for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
+      for (const Polyline& p : polylines(cdt)) {
         std::vector<domains::Point> of_vertices;
-        for (auto v = cdt.vertices_in_constraint_begin(*c); v != cdt.vertices_in_constraint_end(*c); ++v)
-          of_vertices.push_back((*v)->point());
-        const std::vector<domains::Point> points(cdt.points_in_constraint_begin(*c),
-                                                 cdt.points_in_constraint_end(*c));
-        EXPECT_EQ(points, of_vertices);
+        for (const auto& [v, is_input] : p.vertices)
+          of_vertices.push_back(v->point());
+        EXPECT_EQ(p.points, of_vertices);
       }
     }
 }
