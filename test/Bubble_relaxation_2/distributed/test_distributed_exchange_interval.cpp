@@ -10,6 +10,7 @@
 
 #include "bubbles.h"
 #include "relaxed_points.h"
+#include "same_exception.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Distributed/npbs_relax.h>
@@ -24,13 +25,6 @@ namespace test_distributed_exchange_interval {
 using relaxed_points::All_parts;
 using relaxed_points::Part;
 namespace P = CGAL::parameters;
-
-int number_of_ranks()
-{
-  int result;
-  MPI_Comm_size(MPI_COMM_WORLD, &result);
-  return result;
-}
 
 /// what all ranks relax together, and what they were told
 struct Result
@@ -70,7 +64,7 @@ void expect_equal(const Result& a, const Result& b)
 /// of as many nodes, about: in other places if there are several ranks, and as good
 void expect_alike(const Result& result, const Result& exact)
 {
-  if (number_of_ranks() == 1) {
+  if (distributed::size() == 1) {
     expect_equal(result, exact);
     return;
   }

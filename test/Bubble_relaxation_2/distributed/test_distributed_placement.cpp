@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <functional>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -32,24 +33,7 @@ namespace test_distributed_placement {
 using namespace bubbles;
 using CGAL::Bubble_placement;
 using CDT = paper::CDT;
-using Vertex_handle = CDT::Vertex_handle;
 using Size = std::function<double(const Point&)>;
-
-/// the pinned vertices of a triangulation, by their points
-struct Pinned_map
-{
-  using key_type = Vertex_handle;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-
-  const std::vector<Point>* pinned;
-
-  friend bool get(const Pinned_map& map, Vertex_handle v)
-  {
-    return std::find(map.pinned->begin(), map.pinned->end(), v->point()) != map.pinned->end();
-  }
-};
 
 /// the triangulation of the domain of `c` with all its bubbles inserted
 CDT with_bubbles(const Case& c)
@@ -149,8 +133,11 @@ struct Given
   void read_mesh(const std::vector<Point>& pinned = {})
   {
     mesh.cdt = with_bubbles(bare);
+    std::set<CDT::Vertex_handle> pins;
+    for (const Point& p : pinned)
+      pins.insert(mesh.cdt.insert(p)); // where it is already
     mesh.read(CGAL::parameters::sizing_function(domain.d).limit_by_outline(false).vertex_is_constrained_map(
-      Pinned_map{&pinned}));
+      CGAL::make_boolean_property_map(pins)));
   }
 
   const paper::Domain domain;

@@ -10,6 +10,7 @@
 
 #include "../random_seeds.h"
 #include "relaxed_points.h"
+#include "same_exception.h"
 #include "union_of_ranks.h"
 
 #include <CGAL/npbs_place_nodes.h>
@@ -140,18 +141,14 @@ void expect_consistent(const Part& part, const All_parts& all)
 template <class NamedParameters>
 Part expect_as_one_rank(paper::CDT domain, const NamedParameters& np, const std::vector<Point>& points = {})
 {
-  int number_of_ranks = 0;
-  MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
   Part part;
-  int this_rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &this_rank);
   for (std::size_t k = 0; k < points.size(); ++k)
-    if (7 * k % 10 % static_cast<std::size_t>(number_of_ranks) == static_cast<std::size_t>(this_rank))
+    if (7 * k % 10 % static_cast<std::size_t>(distributed::size()) == static_cast<std::size_t>(distributed::rank()))
       part.points.insert(points[k]);
   part.relaxation = CGAL::Distributed::npbs_relax(part.points, domain, MPI_COMM_WORLD, np);
   const All_parts all = gather(part);
   expect_consistent(part, all);
-  if (this_rank != 0)
+  if (distributed::rank() != 0)
     return part;
   domain.insert(points.begin(), points.end());
   paper::CDT mesh = domain;
@@ -299,11 +296,9 @@ TEST(Distributed_relaxation, ranks_stay_balanced)
   const auto np = parameters::sizing_function([](const Point& p) { return p.x() < 0.3 ? 0.03 : 0.2; });
   const Part part = expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP),
                                         free_vertices(cdt, mesh));
-  int number_of_ranks = 0;
-  MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
-  const double mean = double(part.relaxation.report.number_of_vertices) / number_of_ranks;
-  EXPECT_GT(mean * number_of_ranks, 300);
-  EXPECT_LT(double(part.points.size()), 1.25 * mean + 16);
+  const double number = double(part.relaxation.report.number_of_vertices);
+  EXPECT_GT(number, 300);
+  EXPECT_LT(double(part.points.size()), 1.25 * number / distributed::size() + 16);
 }
 
 /// a star with needles

@@ -54,6 +54,31 @@ void expect_bubbles_are_those(const Bubbles_2& whole, const Bubbles_2& part)
   EXPECT_EQ(different, 0u);
 }
 
+/// A case as one rank treats it, and the parts of it that ranks treat. All sizes are `d`.
+struct Ranks
+{
+  explicit Ranks(const Case& whole, const Relaxation_options& o = {}, double d = 1, bool with_gaps = false)
+    : c(whole), options(o), sizes([d](double, double) { return d; }),
+      partition(distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), with_gaps))
+  {}
+
+  Ranks(const Ranks&) = delete; // the problem refers to what is here
+
+  /// the part of this rank
+  Distributed_mesh_2 own_mesh(const Distributed_treatment_2& treat) const
+  {
+    return treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+  }
+
+  const Case& c;
+  const Relaxation_options options;
+  const Sizes_2 sizes;
+  const Problem_2 problem{c.domain(), c.given(), options, sizes, sizes};
+  Communicator comm{MPI_COMM_WORLD};
+  const Hilbert_partition_2 partition;
+  const Bubbles_2 no_points;
+};
+
 struct Outcome
 {
   Treatment_counts counts;
@@ -71,20 +96,15 @@ auto owned_triangles(const Communicator& comm, const Distributed_mesh_2& mesh)
 /// `first`: triangles with a vertex from there on are treated
 Outcome expect_same_treatment(const Case& c, const Options& options = Options(), std::int64_t first = 0)
 {
+  Ranks ranks(c, {}, 1, options.with_gaps);
+  Communicator& comm = ranks.comm;
+  const Hilbert_partition_2& partition = ranks.partition;
   Bubble_mesh_2 whole = mesh_of(c);
-  const Relaxation_options all;
-  const Sizes_2 any_size([](double, double) { return 1.; });
-  const Problem_2 problem{c.domain(), c.given(), all, any_size, any_size};
   Outline_care care{false};
-  const Treatment_counts expected = treat_defects(Whole_treatment_2(problem), whole, care, first);
+  const Treatment_counts expected = treat_defects(Whole_treatment_2(ranks.problem), whole, care, first);
 
-  Communicator comm(MPI_COMM_WORLD);
-  const Hilbert_partition_2 partition =
-    distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), options.with_gaps);
-  const Bubbles_2 no_points;
-  const Distributed_treatment_2 treat(problem, no_points, partition, comm, options.reach);
-  Distributed_mesh_2 mesh =
-    treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+  const Distributed_treatment_2 treat(ranks.problem, ranks.no_points, partition, comm, options.reach);
+  Distributed_mesh_2 mesh = ranks.own_mesh(treat);
   const Treatment_counts counts = treat_defects(treat, mesh, care, first);
   EXPECT_EQ(counts.treated, expected.treated);
   EXPECT_EQ(counts.inserted, expected.inserted);
@@ -257,12 +277,12 @@ struct Border_outcome
 };
 
 /// One vertex goes far in two sweeps, and all ranks restore what they know of the mesh.
-Border_outcome move_in_two_sweeps(const Case& c, Index i, double dx, double dy, const Distributed_treatment_2& treat,
-                                  const Hilbert_partition_2& partition, Communicator& comm)
+Border_outcome move_in_two_sweeps(Ranks& ranks, Index i, double dx, double dy, const Distributed_treatment_2& treat)
 {
+  const Case& c = ranks.c;
+  Communicator& comm = ranks.comm;
   Bubble_mesh_2 whole{c.bubbles, {}};
-  Mesh_piece_2 piece = treat.piece_of(
-    treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank())));
+  Mesh_piece_2 piece = treat.piece_of(ranks.own_mesh(treat));
   Bubbles_2& b = piece.mesh.bubbles;
   const std::vector<char>& inside = piece.mesh.triangles.inside;
   const auto number_before = std::count(inside.begin(), inside.end(), 1);
@@ -300,24 +320,19 @@ Border_outcome move_in_two_sweeps(const Case& c, Index i, double dx, double dy, 
 TEST(Distributed_treatment, moves_beyond_the_end_of_a_piece)
 {
   const Case c = equilateral(24);
-  const Relaxation_options all;
-  const Sizes_2 any_size([](double, double) { return 1.; });
-  const Problem_2 problem{c.domain(), c.given(), all, any_size, any_size};
-  Communicator comm(MPI_COMM_WORLD);
-  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
-  const Bubbles_2 no_points;
-  const Distributed_treatment_2 treat(problem, no_points, partition, comm, 2);
+  Ranks ranks(c);
+  const Distributed_treatment_2 treat(ranks.problem, ranks.no_points, ranks.partition, ranks.comm, 2);
   std::size_t forgotten = 0, kept = 0;
   for (const auto& bubbles : bubbles_by_clearance(c, 1, 3.5))
     for (Index i : bubbles.second)
       for (int k = 0; k < 6 && c.bubbles.is_in_face(i); ++k) {
         const Border_outcome outcome =
-          move_in_two_sweeps(c, i, 0.75 * std::cos(0.3 + k), 0.75 * std::sin(0.3 + k), treat, partition, comm);
+          move_in_two_sweeps(ranks, i, 0.75 * std::cos(0.3 + k), 0.75 * std::sin(0.3 + k), treat);
         forgotten += outcome.is_unknown && outcome.has_forgotten;
         kept += outcome.is_unknown && !outcome.has_forgotten;
       }
-  EXPECT_EQ(forgotten > 0, comm.size() > 1);
-  EXPECT_EQ(kept > 0, comm.size() > 1);
+  EXPECT_EQ(forgotten > 0, ranks.comm.size() > 1);
+  EXPECT_EQ(kept > 0, ranks.comm.size() > 1);
 }
 
 // Vacancies are filled where others' pieces end: what these know is still of the mesh of all ranks, and they have not become
@@ -358,21 +373,16 @@ TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
         make_defect(c, static_cast<Index>(i), 0.6 * b.d[i], 0.3 * b.d[i]);
     Relaxation_options options;
     options.minimum_angle = 25;
-    const Sizes_2 any_size([](double, double) { return 0.05; });
-    const Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
+    Ranks ranks(c, options, 0.05);
     Bubble_mesh_2 whole = mesh_of(c);
     Outline_care care{false};
-    const std::size_t expected = refine_small_angles(Whole_treatment_2(problem), whole, care);
+    const std::size_t expected = refine_small_angles(Whole_treatment_2(ranks.problem), whole, care);
     EXPECT_GT(expected, 30u);
 
-    Communicator comm(MPI_COMM_WORLD);
-    const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), b, comm.size(), false);
-    const Bubbles_2 no_points;
-    const Distributed_treatment_2 treat(problem, no_points, partition, comm);
-    Distributed_mesh_2 mesh =
-      treat.triangulate_own(distributed::own_part(b, numbers_of(b), partition, comm.rank()));
+    const Distributed_treatment_2 treat(ranks.problem, ranks.no_points, ranks.partition, ranks.comm);
+    Distributed_mesh_2 mesh = ranks.own_mesh(treat);
     EXPECT_EQ(refine_small_angles(treat, mesh, care), expected);
-    expect_bubbles_are_those(whole.bubbles, send_home(comm, partition, own_bubbles(mesh.bubbles)));
+    expect_bubbles_are_those(whole.bubbles, send_home(ranks.comm, ranks.partition, own_bubbles(mesh.bubbles)));
   }
 }
 
@@ -380,16 +390,10 @@ TEST(Distributed_treatment, refinement_knows_of_edges_far_away)
 TEST(Distributed_treatment, changes_are_taken_back)
 {
   const Case c = random(paper::square_with_hole(1), 600, 1);
-  const Relaxation_options options;
-  const Sizes_2 any_size([](double, double) { return 1.; });
-  const Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
-  Communicator comm(MPI_COMM_WORLD);
-  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
-  const Bubbles_2 no_points;
-  const Distributed_treatment_2 treat(problem, no_points, partition, comm);
-  Distributed_mesh_2 mesh =
-    treat.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
-  const auto triangles = owned_triangles(comm, mesh);
+  Ranks ranks(c);
+  const Distributed_treatment_2 treat(ranks.problem, ranks.no_points, ranks.partition, ranks.comm);
+  Distributed_mesh_2 mesh = ranks.own_mesh(treat);
+  const auto triangles = owned_triangles(ranks.comm, mesh);
   Mesh_piece_2 piece = treat.piece_of(std::move(mesh));
   Outline_care care{false};
   Treatment_state better{0.949, 0, care}, good{0.899, 0, care};
@@ -400,7 +404,7 @@ TEST(Distributed_treatment, changes_are_taken_back)
   EXPECT_EQ(good.counts.inserted + good.counts.deleted, 0u);
   EXPECT_GE(treat.number_of_renewals, 2u);
   expect_bubbles_are_those(c.bubbles, own_bubbles(piece.mesh.bubbles));
-  EXPECT_TRUE(owned_triangles(comm, piece.mesh) == triangles);
+  EXPECT_TRUE(owned_triangles(ranks.comm, piece.mesh) == triangles);
   Treatment_state bad{0, 0, care};
   treat.smooth(piece, usual_sweeps, bad);
   EXPECT_GT(bad.counts.treated, 300u); // that is what was taken back
@@ -437,29 +441,24 @@ TEST(Distributed_treatment, all_is_done_carefully_once_more_when_the_outline_is_
   const Case c = random(paper::square_with_hole(1), 600, 1);
   Relaxation_options options;
   options.minimum_angle = 30;
-  const Sizes_2 any_size([](double, double) { return 0.05; });
-  const Problem_2 problem{c.domain(), c.given(), options, any_size, any_size};
+  Ranks ranks(c, options, 0.05);
   Bubble_mesh_2 whole = mesh_of(c);
-  const Treatment_counts expected = treat_and_refine(Whole_treatment_2(problem), whole);
+  const Treatment_counts expected = treat_and_refine(Whole_treatment_2(ranks.problem), whole);
   EXPECT_GT(expected.inserted, 10u);
 
-  Communicator comm(MPI_COMM_WORLD);
-  const Hilbert_partition_2 partition = distributed::partition(c.domain().bbox(), c.bubbles, comm.size(), false);
-  const Bubbles_2 no_points;
   const auto expect_the_same = [&](const auto& treatment) {
-    Distributed_mesh_2 mesh =
-      treatment.triangulate_own(distributed::own_part(c.bubbles, numbers_of(c.bubbles), partition, comm.rank()));
+    Distributed_mesh_2 mesh = ranks.own_mesh(treatment);
     const Treatment_counts counts = treat_and_refine(treatment, mesh);
     EXPECT_EQ(counts.treated, expected.treated);
     EXPECT_EQ(counts.inserted, expected.inserted);
     EXPECT_EQ(counts.deleted, expected.deleted);
     expect_bubbles_are_those(whole.bubbles, own_bubbles(mesh.bubbles));
   };
-  expect_the_same(Distributed_treatment_2(problem, no_points, partition, comm));
-  const Treatment_found_broken broken(problem, no_points, partition, comm);
+  expect_the_same(Distributed_treatment_2(ranks.problem, ranks.no_points, ranks.partition, ranks.comm));
+  const Treatment_found_broken broken(ranks.problem, ranks.no_points, ranks.partition, ranks.comm);
   expect_the_same(broken);
   EXPECT_EQ(broken.number_of_looks, 1);
-  expect_the_same(Treatment_that_throws(problem, no_points, partition, comm));
+  expect_the_same(Treatment_that_throws(ranks.problem, ranks.no_points, ranks.partition, ranks.comm));
 }
 
 } // namespace test_distributed_treatment

@@ -88,26 +88,7 @@ void expect_union_is_the_whole(const Case& c, const Options& options = Options()
   EXPECT_TRUE(std::is_sorted(part.bubbles.id.begin(), part.bubbles.id.end()));
 }
 
-Options reach(double r)
-{
-  Options options;
-  options.reach = r;
-  return options;
-}
-
-Options gaps()
-{
-  Options options;
-  options.with_gaps = true;
-  return options;
-}
-
-Options shuffled()
-{
-  Options options;
-  options.shuffle_numbers = true;
-  return options;
-}
+const Options with_gaps{3, true, false}, with_shuffled_numbers{3, false, true};
 
 TEST(Distributed_triangulation, relaxed_bubbles)
 {
@@ -115,14 +96,14 @@ TEST(Distributed_triangulation, relaxed_bubbles)
     SCOPED_TRACE(domain.name);
     const Case c = relaxed(domain);
     expect_union_is_the_whole(c);
-    expect_union_is_the_whole(c, gaps());
+    expect_union_is_the_whole(c, with_gaps);
   }
 }
 
 TEST(Distributed_triangulation, whatever_numbers)
 {
-  expect_union_is_the_whole(relaxed(paper::square_with_hole(2)), shuffled());
-  expect_union_is_the_whole(random(paper::trunk(1), 500, 3), shuffled());
+  expect_union_is_the_whole(relaxed(paper::square_with_hole(2)), with_shuffled_numbers);
+  expect_union_is_the_whole(random(paper::trunk(1), 500, 3), with_shuffled_numbers);
 }
 
 TEST(Distributed_triangulation, whatever_reach)
@@ -130,7 +111,7 @@ TEST(Distributed_triangulation, whatever_reach)
   const Case c = relaxed(paper::graded_square(2));
   for (double r : {0., 0.5, 1., 20.}) {
     SCOPED_TRACE(r);
-    expect_union_is_the_whole(c, reach(r));
+    expect_union_is_the_whole(c, Options{r, false, false});
   }
 }
 
@@ -154,7 +135,7 @@ TEST(Distributed_triangulation, random_points)
       SCOPED_TRACE(domain.name);
       const Case c = random(domain, 400, seed);
       expect_union_is_the_whole(c);
-      expect_union_is_the_whole(c, reach(0));
+      expect_union_is_the_whole(c, Options{0, false, false});
     }
   }
 }
@@ -163,10 +144,10 @@ TEST(Distributed_triangulation, points_on_circles_and_edges_through_them)
 {
   const Case c = lattice(20);
   expect_union_is_the_whole(c);
-  expect_union_is_the_whole(c, gaps());
-  expect_union_is_the_whole(c, shuffled());
+  expect_union_is_the_whole(c, with_gaps);
+  expect_union_is_the_whole(c, with_shuffled_numbers);
   for (double r : {0., 0.2, 0.4, 0.6, 0.8})
-    expect_union_is_the_whole(c, reach(r)); // the fourth point of a square may be unknown
+    expect_union_is_the_whole(c, Options{r, false, false}); // the fourth point of a square may be unknown
 }
 
 TEST(Distributed_triangulation, a_question_is_about_all_that_matters)
@@ -213,9 +194,9 @@ TEST(Distributed_triangulation, fewer_bubbles_than_ranks)
   Case square = read(paper::graded_square(1));
   add_outline(square, 0, 1);
   expect_union_is_the_whole(square);
-  expect_union_is_the_whole(square, gaps());
+  expect_union_is_the_whole(square, with_gaps);
   add_inside(square, Point(0.1, 0.3), 1);
-  expect_union_is_the_whole(square, reach(0));
+  expect_union_is_the_whole(square, Options{0, false, false});
 }
 
 TEST(Distributed_triangulation, one_rank_has_all)
