@@ -176,6 +176,20 @@ TEST_P(Paper_domain, as_one_rank)
 
 INSTANTIATE_TEST_SUITE_P(Some, Paper_domain, testing::Values(3, 4, 7));
 
+// what ranks place and simulate, of so many bubbles that they grow in parts
+TEST(Distributed_relaxation, before_any_treatment)
+{
+  for (int k : {1, 3, 4, 7}) {
+    const paper::Domain d = paper::all_domains(0.5)[static_cast<std::size_t>(k)];
+    SCOPED_TRACE(d.name);
+    const auto np = parameters::sizing_function(d.d).defect_treatment(false);
+    const auto report = expect_as_one_rank(paper::triangulate(d), np).relaxation.report;
+    EXPECT_GT(report.number_of_vertices, 1600u);
+    EXPECT_GT(report.number_of_rounds, 1u);
+    EXPECT_EQ(report.number_of_treated_vertices, 0u);
+  }
+}
+
 TEST(Distributed_relaxation, d_may_jump)
 {
   const paper::Domain d = paper::graded_square(1);
