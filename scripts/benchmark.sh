@@ -6,7 +6,6 @@
 #   benchmark.sh transfer [1e4 1e6]               values carried over to another mesh: CPU time a vertex and a pair
 #   benchmark.sh local [1e4 1e6]                  a part of a mesh meshed anew: time and memory over those of the part alone
 #   benchmark.sh local drift [1000]               a mesh after so many local changes, against one made at once
-#   benchmark.sh phases                           nanoseconds a node of each phase
 #   benchmark.sh progress [1e6 ...]               what a callback is told: the longest time without a call, told progress over
 #                                                 the share of time, and the time from a stop to the return, in each phase
 #   benchmark.sh coasts [--size 3] [aegean ...]   real outlines of GSHHG, as they are and simplified: this package, CGAL's
@@ -24,7 +23,7 @@ cd "$here"
 
 benchmark=scaling
 case ${1-} in
-  scaling | compare | coasts | influence | transfer | local | phases | progress | dual | compile | distributed) benchmark=$1; shift ;;
+  scaling | compare | coasts | influence | transfer | local | progress | dual | compile | distributed) benchmark=$1; shift ;;
 esac
 scripts/install_dependencies.sh
 if [ "$benchmark" = compare ]; then

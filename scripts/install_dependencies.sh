@@ -7,7 +7,7 @@ set -euo pipefail
 packages=("$@")
 [ ${#packages[@]} -gt 0 ] ||
   packages=(g++ cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-dev
-            libboost-program-options-dev libmuparser-dev libtbb-dev libgtest-dev libbenchmark-dev
+            libboost-program-options-dev libmuparser-dev libtbb-dev libgtest-dev
             libopenmpi-dev openmpi-bin libeigen3-dev dpkg-dev)
 missing=()
 for package in "${packages[@]}"; do
