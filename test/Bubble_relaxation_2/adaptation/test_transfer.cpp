@@ -104,20 +104,56 @@ void expect_values(const Vertex_values<T>& values, const Vertex_values<T>& expec
 }
 
 template <class Handle>
-double least(const Values<Handle>& values)
+bool is_less(const std::pair<const Handle, double>& a, const std::pair<const Handle, double>& b)
 {
-  double result = values.begin()->second;
-  for (const auto& v : values)
-    result = (std::min)(result, v.second);
-  return result;
+  return a.second < b.second;
 }
 
 template <class Handle>
-double largest(Values<Handle> values)
+double least(const Values<Handle>& values)
 {
-  for (auto& v : values)
-    v.second = -v.second;
-  return -least(values);
+  return std::min_element(values.begin(), values.end(), is_less<Handle>)->second;
+}
+
+template <class Handle>
+double largest(const Values<Handle>& values)
+{
+  return std::max_element(values.begin(), values.end(), is_less<Handle>)->second;
+}
+
+template <class Source, class Target>
+void expect_no_new_extremes(const Values<Source>& source, const Values<Target>& target)
+{
+  EXPECT_GE(least(target), least(source));
+  EXPECT_LE(largest(target), largest(source));
+}
+
+/// the values by the points, or centroids, that they belong to
+template <class T>
+std::map<Point, double> by_place(const T&, const Vertex_values<T>& values)
+{
+  std::map<Point, double> result;
+  for (const auto& v : values)
+    result[v.first->point()] = v.second;
+  return result;
+}
+
+template <class T>
+std::map<Point, double> by_place(const T& t, const Face_values<T>& values)
+{
+  std::map<Point, double> result;
+  for (const auto& f : values)
+    result[CGAL::centroid(t.triangle(f.first))] = f.second;
+  return result;
+}
+
+/// of a face, in an order that does not depend on it
+template <class Face_handle>
+std::vector<Point> sorted_corners(Face_handle f)
+{
+  std::vector<Point> c{f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()};
+  std::sort(c.begin(), c.end());
+  return c;
 }
 
 template <class T>
@@ -379,14 +415,12 @@ TEST(Transfer, no_new_extremes)
     for (Vertex_transfer method : {Vertex_transfer::INTERPOLATION, Vertex_transfer::MONOTONE_PROJECTION}) {
       Vertex_values<CDT> values;
       transfer(*way.first, at_source, *way.second, values, P::transfer_method(method));
-      EXPECT_GE(least(values), least(at_source));
-      EXPECT_LE(largest(values), largest(at_source));
+      expect_no_new_extremes(at_source, values);
     }
     for (Face_transfer method : {Face_transfer::MEAN, Face_transfer::MONOTONE_RECONSTRUCTION}) {
       Face_values<CDT> values;
       transfer(*way.first, in_source, *way.second, values, P::transfer_method(method));
-      EXPECT_GE(least(values), least(in_source));
-      EXPECT_LE(largest(values), largest(in_source));
+      expect_no_new_extremes(in_source, values);
     }
   }
 }
@@ -395,47 +429,21 @@ TEST(Transfer, what_does_not_change_keeps_its_bits)
 {
   const CDT s = mesh(star, 0.08), t = s;
   const Vertex_values<CDT> at_s = random_at_vertices(s);
-  std::map<Point, double> expected;
-  for (const auto& v : at_s)
-    expected[v.first->point()] = v.second;
+  const std::map<Point, double> expected = by_place(s, at_s);
   for (Vertex_transfer method : {Vertex_transfer::INTERPOLATION, Vertex_transfer::PROJECTION}) {
     Vertex_values<CDT> values;
     transfer(s, at_s, t, values, P::transfer_method(method));
     for (const auto& v : values)
       EXPECT_NEAR(v.second, expected.at(v.first->point()), method == Vertex_transfer::PROJECTION ? 2e-15 : 0);
   }
-  std::map<Point, double> value_at;
   const Face_values<CDT> in_s = random_in_faces(s);
-  for (const auto& f : in_s)
-    value_at[CGAL::centroid(s.triangle(f.first))] = f.second;
+  const std::map<Point, double> value_at = by_place(s, in_s);
   for (Face_transfer method : face_methods) {
     Face_values<CDT> values;
     transfer(s, in_s, t, values, P::transfer_method(method));
     for (const auto& f : values)
       EXPECT_NEAR(f.second, value_at.at(CGAL::centroid(t.triangle(f.first))), 2e-15);
   }
-}
-
-template <class Value>
-using By_point = std::map<Point, Value>;
-
-/// the values by the points, or circumcentres, that they belong to
-template <class T>
-By_point<double> by_place(const T&, const Vertex_values<T>& values)
-{
-  By_point<double> result;
-  for (const auto& v : values)
-    result[v.first->point()] = v.second;
-  return result;
-}
-
-template <class T>
-By_point<double> by_place(const T& t, const Face_values<T>& values)
-{
-  By_point<double> result;
-  for (const auto& f : values)
-    result[CGAL::centroid(t.triangle(f.first))] = f.second;
-  return result;
 }
 
 std::vector<Point> random_points(std::size_t n, unsigned k)
@@ -475,18 +483,15 @@ TEST(Transfer, has_the_same_bits_in_any_order)
     const auto by_area = [](const Delaunay& d) { // of the corners in an order that is the same for all
       Face_values<Delaunay> values;
       for (auto f : d.finite_face_handles()) {
-        const auto c = {f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()};
-        values[f] = (std::min)(c).y() + (std::max)(c).y();
+        const std::vector<Point> c = sorted_corners(f);
+        values[f] = c.front().y() + c.back().y();
       }
       return values;
     };
     const auto by_corners = [](const Delaunay& d, const Face_values<Delaunay>& values) {
       std::map<std::vector<Point>, double> result;
-      for (const auto& f : values) {
-        std::vector<Point> c{f.first->vertex(0)->point(), f.first->vertex(1)->point(), f.first->vertex(2)->point()};
-        std::sort(c.begin(), c.end());
-        result[c] = f.second;
-      }
+      for (const auto& f : values)
+        result[sorted_corners(f.first)] = f.second;
       EXPECT_EQ(result.size(), d.number_of_faces());
       return result;
     };
@@ -605,16 +610,14 @@ TEST(Transfer, keeps_the_whole_integral_on_demand)
     r = transfer(s, at_s, t, values, P::transfer_method(method).keep_integral(true));
     EXPECT_NEAR(r.target_integral, r.source_integral, 1e-14 * r.source_area);
   }
-  EXPECT_GE(least(values), least(at_s));
-  EXPECT_LE(largest(values), largest(at_s));
+  expect_no_new_extremes(at_s, values);
   Face_values<CDT> in_t;
   const Face_values<CDT> in_s = in_faces(s, wave);
   for (Face_transfer method : face_methods) {
     const auto r = transfer(s, in_s, t, in_t, P::transfer_method(method).keep_integral(true));
     EXPECT_NEAR(r.target_integral, r.source_integral, 1e-14 * r.source_area);
   }
-  EXPECT_GE(least(in_t), least(in_s));
-  EXPECT_LE(largest(in_t), largest(in_s));
+  expect_no_new_extremes(in_s, in_t);
 }
 
 TEST(Transfer, marks_and_maps_tell_what_takes_part)
@@ -647,24 +650,17 @@ TEST(Transfer, a_part_keeps_its_rim_and_its_integral)
   t.insert(Point(0.51, 0.47)); // what a remesher of parts would do with more vertices
   t.insert(Point(0.53, 0.52));
   std::map<std::vector<Point>, CDT::Face_handle> kept;
-  const auto corners = [](CDT::Face_handle f) {
-    std::vector<Point> c{f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()};
-    std::sort(c.begin(), c.end());
-    return c;
-  };
   for (auto f : t.finite_face_handles())
-    kept[corners(f)] = f;
+    kept[sorted_corners(f)] = f;
   std::vector<CDT::Face_handle> removed, added;
   for (auto f : s.finite_face_handles())
-    if (kept.erase(corners(f)) == 0)
+    if (kept.erase(sorted_corners(f)) == 0)
       removed.push_back(f);
   for (const auto& k : kept)
     added.push_back(k.second);
   std::set<CDT::Vertex_handle> rim;
-  By_point<double> before;
   const Vertex_values<CDT> at_s = random_at_vertices(s);
-  for (const auto& v : at_s)
-    before[v.first->point()] = v.second;
+  const std::map<Point, double> before = by_place(s, at_s);
   for (CDT::Face_handle f : added)
     for (int i = 0; i < 3; ++i)
       if (before.count(f->vertex(i)->point()) > 0)
@@ -677,7 +673,7 @@ TEST(Transfer, a_part_keeps_its_rim_and_its_integral)
                                                   .vertex_is_constrained_map(CGAL::make_boolean_property_map(rim)));
     EXPECT_EQ(values.size(), rim.size() + 2);
     for (CDT::Vertex_handle v : rim)
-      EXPECT_EQ(values[v], before[v->point()]);
+      EXPECT_EQ(values[v], before.at(v->point()));
     EXPECT_NEAR(r.overlap_area, r.source_area, 1e-13 * r.source_area);
     if (method == Vertex_transfer::PROJECTION) { // two vertices within bounds may not make up what the rest lost
       EXPECT_NEAR(r.target_integral, r.source_integral, 1e-14 * r.source_area);
