@@ -15,10 +15,10 @@
 //       with so many vertices; whether the meshes are the same. With the defaults, or all with the paper's parameters,
 //       as in its example of a ring:
 //       distributed speed --paper --interval 50 1192
-//   mpirun -n 64 distributed counts [--interval 10] [1e5] [--coasts FOLDER [NAME ...]]
+//   mpirun -n 64 distributed counts [--interval 10] [1e5 6.4e5 6.4e6] [--coasts FOLDER [NAME ...]]
 //       bubbles, ghosts, neighbours, messages and bytes of a rank, and the most memory that it takes, on 2, 4, 8, 16, 64
-//       of the ranks, whose number may be larger than that of cores; and from them a model of the efficiency on up to
-//       1e5 ranks
+//       of the ranks, whose number may be larger than that of cores, and of more bubbles on all of them; and from
+//       these a model of the efficiency on up to 1e5 ranks
 //
 // FOLDER and names of coasts are as for the benchmark coasts.
 
@@ -121,16 +121,19 @@ void count_and_model(const Mpi_session& session, const Arguments& arguments)
   std::vector<Scaling_model> models;
   for (const Domain_maker& make : domains) {
     const paper::Domain domain = domain_of_all(make, arguments.sizes[0]);
-    Rank_counts last{};
+    std::vector<Rank_counts> of_all;
     for (int ranks : {2, 4, 8, 16, 64})
       if (ranks <= session.number_of_ranks()) {
-        last = count(session, ranks, domain, "each step", P::force_coefficient(1.));
+        of_all = {count(session, ranks, domain, "each step", P::force_coefficient(1.))};
         if (interval > 0)
           count(session, ranks, domain, "the paper's, s=" + std::to_string(interval), P::exchange_interval(interval));
       }
+    for (std::size_t k = 1; k < arguments.sizes.size(); ++k)
+      of_all.push_back(count(session, of_all[0].number_of_ranks, domain_of_all(make, arguments.sizes[k]), "each step",
+                             P::force_coefficient(1.)));
     double seconds = 0;
     on_first_rank([&] { seconds = seconds_of_move(domain); });
-    models.emplace_back(last, seconds);
+    models.emplace_back(of_all, seconds);
   }
   if (!session.is_first())
     return;
@@ -173,11 +176,11 @@ Arguments read_arguments(int argc, char** argv)
       arguments.sizes.push_back(value);
   }
   is_understood = is_understood && (arguments.names.empty() || !arguments.folder.empty());
-  if (!is_understood || (!is_speed && arguments.sizes.size() > 1))
+  if (!is_understood)
     throw std::invalid_argument("usage: distributed speed [--runs N] [--interval S] [--paper] [VERTICES ...], or "
-                                "distributed counts [--interval S] [VERTICES], both with [--coasts FOLDER [NAME ...]]");
+                                "distributed counts [--interval S] [VERTICES ...], both with [--coasts FOLDER [NAME ...]]");
   if (arguments.sizes.empty())
-    arguments.sizes = is_speed ? std::vector<double>{1192, 1e5, 1e6} : std::vector<double>{1e5};
+    arguments.sizes = is_speed ? std::vector<double>{1192, 1e5, 1e6} : std::vector<double>{1e5, 6.4e5, 6.4e6};
   return arguments;
 }
 

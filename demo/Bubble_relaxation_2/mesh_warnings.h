@@ -253,4 +253,29 @@ inline std::string loose_ends_message(const std::vector<Point>& ends)
          " loosely outside of the mesh, such as at " + in_words(ends.front()) + ": is an outline not closed?";
 }
 
+/// the vertices with more than two edges of the boundary, where parts of the domain only touch
+inline std::vector<Point> touching_places(const CDT& meshed)
+{
+  std::vector<Point> points;
+  for (CDT::Vertex_handle v : meshed.finite_vertex_handles()) {
+    int edges = 0;
+    CDT::Face_circulator f = meshed.incident_faces(v), begin = f;
+    do
+      edges += f->is_in_domain() != f->neighbor(CDT::ccw(f->index(v)))->is_in_domain(); // each from one of its sides
+    while (++f != begin);
+    if (edges > 2)
+      points.push_back(v->point());
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// what to say about those to somebody who writes a file for a model of oceans
+inline std::string touching_message(const std::vector<Point>& places)
+{
+  return std::to_string(places.size()) + (places.size() == 1 ? " node has" : " nodes have") +
+         " more than two edges of the boundary, such as that at " + in_words(places.front()) +
+         ": models of oceans do not take them; --min-gap fills narrows";
+}
+
 #endif // BUBBLE_RELAXATION_2_DEMO_MESH_WARNINGS_H

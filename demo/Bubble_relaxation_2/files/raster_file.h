@@ -135,7 +135,7 @@ private:
       value = has_none && value == none ? std::nan("") : scale * value + offset;
   }
 
-  /// Finds for each cell the nearest one with a value, by ways from cell to cell, of which each has eight around it.
+  /// Finds for each cell the nearest one with a value, by ways from cell to cell across their sides.
   void find_nearest()
   {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -150,12 +150,13 @@ private:
       throw std::runtime_error("has no values where the domain is");
     for (std::size_t n = 0; n < reached.size() && reached.size() < m_cells.size(); ++n) {
       const int i = static_cast<int>(reached[n] % width()), j = static_cast<int>(reached[n] / width());
-      for (int l = (std::max)(0, j - 1); l <= (std::min)(j + 1, m_size[1] - 1); ++l)
-        for (int k = (std::max)(0, i - 1); k <= (std::min)(i + 1, m_size[0] - 1); ++k)
-          if (m_nearest[number({k, l})] == none) {
-            m_nearest[number({k, l})] = m_nearest[reached[n]];
-            reached.push_back(number({k, l}));
-          }
+      for (const std::array<int, 2>& cell : {std::array<int, 2>{i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}}) {
+        if (cell[0] < 0 || cell[0] == m_size[0] || cell[1] < 0 || cell[1] == m_size[1] ||
+            m_nearest[number(cell)] != none)
+          continue;
+        m_nearest[number(cell)] = m_nearest[reached[n]];
+        reached.push_back(number(cell));
+      }
     }
   }
 
