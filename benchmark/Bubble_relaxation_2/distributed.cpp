@@ -15,7 +15,7 @@
 //       with so many vertices; whether the meshes are the same. With the defaults, or all with the paper's parameters,
 //       as in its example of a ring:
 //       distributed speed --paper --interval 50 1192
-//   mpirun -n 64 distributed counts [--interval 10] [1e5 6.4e5 6.4e6] [--coasts FOLDER [NAME ...]]
+//   mpirun -n 64 distributed counts [--interval 10] [1e5 6.4e5] [--coasts FOLDER [NAME ...]]
 //       bubbles, ghosts, neighbours, messages and bytes of a rank, and the most memory that it takes, on 2, 4, 8, 16, 64
 //       of the ranks, whose number may be larger than that of cores, and of more bubbles on all of them; and from
 //       these a model of the efficiency on up to 1e5 ranks
@@ -180,7 +180,7 @@ Arguments read_arguments(int argc, char** argv)
     throw std::invalid_argument("usage: distributed speed [--runs N] [--interval S] [--paper] [VERTICES ...], or "
                                 "distributed counts [--interval S] [VERTICES ...], both with [--coasts FOLDER [NAME ...]]");
   if (arguments.sizes.empty())
-    arguments.sizes = is_speed ? std::vector<double>{1192, 1e5, 1e6} : std::vector<double>{1e5, 6.4e5, 6.4e6};
+    arguments.sizes = is_speed ? std::vector<double>{1192, 1e5, 1e6} : std::vector<double>{1e5, 6.4e5};
   return arguments;
 }
 
