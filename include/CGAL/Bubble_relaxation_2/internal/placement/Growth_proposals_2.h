@@ -280,6 +280,8 @@ private:
       return m_domain.walk_from_edge(host, m_bubbles.point(i), p);
     if (m_bubbles.is_in_face(i) || host == no_index) {
       const Index start = host != no_index ? host : m_domain.locate(m_bubbles.point(i), 0);
+      if (start == no_index) // a pinned vertex on an edge, which rounding has put outside
+        return no_index;
       const Walk_end end = m_domain.walk(start, m_bubbles.point(i), p);
       return end.is_blocked() ? no_index : end.triangle;
     }
