@@ -23,8 +23,7 @@
 /// of the border of a rank's part, the root of its number of bubbles, and ranks have as many neighbours, moves of a
 /// bubble, and imbalance of moves as they have in the counts; the time of a move is measured on one rank. Nothing
 /// is taken to overlap. Efficiency is printed as it would be with as many moves on each rank, and with their
-/// imbalance. The placement, the control of the population, the
-/// treatment and the statistics are left out.
+/// imbalance. The placement, the control of the population, the treatment and the statistics are left out.
 class Scaling_model
 {
 public:

@@ -226,9 +226,11 @@ void warn_of_mesh(const Domain& domain, const Report& report, const po::variable
     warn(loose_ends_message(ends));
   if (!lonely.empty())
     warn(points_outside_message(lonely));
-  const std::vector<Point> touching = touching_places(domain.cdt);
-  if (!touching.empty() && arguments.count("output") > 0 && is_of_adcirc(arguments["output"].as<std::string>()))
-    warn(touching_message(touching));
+  if (arguments.count("output") > 0 && is_of_adcirc(arguments["output"].as<std::string>())) {
+    const std::vector<Point> touching = touching_places(domain.cdt);
+    if (!touching.empty())
+      warn(touching_message(touching));
+  }
   const bool is_refined = arguments.count("paper") == 0 && report.number_of_steps > 0 &&
                           report.stop_reason != CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
   if (is_refined && report.number_of_small_angles > 0)

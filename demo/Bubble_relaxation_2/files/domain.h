@@ -120,9 +120,10 @@ inline void insert_segment(Domain& domain, CDT::Vertex_handle u, CDT::Vertex_han
   }
 }
 
-/// Calls `visit(f)` for the faces from `f` to the next constraints, as long as it returns that `f` is new.
-template <class Visit>
-void flood(CDT::Face_handle f, const Visit& visit)
+/// Calls `visit(f)` for the faces from `f` on, across sides that are open, `is_open(f, i)`, as long as it returns that `f`
+/// is new.
+template <class Is_open, class Visit>
+void flood(CDT::Face_handle f, const Is_open& is_open, const Visit& visit)
 {
   std::vector<CDT::Face_handle> stack;
   if (visit(f))
@@ -131,9 +132,16 @@ void flood(CDT::Face_handle f, const Visit& visit)
     const CDT::Face_handle g = stack.back();
     stack.pop_back();
     for (int i = 0; i < 3; ++i)
-      if (!g->is_constrained(i) && visit(g->neighbor(i)))
+      if (is_open(g, i) && visit(g->neighbor(i)))
         stack.push_back(g->neighbor(i));
   }
+}
+
+/// the same across sides that are not constrained
+template <class Visit>
+void flood(CDT::Face_handle f, const Visit& visit)
+{
+  flood(f, [](CDT::Face_handle g, int i) { return !g->is_constrained(i); }, visit);
 }
 
 /// a place where an outline may have been meant to go on; empty if there is none

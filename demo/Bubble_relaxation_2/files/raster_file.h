@@ -138,6 +138,8 @@ private:
   /// Finds for each cell the nearest one with a value, by ways from cell to cell across their sides.
   void find_nearest()
   {
+    if (std::none_of(m_cells.begin(), m_cells.end(), [](double value) { return std::isnan(value); }))
+      return; // nobody will ask
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     m_nearest.assign(m_cells.size(), none);
     std::vector<std::size_t> reached;
@@ -204,7 +206,7 @@ private:
   std::array<double, 6> m_to_cells;
   std::array<int, 2> m_begin{}, m_size{}; // of the cells that are read
   std::vector<double> m_cells;            // not a number where there is none
-  std::vector<std::size_t> m_nearest;     // of each cell the one whose value is taken
+  std::vector<std::size_t> m_nearest;     // of each cell the one whose value is taken; nothing if all have one
 };
 
 #endif // BUBBLE_RELAXATION_2_DEMO_RASTER_FILE_H

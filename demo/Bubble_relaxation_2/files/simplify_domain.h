@@ -49,18 +49,16 @@ inline std::vector<Connected_part> connected_parts(const CDT& cdt)
   std::vector<Connected_part> parts;
   CGAL::Unique_hash_map<CDT::Face_handle, bool> is_known(false);
   for (CDT::Face_handle first : cdt.finite_face_handles()) {
-    if (!first->is_in_domain() || std::exchange(is_known[first], true))
+    if (!first->is_in_domain() || is_known[first])
       continue;
     parts.push_back(Connected_part{0, CGAL::centroid(cdt.triangle(first))});
-    std::vector<CDT::Face_handle> stack{first};
-    while (!stack.empty()) {
-      const CDT::Face_handle f = stack.back();
-      stack.pop_back();
-      parts.back().area += cdt.triangle(f).area();
-      for (int i = 0; i < 3; ++i)
-        if (f->neighbor(i)->is_in_domain() && !std::exchange(is_known[f->neighbor(i)], true))
-          stack.push_back(f->neighbor(i));
-    }
+    flood(first, [](CDT::Face_handle f, int i) { return f->neighbor(i)->is_in_domain(); },
+          [&](CDT::Face_handle f) {
+            if (std::exchange(is_known[f], true))
+              return false;
+            parts.back().area += cdt.triangle(f).area();
+            return true;
+          });
   }
   std::sort(parts.begin(), parts.end(), [](const Connected_part& p, const Connected_part& q) {
     return p.area != q.area ? p.area > q.area : p.place < q.place;
