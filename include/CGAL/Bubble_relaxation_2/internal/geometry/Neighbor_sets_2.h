@@ -187,17 +187,16 @@ public:
       seen_by[k] = k;
       m_found.clear();
       const auto consider = [&](Index j) {
-        if (seen_by[j] == k)
-          return;
         seen_by[j] = k;
         if (is_near(i, j, m_radius))
           m_found.push_back(j);
       };
       for (const Index *j = old_sets.begin(k), *end = old_sets.end(k); bubbles.is_ours(k) && j != end; ++j) {
-        consider(*j);
+        if (seen_by[*j] != k)
+          consider(*j);
         if (is_near(i, *j, farthest))
           for (const Index *l = old_sets.begin(*j), *last = old_sets.end(*j); l != last; ++l)
-            if (is_near(*j, *l, farthest))
+            if (seen_by[*l] != k && is_near(*j, *l, farthest)) // most have been seen
               consider(*l);
       }
       std::sort(m_found.begin(), m_found.end(), order());
