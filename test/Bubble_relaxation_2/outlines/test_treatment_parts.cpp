@@ -73,7 +73,9 @@ TEST(Defects, triangles_that_were_cut_off_can_be_put_back)
   expect_equal(mesh.triangles, before);
 }
 
-TEST(Defects, a_triangle_outside_that_is_turned_over_may_have_a_neighbor_twice)
+/// two triangles inside, and one below them outside, which has been turned over: its vertex between them has moved down,
+/// the edge from there has been flipped, and now it has one of them twice as its neighbour
+internal::Bubble_mesh_2 turned_over()
 {
   using internal::no_index;
   internal::Bubble_mesh_2 mesh;
@@ -81,26 +83,71 @@ TEST(Defects, a_triangle_outside_that_is_turned_over_may_have_a_neighbor_twice)
                                    internal::Point(1.1, 0)})
     mesh.bubbles.add(p, 1, internal::Bubbles_2::CORNER, static_cast<Index>(mesh.bubbles.size()));
   internal::Marked_triangles_2& m = mesh.triangles;
-  m.vertices = {{0, 1, 2}, {3, 2, 1}, {0, 3, 1}}; // two inside, one below them outside
+  m.vertices = {{0, 1, 2}, {3, 2, 1}, {0, 3, 1}};
   m.neighbors = {{1, no_index, 2}, {0, 2, no_index}, {1, 0, no_index}};
   m.edges = {{no_index, 0, 1}, {no_index, 2, 3}, {2, 1, no_index}};
   m.inside = {1, 1, 0};
   internal::Editable_triangulation_2 editable(mesh);
-  mesh.bubbles.y[1] = -0.01; // the lower vertex leaves the outline, so that the edge to it is flipped
+  mesh.bubbles.y[1] = -0.01;
   editable.restore_delaunay({1});
   EXPECT_EQ(editable.take_flipped().size(), 2u); // the triangles of one edge
   EXPECT_EQ(editable.star(1).size(), 2u);
-  mesh.bubbles.y[1] = 0.001;
-  editable.restore_delaunay({0, 3});
-  EXPECT_EQ(editable.take_flipped().size(), 2u);
-  for (Index t = 0; t < 3; ++t)
+  return mesh;
+}
+
+/// whether neighbours have the side between them
+void expect_linked(const internal::Marked_triangles_2& m)
+{
+  for (std::size_t t = 0; t < m.number_of_triangles(); ++t)
     for (int i = 0; i < 3; ++i) {
       const Index n = m.neighbors[t][i];
-      if (n == no_index)
+      if (n == internal::no_index)
         continue;
       for (Index v : {m.vertices[t][internal::ccw(i)], m.vertices[t][internal::cw(i)]})
         EXPECT_EQ(std::count(m.vertices[n].begin(), m.vertices[n].end(), v), 1) << t << ' ' << i;
     }
+}
+
+TEST(Defects, a_triangle_outside_that_is_turned_over_may_have_a_neighbor_twice)
+{
+  internal::Bubble_mesh_2 mesh = turned_over();
+  expect_linked(mesh.triangles);
+  internal::Editable_triangulation_2 editable(mesh);
+  mesh.bubbles.y[1] = 0.001;
+  editable.restore_delaunay({0, 3});
+  EXPECT_EQ(editable.take_flipped().size(), 2u);
+  expect_linked(mesh.triangles);
+}
+
+TEST(Defects, the_neighbor_of_a_triangle_twice_may_be_replaced)
+{
+  using internal::no_index;
+  internal::Bubble_mesh_2 mesh = turned_over();
+  mesh.bubbles.add(internal::Point(1, -0.005), 1, internal::Bubbles_2::FACE, 0);
+  const Index t = mesh.triangles.neighbors[2][0];
+  ASSERT_EQ(mesh.triangles.neighbors[2][1], t);
+  internal::Mesh_stitching_2 stitching(mesh);
+  stitching.replace({t}, {{{0, 1, 4}, {no_index, no_index, 1}},
+                          {{1, 3, 4}, {no_index, no_index, 2}},
+                          {{3, 0, 4}, {no_index, no_index, no_index}}});
+  EXPECT_NE(mesh.triangles.neighbors[2][0], mesh.triangles.neighbors[2][1]);
+  expect_linked(mesh.triangles);
+}
+
+TEST(Defects, the_side_of_a_triangle_that_is_a_neighbor_twice_may_be_split)
+{
+  for (int side : {0, 1}) {
+    internal::Bubble_mesh_2 mesh = turned_over();
+    const internal::Marked_triangles_2& m = mesh.triangles;
+    const Index t = m.neighbors[2][side];
+    const int i = m.index_of_side(t, m.vertices[2][internal::ccw(side)], m.vertices[2][internal::cw(side)]);
+    mesh.bubbles.add(CGAL::midpoint(mesh.point(t, internal::ccw(i)), mesh.point(t, internal::cw(i))), 1,
+                     internal::Bubbles_2::EDGE, m.edges[t][i], 0.5);
+    internal::Editable_triangulation_2(mesh).insert_on_side(4, t, i);
+    EXPECT_EQ(m.neighbors[2][side], internal::no_index);
+    EXPECT_NE(m.neighbors[2][1 - side], internal::no_index);
+    expect_linked(m);
+  }
 }
 
 /// what a triangle is, wherever it begins: its vertices, the smallest first, and the label and the vertex beyond of each side

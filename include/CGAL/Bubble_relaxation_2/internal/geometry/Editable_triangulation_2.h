@@ -183,7 +183,8 @@ public:
   void insert_on_side(Index v, Index t, int i)
   {
     const Index n = m_triangles.neighbors[t][i], t2 = append_triangle(m_triangles);
-    const int j = n == no_index ? 0 : m_triangles.index_of_neighbor(n, t);
+    const Index source = m_triangles.vertices[t][ccw(i)], target = m_triangles.vertices[t][cw(i)];
+    const int j = n == no_index ? 0 : m_triangles.index_of_side(n, source, target);
     if (n != no_index && is_inside(n)) {
       const Index n2 = append_triangle(m_triangles);
       split_side(v, t, i, t2, {n2, n});
@@ -316,13 +317,11 @@ private:
       m_log->note(m_triangles, t);
   }
 
-  /// makes `neighbor` what lies beyond the side of `t` between the vertices `u` and `v`. The old neighbor would not
-  /// tell which side that is: outside of the domain a triangle, turned over by a rounding, can have one twice
+  /// makes `neighbor` what lies beyond the side of `t` between the vertices `u` and `v`
   void set_neighbor(Index t, Index u, Index v, Index neighbor)
   {
-    for (int i = 0; i < 3 && t != no_index; ++i)
-      if (m_triangles.vertices[t][i] != u && m_triangles.vertices[t][i] != v)
-        m_triangles.neighbors[t][i] = neighbor;
+    if (t != no_index)
+      m_triangles.neighbors[t][m_triangles.index_of_side(t, u, v)] = neighbor;
   }
 
   const Bubble_mesh_2& m_mesh;

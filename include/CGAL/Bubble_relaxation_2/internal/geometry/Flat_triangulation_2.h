@@ -42,6 +42,14 @@ struct Triangles_2
   {
     return neighbors[t][0] == neighbor ? 0 : neighbors[t][1] == neighbor ? 1 : 2;
   }
+
+  /// that of the side between two vertices. The neighbour there would not tell while vertices are moved: outside of the
+  /// domain a triangle, turned over by a rounding, can have one twice
+  int index_of_side(Index t, Index u, Index v) const
+  {
+    const auto is_opposite = [&](Index vertex) { return vertex != u && vertex != v; };
+    return is_opposite(vertices[t][0]) ? 0 : is_opposite(vertices[t][1]) ? 1 : 2;
+  }
 };
 
 /// The triangles around each vertex, in their order: those for which `is_counted(t)` holds.

@@ -99,7 +99,7 @@ private:
       if (n == no_index || m_is_gone[n])
         continue;
       const Side s = side(t, i);
-      const int j = m_triangles.index_of_neighbor(n, t);
+      const int j = m_triangles.index_of_side(n, s.source, s.target);
       m_rim.push_back(Side{s.source, s.target, n, j});
       m_triangles.neighbors[n][j] = no_index;
     }
