@@ -8,16 +8,6 @@ if(NOT TARGET Bubble_relaxation_2_MPI)
   add_library(Bubble_relaxation_2_MPI INTERFACE)
   target_link_libraries(Bubble_relaxation_2_MPI INTERFACE MPI::MPI_CXX)
   target_compile_definitions(Bubble_relaxation_2_MPI INTERFACE OMPI_SKIP_MPICXX) # MPI's own C++ classes are not used
-  if(TARGET Bubble_relaxation_2_core AND TARGET Bubble_relaxation_2_settings) # in the project's own build
-    add_library(Bubble_relaxation_2_distributed STATIC
-                ${CMAKE_CURRENT_LIST_DIR}/../src/Bubble_relaxation_2/distributed.cpp)
-    target_link_libraries(Bubble_relaxation_2_distributed PUBLIC Bubble_relaxation_2_core MPI::MPI_CXX)
-    target_compile_definitions(Bubble_relaxation_2_distributed PUBLIC CGAL_BUBBLE_RELAXATION_2_COMPILED_DISTRIBUTED
-                               PRIVATE CGAL_NDEBUG OMPI_SKIP_MPICXX) # stages have CGAL's assertions where one rank tests them
-    target_compile_options(Bubble_relaxation_2_distributed PRIVATE
-      $<TARGET_PROPERTY:Bubble_relaxation_2_settings,INTERFACE_COMPILE_OPTIONS>)
-    target_link_libraries(Bubble_relaxation_2_MPI INTERFACE Bubble_relaxation_2_distributed)
-  endif()
 endif()
 
 # a test that runs a target by so many ranks: add_mpi_test(NAME RANKS TARGET [ARGUMENT...])

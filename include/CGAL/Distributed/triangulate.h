@@ -15,9 +15,12 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/engine/distributed_engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Distributed/Mesh_2.h>
@@ -52,10 +55,12 @@ auto triangulate_by_all(const PointSet& points, const Cdt& domain, MPI_Comm comm
     sizes = *given_sizes<typename Cdt::Geom_traits::Point_2>(np);
   Bubbles_2 own;
   ranks.agree_after([&] { own = read_bubbles(points, reading->domain, sizes); });
-  Mesh_quality_2<double> quality;
+  Point_distribution_2 distribute(reading->domain, ranks);
+  own = distribute(std::move(own), points.template has_property_map<std::int64_t>("global_id"));
   const Distributed_mesh_2 mesh =
-    triangulate_points(ranks, reading->domain, std::move(own),
-                       points.template has_property_map<std::int64_t>("global_id"), has_sizes ? &sizes : nullptr, quality);
+    distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
+  Team_of_ranks team(ranks);
+  const auto quality = quality_of(mesh, has_sizes ? &sizes : nullptr, Threads(), team);
   using Tags = Tags_2<Cdt, NamedParameters>;
   Distributed::Mesh_2<typename Cdt::Geom_traits, typename Tags::Marker, typename Tags::Region> result(comm);
   ranks.agree_after([&] {

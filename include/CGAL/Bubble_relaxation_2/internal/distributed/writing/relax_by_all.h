@@ -11,14 +11,20 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/engine/distributed_engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/placement/place_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -39,6 +45,13 @@ inline void find_slowest(const Communicator& comm, Bubble_relaxation_seconds& s)
   for (double* phase : {&s.reading, &s.placement, &s.renewal, &s.motion, &s.population, &s.treatment, &s.writing,
                         &s.evaluation})
     *phase = comm.largest(*phase);
+}
+
+/// Collective. Adds up what each rank counts for itself.
+inline void add_up_counts(const Communicator& comm, Report& r)
+{
+  for (std::size_t* count : {&r.number_of_moves, &r.number_of_returns, &r.number_of_insertions, &r.number_of_deletions})
+    *count = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(*count)));
 }
 
 /// What a rank has when bubbles have been simulated and treated, before its points are changed.
@@ -69,21 +82,50 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   Problem_2 problem = input->problem();
   problem.sizes = agreed_sizes(input->limits.sizes, ranks, Hilbert_curve_2(read_domain.bbox()).side());
   reading_time.stop();
-  Meshed_part_2 part = make_distributed_mesh(ranks, problem, given, report);
+  const Placed_part_2 part = simulate_distributed(ranks, problem, report, given);
+  ranks.agree(); // the callback may have thrown, or d after the last step
+  add_up_counts(ranks, report);
+  Distributed_mesh_2 mesh;
+  if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK)
+    mesh = treat_distributed(problem, given, part, ranks, report);
   if (report.stop_reason != Bubble_stop_reason::STOPPED_BY_CALLBACK) {
+    input->options.progress->start_phase(Bubble_phase::EVALUATION);
+    if (problem.cut != nullptr) {
+      const Phase_timer joining_time(report.seconds.evaluation);
+      mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
+    }
+    Team_of_ranks team(ranks);
+    evaluate(mesh, problem, team, report);
     input->options.progress->start_phase(Bubble_phase::WRITING);
     const Phase_timer writing_time(report.seconds.writing);
     Bubbles_2 bubbles;
     ranks.agree_after([&] {
-      ask_sizes(part.mesh, input->limits.sizes);
-      bubbles = own_bubbles(part.mesh.bubbles);
+      ask_sizes(mesh, input->limits.sizes);
+      bubbles = own_bubbles(mesh.bubbles);
     });
-    write(Relaxed_part_2{part.mesh, bubbles, part.partition, input->options, ranks}, input->reading, report);
+    write(Relaxed_part_2{mesh, bubbles, part.partition, input->options, ranks}, input->reading, report);
     ranks.agree_after([&] { input->options.progress->finish(); });
     write_bubbles(bubbles, points); // nothing of the user's can fail on any rank from here on
   }
   find_slowest(ranks, report.seconds);
   return Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type>(report);
+}
+
+/// Collective. The bubbles of this rank, and after them those of others that are neighbours of one of them, and perhaps
+/// some more: nearer than `radius` times the mean of both sizes, so nearer than that times the larger one.
+/// \pre the numbers of `own` ascend
+inline Bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
+                                Communicator& comm)
+{
+  std::vector<Bubble_record_2> records;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    records.push_back(record(own, i));
+  const Shared_lists lists = share_around(comm, partition, radius, farthest_stray(comm, partition, own), records);
+  Bubbles_2 known = with_owner(own, comm.rank());
+  for (const auto& list : lists.received)
+    for (Index i : list.second)
+      add(known, records[i], list.first);
+  return known;
 }
 
 /// Writes the neighbour sets of the bubbles of a rank into a `Relaxation_2`, and what it has to know of neighbours
