@@ -42,7 +42,7 @@ cat build/same_bits.log
 
 # what reads and writes the most, with sanitizers: without optimisation, since the compiler takes far
 # longer with both
-build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" \
+build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1 -D_GLIBCXX_ASSERTIONS" \
   -DBUBBLE_RELAXATION_2_SANITIZE=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF \
   -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(bad_input|domain|write_back|fuzz|element_free_galerkin_units)"
 
