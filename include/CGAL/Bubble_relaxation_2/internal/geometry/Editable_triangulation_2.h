@@ -184,15 +184,13 @@ public:
   {
     const Index n = m_triangles.neighbors[t][i], t2 = append_triangle(m_triangles);
     const Index source = m_triangles.vertices[t][ccw(i)], target = m_triangles.vertices[t][cw(i)];
-    const int j = n == no_index ? 0 : m_triangles.index_of_side(n, source, target);
     if (n != no_index && is_inside(n)) {
       const Index n2 = append_triangle(m_triangles);
       split_side(v, t, i, t2, {n2, n});
-      split_side(v, n, j, n2, {t2, t});
+      split_side(v, n, m_triangles.index_of_side(n, source, target), n2, {t2, t});
     } else {
       split_side(v, t, i, t2, {no_index, no_index});
-      if (n != no_index)
-        m_triangles.neighbors[n][j] = no_index;
+      set_neighbor(n, source, target, no_index);
     }
     flip_doubtful();
   }
