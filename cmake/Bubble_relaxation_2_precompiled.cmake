@@ -1,11 +1,15 @@
 # Half of the time that a program here takes to compile goes into the headers of CGAL and of the relaxation, which
-# nearly all include: these are compiled once, with the given libraries and the options of this folder, for its
-# programs. (That examples include what they use is seen where they are compiled for their warnings.) For a few programs
-# that would take longer than it saves.
-#   reuse_precompiled_headers(NAME LIBRARIES... HEADERS...)
+# nearly all include: these are compiled once, with the given libraries, for the programs of some folders that have the
+# same options. (That examples include what they use is seen where they are compiled for their warnings.) For a few
+# programs that would take longer than it saves.
+#   reuse_precompiled_headers(NAME FOLDERS... LIBRARIES... HEADERS...)
 function(reuse_precompiled_headers name)
-  cmake_parse_arguments(argument "" "" "LIBRARIES;HEADERS" ${ARGN})
-  get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+  cmake_parse_arguments(argument "" "" "FOLDERS;LIBRARIES;HEADERS" ${ARGN})
+  set(targets)
+  foreach(folder IN LISTS argument_FOLDERS)
+    get_property(of_folder DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+    list(APPEND targets ${of_folder})
+  endforeach()
   list(LENGTH targets number)
   if(number LESS 6)
     return()

@@ -9,9 +9,13 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_ADAPTATION_CHECKS_H
 #define BUBBLE_RELAXATION_2_TEST_ADAPTATION_CHECKS_H
 
+#include "domains.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_parameters.h>
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +29,13 @@
 
 /// Which parts of a mesh are meshed anew, and that nothing else changes.
 namespace adaptation {
+
+// Each kind of triangulation takes the compiler ten seconds or more, so that there are as few as see all differences.
+
+/// with polylines of constraints, which may cross
+using Plus = CGAL::Constrained_triangulation_plus_2<domains::Cdt_of<domains::K, CGAL::Exact_predicates_tag>>;
+/// with faces that have no marks, and predicates that are not exact
+using Bare = CGAL::Constrained_Delaunay_triangulation_2<CGAL::Simple_cartesian<double>>;
 
 template <class D>
 auto size(const D& d)

@@ -14,9 +14,7 @@
 #include "random_seeds.h"
 #include "validation.h"
 
-#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/npbs_adapt.h>
@@ -30,7 +28,9 @@
 
 namespace test_adapt {
 
+using adaptation::Bare;
 using adaptation::faces_near;
+using adaptation::Plus;
 using adaptation::size;
 using domains::Cdt_of;
 using domains::hole;
@@ -221,8 +221,7 @@ TYPED_TEST(Adapt, nodes_stay_out_of_the_circles_of_faces_outside)
 /// what crosses in a hierarchy, and pieces of two constraints
 TEST(Adapt_plus, overlapping_and_crossing_constraints)
 {
-  using Crossing = CGAL::Constrained_triangulation_plus_2<Cdt_of<K, CGAL::Exact_predicates_tag>>;
-  Crossing cdt = domains::make<Crossing>({domains::square(0, 0, 1)});
+  Plus cdt = domains::make<Plus>({domains::square(0, 0, 1)});
   domains::insert(cdt, {{0.1, 0.2}, {0.9, 0.8}}, false);
   domains::insert(cdt, {{0.2, 0.9}, {0.7, 0.1}}, false);
   domains::insert(cdt, {{0, 0}, {0.5, 0}}, false); // lies on the square
@@ -231,7 +230,7 @@ TEST(Adapt_plus, overlapping_and_crossing_constraints)
   for (const Disc& disc : {Disc{0.45, 0.5, 0.2}, Disc{0.4, 0, 0.2}, Disc{0.5, 0.5, 9}})
     for (double d : {0.03, 0.07}) {
       const auto part = faces_near(cdt, disc.x, disc.y, disc.radius);
-      const adaptation::Outside<Crossing> outside(cdt, part);
+      const adaptation::Outside<Plus> outside(cdt, part);
       CGAL::npbs_remesh_faces(cdt, part, size(d));
       outside.expect_untouched(cdt);
       validation::expect_mesh_of(before, cdt);
@@ -239,25 +238,11 @@ TEST(Adapt_plus, overlapping_and_crossing_constraints)
     }
 }
 
-TEST(Adapt_kernels, with_inexact_predicates)
-{
-  using Simple = Cdt_of<CGAL::Simple_cartesian<double>>;
-  Simple cdt = mesh<Simple>({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.05);
-  for (double d : {0.03, 0.08}) {
-    const auto part = faces_near(cdt, 0.5, 0.3, 0.3);
-    const adaptation::Outside<Simple> outside(cdt, part);
-    CGAL::npbs_remesh_faces(cdt, part, size(d));
-    outside.expect_untouched(cdt);
-    validation::expect_valid_mesh(cdt);
-    EXPECT_NEAR(validation::domain_area(cdt), 0.96, 1e-12);
-  }
-}
-
 /// Faces without marks cannot tell whether they are in the domain: the hole's constraints are those of a rim, except
 /// for `npbs_adapt()`, which finds the domain as a relaxation does.
 TEST(Adapt_marks, are_not_needed)
 {
-  using Bare = CGAL::Constrained_Delaunay_triangulation_2<K>;
+  using Point = Bare::Point;
   Bare cdt = mesh<Bare>({slanted, hole}, 0.05);
   const auto at_hole = [&cdt] {
     std::size_t sum = 0;
@@ -271,9 +256,9 @@ TEST(Adapt_marks, are_not_needed)
   std::vector<Bare::Face_handle> part;
   for (Bare::Face_handle f : cdt.finite_face_handles()) {
     const auto c = CGAL::centroid(cdt.triangle(f));
-    const bool is_in_hole = CGAL::orientation(K::Point_2(0.4, 0.4), K::Point_2(0.7, 0.43), c) == CGAL::LEFT_TURN &&
-                            CGAL::orientation(K::Point_2(0.7, 0.43), K::Point_2(0.5, 0.65), c) == CGAL::LEFT_TURN &&
-                            CGAL::orientation(K::Point_2(0.5, 0.65), K::Point_2(0.4, 0.4), c) == CGAL::LEFT_TURN;
+    const bool is_in_hole = CGAL::orientation(Point(0.4, 0.4), Point(0.7, 0.43), c) == CGAL::LEFT_TURN &&
+                            CGAL::orientation(Point(0.7, 0.43), Point(0.5, 0.65), c) == CGAL::LEFT_TURN &&
+                            CGAL::orientation(Point(0.5, 0.65), Point(0.4, 0.4), c) == CGAL::LEFT_TURN;
     if (!is_in_hole && std::hypot(c.x() - 0.5, c.y() - 0.5) < 0.3)
       part.push_back(f);
   }

@@ -15,7 +15,6 @@
 #include "expect_throw.h"
 #include "validation.h"
 
-#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Default_adaptation_visitor_2.h>
 #include <CGAL/Mesh_quality_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -41,6 +40,7 @@
 namespace test_adapt_promises {
 
 using adaptation::faces_near;
+using adaptation::Plus;
 using adaptation::size;
 using counted_memory::allocations_left;
 using domains::CDT;
@@ -50,7 +50,6 @@ using domains::Point;
 using domains::slanted;
 using validation::Content;
 using Faces = std::vector<CDT::Face_handle>;
-using Plus = CGAL::Constrained_triangulation_plus_2<CDT>;
 
 template <class Cdt = CDT>
 Cdt mesh(double d = 0.05)
