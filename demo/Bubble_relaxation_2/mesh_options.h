@@ -54,6 +54,7 @@ inline po::options_description mesh_options()
     ("min-gap", po::value<double>()->default_value(0), "with --tolerance: fill where the domain is narrower")
     ("simplification-report", po::value<std::string>(), "with --tolerance: a text file with the places of what was "
                                                         "dropped and filled")
+    ("largest-part", "of the parts of the domain that are not connected, mesh the largest only")
     ("paper", "the parameters of the paper instead of the defaults")
     ("rounds", po::value<int>()->default_value(defaults::default_number_of_rounds),
      "rounds of simulation at most; with --paper 6")
@@ -169,20 +170,17 @@ try {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
-/// Replaces the outline if --tolerance asks for it. `tells`: whether it says and writes what it was replaced by
-/// \throws std::runtime_error with the name of the input
+/// Replaces the outline by one within --tolerance. `tells`: whether it says and writes what it was replaced by
 inline void simplify(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
-                     bool tells = true)
-try {
-  if (arguments.count("tolerance") == 0)
-    return;
+                     bool tells)
+{
   const Size size = wanted_size(domain, arguments, formula);
   const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
                                                 .relative_outline_tolerance(arguments["tolerance"].as<double>())
                                                 .minimum_island_area(arguments["min-island"].as<double>())
                                                 .minimum_gap(arguments["min-gap"].as<double>()));
   const std::vector<Connected_part> parts = connected_parts(domain.cdt);
-  if (!report.filled_gaps.empty() && parts.size() > 1)
+  if (!report.filled_gaps.empty() && parts.size() > 1 && arguments.count("largest-part") == 0)
     domain.warnings.push_back(parts_message(parts));
   if (!tells)
     return;
@@ -190,6 +188,17 @@ try {
     std::cout << "outline\n" << report;
   if (arguments.count("simplification-report") > 0)
     write_simplification(arguments["simplification-report"].as<std::string>(), report);
+}
+
+/// Makes what is meshed of what was read: by --tolerance and --largest-part.
+/// \throws std::runtime_error with the name of the input
+inline void prepare(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
+                    bool tells = true)
+try {
+  if (arguments.count("tolerance") > 0)
+    simplify(domain, arguments, formula, tells);
+  if (arguments.count("largest-part") > 0)
+    keep_largest_part(domain);
 } catch (const std::exception& e) {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }

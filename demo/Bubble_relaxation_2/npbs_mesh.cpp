@@ -262,7 +262,7 @@ try {
   tags.set_raster(raster);
   if (formula)
     formula->set_raster(raster);
-  simplify(domain, arguments, formula);
+  prepare(domain, arguments, formula);
   warn_of_domain();
   const Region_map regions = region_attributes(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });

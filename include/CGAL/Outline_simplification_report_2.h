@@ -64,6 +64,8 @@ struct Outline_simplification_report_2
   double hausdorff_distance = 0;
   /// the largest distance of a piece from its part of the old outline over its tolerance
   double largest_share_of_tolerance = 0;
+  double old_area = 0; ///< of the domain in the outline as it was
+  double area = 0;     ///< of the domain in the new one
   /// @}
 
   double share_of_fitting_pieces = 0; ///< the share of the pieces with lengths between 0.6 d and 1.5 d
@@ -100,7 +102,8 @@ inline std::ostream& operator<<(std::ostream& out, const Outline_simplification_
   return out << "  segments" << std::string(28, ' ') << report.number_of_segments << " instead of "
              << report.number_of_old_segments << "\n  of these .6 to 1.5 d long" << std::string(11, ' ')
              << 100 * report.share_of_fitting_pieces << " %\n  Hausdorff distance" << std::string(18, ' ')
-             << report.hausdorff_distance << "\n  vertices that d alone asks for" << std::string(6, ' ')
+             << report.hausdorff_distance << "\n  area of the domain" << std::string(18, ' ') << report.area
+             << " instead of " << report.old_area << "\n  vertices that d alone asks for" << std::string(6, ' ')
              << std::llround(report.wanted_vertices) << "\n  islands, narrows force at least" << std::string(5, ' ')
              << std::llround(report.forced_vertices) << "\n  dropped islands, filled gaps" << std::string(8, ' ')
              << report.dropped_islands.size() << ", " << report.filled_gaps.size() << "\n  seconds"

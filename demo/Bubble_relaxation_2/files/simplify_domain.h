@@ -12,6 +12,7 @@
 #include "domain.h"
 #include "file_names.h"
 
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/property_map.h>
 #include <CGAL/simplify_outline_2.h>
@@ -40,8 +41,16 @@ CGAL::Outline_simplification_report_2 simplify_domain(Domain& domain, const Para
 struct Connected_part
 {
   double area;
-  Point place; ///< in it
+  CDT::Face_handle face; ///< of it
+
+  Point place() const ///< in it
+  {
+    return CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
+  }
 };
+
+/// across sides with domain on both
+inline bool goes_on(CDT::Face_handle f, int i) { return f->neighbor(i)->is_in_domain(); }
 
 /// the parts, the largest first
 inline std::vector<Connected_part> connected_parts(const CDT& cdt)
@@ -51,17 +60,16 @@ inline std::vector<Connected_part> connected_parts(const CDT& cdt)
   for (CDT::Face_handle first : cdt.finite_face_handles()) {
     if (!first->is_in_domain() || is_known[first])
       continue;
-    parts.push_back(Connected_part{0, CGAL::centroid(cdt.triangle(first))});
-    flood(first, [](CDT::Face_handle f, int i) { return f->neighbor(i)->is_in_domain(); },
-          [&](CDT::Face_handle f) {
-            if (std::exchange(is_known[f], true))
-              return false;
-            parts.back().area += cdt.triangle(f).area();
-            return true;
-          });
+    parts.push_back(Connected_part{0, first});
+    flood(first, goes_on, [&](CDT::Face_handle f) {
+      if (std::exchange(is_known[f], true))
+        return false;
+      parts.back().area += cdt.triangle(f).area();
+      return true;
+    });
   }
   std::sort(parts.begin(), parts.end(), [](const Connected_part& p, const Connected_part& q) {
-    return p.area != q.area ? p.area > q.area : p.place < q.place;
+    return p.area != q.area ? p.area > q.area : p.place() < q.place();
   });
   return parts;
 }
@@ -73,10 +81,39 @@ inline std::string parts_message(const std::vector<Connected_part>& parts)
   text << "with narrows filled the domain has " << parts.size() << " parts that are not connected;";
   constexpr std::size_t most_places = 4;
   for (std::size_t k = 1; k < parts.size() && k < most_places; ++k)
-    text << (k > 1 ? "," : "") << " one with the area " << parts[k].area << " is at " << to_string(parts[k].place);
+    text << (k > 1 ? "," : "") << " one with the area " << parts[k].area << " is at " << to_string(parts[k].place());
   if (parts.size() > most_places)
     text << ", " << parts.size() - most_places << " are smaller";
+  text << "; --largest-part leaves them out";
   return text.str();
+}
+
+/// Takes all but the largest part out of a domain. \throws std::invalid_argument if there is no domain
+inline void keep_largest_part(Domain& domain)
+{
+  const auto faces = domain.cdt.finite_face_handles();
+  if (std::none_of(faces.begin(), faces.end(), [](CDT::Face_handle f) { return f->is_in_domain(); })) {
+    using Marks = CGAL::Bubble_relaxation_2::internal::Domain_marks_2<CDT>;
+    const Marks is_in_domain(domain.cdt, CGAL::parameters::default_values()); // by nesting
+    for (CDT::Face_handle f : faces)
+      f->set_in_domain(is_in_domain(f));
+  }
+  const std::vector<Connected_part> parts = connected_parts(domain.cdt);
+  if (parts.size() < 2)
+    return;
+  double left_out = 0;
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    left_out += parts[k].area;
+    flood(parts[k].face, goes_on, [](CDT::Face_handle f) {
+      const bool is_new = f->is_in_domain();
+      f->set_in_domain(false);
+      return is_new;
+    });
+  }
+  std::ostringstream text;
+  text << "--largest-part: of " << parts.size() << " parts that with the area " << parts[0].area << ", at "
+       << to_string(parts[0].place()) << ", is meshed; the others have " << left_out;
+  domain.warnings.push_back(text.str());
 }
 
 /// Writes where the rules took islands and narrows away: a line each, with its area.

@@ -141,6 +141,16 @@ Topology topology(const Cdt& cdt)
   return t;
 }
 
+/// of the domain, as nesting tells it
+double area_of_domain(const CDT& cdt)
+{
+  const CGAL::Bubble_relaxation_2::internal::Domain_marks_2<CDT> marks(cdt, CGAL::parameters::default_values());
+  double sum = 0;
+  for (CDT::Face_handle f : cdt.finite_face_handles())
+    sum += marks(f) ? cdt.triangle(f).area() : 0;
+  return sum;
+}
+
 double distance(const Xy& p, const Segment& s)
 {
   const double dx = s.second.first - s.first.first, dy = s.second.second - s.first.second;
@@ -171,6 +181,7 @@ Report simplify_and_check(CDT& cdt, double d, double share, const Pins& pins = {
 {
   const Snapshot before = validation::snapshot(cdt);
   const Topology old_topology = topology(cdt);
+  const double old_area = area_of_domain(cdt);
   std::map<Xy, int> degree;
   for (const Segment& s : before.constraints)
     for (const Xy& p : {s.first, s.second})
@@ -190,6 +201,11 @@ Report simplify_and_check(CDT& cdt, double d, double share, const Pins& pins = {
   EXPECT_EQ(after.constraints.size(), report.number_of_segments);
   EXPECT_EQ(report.pieces.size(), report.number_of_segments);
   EXPECT_EQ(topology(cdt), old_topology);
+  double extent = 0;
+  for (const Xy& p : before.vertices)
+    extent = (std::max)({extent, std::abs(p.first), std::abs(p.second)});
+  EXPECT_NEAR(report.old_area, old_area, 1e-12 * extent * extent);
+  EXPECT_NEAR(report.area, area_of_domain(cdt), 1e-12 * extent * extent);
   const double measured = (std::max)(largest_distance(before.constraints, after.constraints),
                                      largest_distance(after.constraints, before.constraints));
   EXPECT_LE(report.hausdorff_distance, share * d);
@@ -295,6 +311,8 @@ TEST(Simplify_outline, order_and_start_do_not_matter)
     const Report again = simplify(other);
     EXPECT_TRUE(validation::snapshot(cdt) == validation::snapshot(other));
     EXPECT_EQ(report.hausdorff_distance, again.hausdorff_distance);
+    EXPECT_EQ(report.old_area, again.old_area);
+    EXPECT_EQ(report.area, again.area);
     EXPECT_EQ(report.filled_gaps.size(), again.filled_gaps.size());
   }
 }
@@ -307,6 +325,7 @@ TEST(Simplify_outline, small_islands_are_dropped)
   ASSERT_EQ(report.dropped_islands.size(), 1u); // the one of 1 is a lake on an island
   EXPECT_EQ(report.dropped_islands[0].place, (Report::Place{12, 4}));
   EXPECT_EQ(report.dropped_islands[0].area, 0.25);
+  EXPECT_NEAR(report.area, report.old_area + 0.25, 1e-12);
   EXPECT_EQ(topology(cdt).components, 4u);
 }
 

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -70,6 +71,21 @@ private:
   const Outline_demands_2& m_demands; // with whole tolerances
   double m_largest_share = 0;
 };
+
+/// The area of the domain within an outline, by triangles that its segments form with any point, `origin`. Its bits do
+/// not depend on the order of segments.
+template <class Outline>
+double area_of_domain(const Outline& outline, const Point& origin)
+{
+  std::vector<double> terms;
+  for (const Outline_segment_2& s : outline.segments)
+    if (s.inside_left != s.inside_right) {
+      const double area = CGAL::area(origin, outline.points[s.source], outline.points[s.target]);
+      terms.push_back(s.inside_left ? area : -area);
+    }
+  std::sort(terms.begin(), terms.end());
+  return std::accumulate(terms.begin(), terms.end(), 0.);
+}
 
 /// the lengths of pieces in the report, and what they stand for
 inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplified_outline_2& result)

@@ -93,6 +93,9 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
   report.hausdorff_distance =
     distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));
   report.number_of_old_segments = problem.outline.segments.size();
+  const Point& origin = problem.outline.points.front();
+  report.old_area = area_of_domain(problem.outline, origin);
+  report.area = area_of_domain(result, origin);
   result.report = std::move(report);
   report_pieces(problem.outline, problem.sizes, result);
   report_seeds(problem, result);
