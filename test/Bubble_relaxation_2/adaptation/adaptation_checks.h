@@ -34,7 +34,7 @@ namespace adaptation {
 
 /// with polylines of constraints, which may cross
 using Plus = CGAL::Constrained_triangulation_plus_2<domains::Cdt_of<domains::K, CGAL::Exact_predicates_tag>>;
-/// with faces that have no marks, and predicates that are not exact
+/// with faces that have no marks, and predicates that are exact only on a grid, so that edges are parallel to the axes
 using Bare = CGAL::Constrained_Delaunay_triangulation_2<CGAL::Simple_cartesian<double>>;
 
 template <class D>

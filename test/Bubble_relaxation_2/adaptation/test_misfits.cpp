@@ -233,7 +233,7 @@ TEST(Misfits, bad_faces_to_check_are_told)
   EXPECT_TRUE(Content<CDT>(cdt) == before);
 
   using adaptation::Bare;
-  const Bare bare = domains::mesh<Bare>({slanted, hole}, 0.05);
+  const Bare bare = domains::mesh<Bare>({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.05);
   const std::vector<Bare::Face_handle> inside{bare.locate(Bare::Point(0.2, 0.2))},
     outside{bare.locate(Bare::Point(0.52, 0.5))};
   EXPECT_FALSE(CGAL::npbs_misfit_faces(bare, size(0.02).faces_to_check(inside)).empty());

@@ -245,6 +245,8 @@ private:
     if (b.is_on_edge(v)) {
       const Direction u = m_domain.direction(b.host[v]);
       s += b.d[v] / m_domain.length(b.host[v]) * (step.x * u.x + step.y * u.y);
+      if (passes_another(mesh, b, v, corners, s))
+        return false;
       p = m_domain.point_on_edge(b.host[v], s);
     }
     if (!mesh.stays_valid(corners, p))
@@ -255,6 +257,20 @@ private:
     b.x[v] = p.x();
     b.y[v] = p.y();
     return true;
+  }
+
+  /// Whether a vertex would slide to, or beyond, another one of its edge or an end: triangles do not tell where they are as
+  /// near to each other as roundings.
+  static bool passes_another(const Editable_triangulation_2& mesh, const Bubbles_2& b, Index v, const Star_2& corners,
+                             double s)
+  {
+    if (!(s > 0 && s < 1))
+      return true;
+    for (const Corner_2& c : corners)
+      for (Index w : mesh.vertices(c.triangle))
+        if (w != v && b.is_on_edge(w) && b.host[w] == b.host[v] && !(b.s[w] < b.s[v] ? b.s[w] < s : s < b.s[w]))
+          return true;
+    return false;
   }
 
   const Domain_2& m_domain;
