@@ -113,8 +113,13 @@ public:
     const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np), Marker_changes<NamedParameters>{np});
     const Sizes_2 sizes = wanted_sizes(np, is_inside, reading);
     // every vertex of the user's is a place to look at d: none is taken as a mere split of a constraint
-    const Domain_reading_2<CDT> all(cdt, is_inside, [](typename CDT::Vertex_handle) { return true; });
-    build(all.domain, all.given.pinned, sizes, maximum);
+    const Domain_reading_2<CDT> all(
+      cdt, is_inside, [](typename CDT::Vertex_handle) { return true; }, [](const auto&...) {});
+    Background_mesh_2 background(all.domain, all.given.pinned, sizes, m_gradation / margin, maximum);
+    m_is_resolved = background.build();
+    Marked_triangulation_2& mesh = background.mesh();
+    Gradient_limiter_2(mesh, m_gradation).clip(background.sizes());
+    m_field = std::make_shared<const Field>(std::move(mesh), std::move(background.sizes()));
   }
 
   /// returns h at `p`. Outside of the domain it is the one in the nearest point of the domain's boundary, and
@@ -135,17 +140,6 @@ public:
   bool is_resolved() const { return m_is_resolved; }
 
 private:
-  template <class Domain, class Points, class Sizes>
-  void build(const Domain& domain, const Points& inner, const Sizes& sizes, std::size_t maximum)
-  {
-    using namespace Bubble_relaxation_2::internal;
-    Background_mesh_2 background(domain, inner, sizes, m_gradation / margin, maximum);
-    m_is_resolved = background.build();
-    Marked_triangulation_2& mesh = background.mesh();
-    Gradient_limiter_2(mesh, m_gradation).clip(background.sizes());
-    m_field = std::make_shared<const Field>(std::move(mesh), std::move(background.sizes()));
-  }
-
   /// Fronts are interpolated with a gradient that is some percent too large here and there. To cut it off there
   /// takes more, from all that lies behind, than to let sizes grow by a little less from the start.
   static constexpr double margin = 1.1;

@@ -82,7 +82,8 @@ public:
   template <class VertexSizeMap>
   Interpolated_sizing_field_2(const Triangulation& t, const VertexSizeMap& sizes)
   {
-    build(read(t, sizes));
+    auto [tr, lengths] = read(t, sizes);
+    m_field = std::make_shared<const Field>(std::move(tr), std::move(lengths));
   }
 
   /*!
@@ -99,9 +100,9 @@ public:
   {
     using namespace Bubble_relaxation_2::internal;
     check_positive("gradation", gradation);
-    Parts parts = read(t, sizes);
-    Gradient_limiter_2(parts.tr, gradation).clip(parts.sizes);
-    build(std::move(parts));
+    auto [tr, lengths] = read(t, sizes);
+    Gradient_limiter_2(tr, gradation).clip(lengths);
+    m_field = std::make_shared<const Field>(std::move(tr), std::move(lengths));
   }
 
   /// returns the size at `p`.
@@ -111,35 +112,25 @@ public:
   }
 
 private:
-  struct Parts
-  {
-    Bubble_relaxation_2::internal::Flat_triangulation_2 tr;
-    std::vector<double> sizes; // per vertex
-  };
-
-  void build(Parts parts)
-  {
-    m_field = std::make_shared<const Field>(std::move(parts.tr), std::move(parts.sizes));
-  }
-
+  /// the triangulation, and the size at each vertex
   template <class VertexSizeMap>
-  static Parts read(const Triangulation& t, const VertexSizeMap& sizes)
+  static std::pair<Bubble_relaxation_2::internal::Flat_triangulation_2, std::vector<double>>
+  read(const Triangulation& t, const VertexSizeMap& sizes)
   {
     using namespace Bubble_relaxation_2::internal;
     if (t.dimension() < 2)
       throw std::invalid_argument("Bubble_relaxation_2: the triangulation of an Interpolated_sizing_field_2 has the "
                                   "dimension " + std::to_string(t.dimension()) + ", so it has no faces");
     auto flat = flatten_triangulation(t);
-    Parts parts{std::move(flat.tr), {}};
-    parts.tr.inside = inside(flat.faces);
-    parts.sizes.assign(flat.vertices.size(), 0);
-    for (std::size_t f = 0; f < parts.tr.inside.size(); ++f) {
-      check_orientation(parts.tr, static_cast<Index>(f));
-      for (Index v : parts.tr.vertices[f])
-        if (parts.tr.inside[f] && parts.sizes[v] == 0)
-          parts.sizes[v] = checked_size(CGAL::to_double(get(sizes, flat.vertices[v])), parts.tr.points[v]);
+    flat.tr.inside = inside(flat.faces);
+    std::vector<double> lengths(flat.vertices.size(), 0);
+    for (std::size_t f = 0; f < flat.tr.inside.size(); ++f) {
+      check_orientation(flat.tr, static_cast<Index>(f));
+      for (Index v : flat.tr.vertices[f])
+        if (flat.tr.inside[f] && lengths[v] == 0)
+          lengths[v] = checked_size(CGAL::to_double(get(sizes, flat.vertices[v])), flat.tr.points[v]);
     }
-    return parts;
+    return {std::move(flat.tr), std::move(lengths)};
   }
 
   template <class Faces>

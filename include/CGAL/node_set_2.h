@@ -84,7 +84,7 @@ auto node_set_2(const CDT& mesh, const NamedParameters& np = parameters::default
   const double neighbor_radius = read_options(np).neighbor_radius;
   const Threads threads = threads_of<Concurrency<NamedParameters>>();
   const Domain_marks_2<CDT> is_inside(mesh, np);
-  const Domain_reading_2<CDT> reading(mesh, is_inside, is_pinned<CDT>(np));
+  const Domain_reading_2<CDT> reading(mesh, is_inside, is_pinned<CDT>(np), [](const auto&...) {});
   const Sizes_2 sizes = sizes_of_mesh(is_inside);
   Bubbles_2 bubbles;
   const auto add = [&](const std::vector<Point>& points, Bubbles_2::Dimension dimension) {

@@ -226,7 +226,7 @@ std::vector<typename CDT::Face_handle> npbs_misfit_faces(const CDT& cdt, const N
     std::vector<typename CDT::Face_handle> result;
     try {
       options.progress->start_phase(Bubble_phase::READING);
-      result = find_misfits(cdt, domain_of(cdt, pack), options, pack).faces;
+      result = find_misfits(cdt, domain_of(cdt, pack), options, pack).first;
     } catch (const Stopped_by_callback&) {
     }
     return result;
@@ -273,15 +273,15 @@ auto npbs_adapt(CDT& cdt, const NamedParameters& np)
       options.progress->start_phase(Bubble_phase::READING);
       Phase_timer reading_time(report.seconds.reading);
       const auto is_in_domain = domain_of(cdt, pack);
-      Misfits_2<CDT> misfits = find_misfits(cdt, is_in_domain, options, pack);
+      auto [misfits, sizes] = find_misfits(cdt, is_in_domain, options, pack);
       reading_time.stop();
       using Task = Part_task_2<CDT, std::decay_t<decltype(is_in_domain)>, std::decay_t<decltype(pack)>>;
-      if (misfits.faces.empty()) {
-        tell_that_all_fits(report);
+      if (misfits.empty()) {
+        report.converged = true;
+        report.stop_reason = Bubble_stop_reason::CONVERGED;
         options.progress->finish();
       } else
-        Task{cdt, is_in_domain, pack, options, misfits.sizes, elevation}.adapt(std::move(misfits.faces),
-                                                                               unwrapped(visitor), report);
+        Task{cdt, is_in_domain, pack, options, sizes, elevation}.adapt(std::move(misfits), unwrapped(visitor), report);
     });
     return Bubble_relaxation_report_2<FT>(report);
   });

@@ -63,7 +63,7 @@ inline bool write_2DM(std::ostream& out, const Mesh_arrays_2& mesh)
     if (mesh.edge_markers[k] != 0)
       edges_of[mesh.edge_markers[k]].push_back(mesh.edges[k]);
   for (const auto& edges : edges_of)
-    for (const auto& chain : edge_chains(edges.second)) {
+    for (const auto& chain : Edge_chains_2(edges.second).take_chains()) {
       constexpr std::size_t nodes_of_line = 10;
       for (std::size_t k = 0; k < chain.size(); ++k)
         out << (k % nodes_of_line > 0 ? "" : k > 0 ? "\nNS" : "NS") << (k + 1 < chain.size() ? " " : " -")

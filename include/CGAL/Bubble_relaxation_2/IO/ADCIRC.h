@@ -59,12 +59,12 @@ struct Coastal_boundary_2
     if (!missing.empty())
       throw std::invalid_argument("Bubble_relaxation_2: open_markers: no edge of the boundary has the marker " +
                                   std::to_string(*missing.begin()));
-    for (auto chain : edge_chains(open_edges)) {
+    for (auto chain : Edge_chains_2(open_edges).take_chains()) {
       if (chain.front() == chain.back())
         chain.pop_back();
       open.push_back(chain);
     }
-    for (const auto& chain : edge_chains(land_edges)) {
+    for (const auto& chain : Edge_chains_2(land_edges).take_chains()) {
       land.push_back({chain, chain.front() == chain.back() && is_clockwise(mesh, chain)});
       if (land.back().is_island)
         land.back().nodes.pop_back();

@@ -78,40 +78,27 @@ public:
   /// enters what has changed into the polylines of a hierarchy
   void change_hierarchy(Cdt& cdt) const
   {
+    const auto change = [&cdt](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
+      for (Vertex_handle w : old) { // follows u on the only polyline that goes there
+        auto context = *cdt.contexts_begin(u, w);
+        auto it = context.current();
+        if (*it == u)
+          ++it;
+        take_out_of_polyline(cdt, context, it);
+      }
+      Vertex_handle last = u;
+      for (Vertex_handle w : added) {
+        cdt.hierarchy_ref().split_constraint(last, v, w);
+        last = w;
+      }
+    };
     for (std::size_t e = 0; e < m_changes.size(); ++e)
-      change_hierarchy(cdt, m_reading.graph->chains()[e], m_changes[e]);
+      if (m_changes[e].before != m_changes[e].after && m_reading.graph->chains()[e].takes_bubbles)
+        for_each_stretch(m_changes[e].before, m_changes[e].after, change);
   }
 
 private:
   Vertex_handle corner(Index i) const { return m_reading.vertex(m_reading.graph->corners()[i]); }
-
-  /// the polylines of a hierarchy get the new vertices of a constraint
-  void change_hierarchy(Cdt& cdt, const Chain& chain, const Change& paths) const
-  {
-    if (paths.before == paths.after || !chain.takes_bubbles)
-      return;
-    auto& hierarchy = cdt.hierarchy_ref();
-    for_each_stretch<Vertex_handle>(paths.before, paths.after,
-                     [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
-      for (std::size_t k = 0; k < old.size(); ++k)
-        take_out(cdt, u, old[k]);
-      Vertex_handle last = u;
-      for (Vertex_handle w : added) {
-        hierarchy.split_constraint(last, v, w);
-        last = w;
-      }
-    });
-  }
-
-  /// takes `w`, which follows `u`, out of the only polyline that goes there
-  static void take_out(Cdt& cdt, Vertex_handle u, Vertex_handle w)
-  {
-    auto context = *cdt.contexts_begin(u, w);
-    auto it = context.current();
-    if (*it == u)
-      ++it;
-    take_out_of_polyline(cdt, context, it);
-  }
 
   const Part_reading_2<Cdt>& m_reading;
   std::vector<Change> m_changes; // of the chains

@@ -108,7 +108,13 @@ public:
     check_is_outside(*old);
     make_room_for(1, m_new);
     const Face_handle f = enter(m_cdt.tds().create_face());
-    copy_content(*old, *f);
+    if constexpr (Has_time_stamp<typename Cdt::Face>::value) { // with what the user's face base carries
+      const auto stamp = f->time_stamp();
+      *f = *old;
+      f->set_time_stamp(stamp);
+    } else {
+      *f = *old;
+    }
     take(old);
     m_copies.back() = f;
     const std::array<Front, 3> front = m_front.count(&*old) > 0 ? m_front[&*old] : std::array<Front, 3>();
@@ -253,18 +259,6 @@ private:
     m_new_numbers.add(&*f);
     m_is_dropped.push_back(0);
     return f;
-  }
-
-  /// with what the user's face base carries
-  static void copy_content(const typename Cdt::Face& from, typename Cdt::Face& to)
-  {
-    if constexpr (Has_time_stamp<typename Cdt::Face>::value) {
-      const auto stamp = to.time_stamp();
-      to = from;
-      to.set_time_stamp(stamp);
-    } else {
-      to = from;
-    }
   }
 
   /// \throws std::invalid_argument if a face beside the part that is to change is one of the domain

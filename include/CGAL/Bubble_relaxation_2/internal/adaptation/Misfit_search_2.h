@@ -23,7 +23,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -58,7 +57,7 @@ public:
   Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Misfit_criteria& criteria,
                   const std::vector<Forced_place_2>& forced)
     : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria), m_forced(forced),
-      m_smallest_sine(sine_of(criteria.misfit_angle * CGAL_PI / 180)), m_numbers(sizeof(typename Cdt::Face)),
+      m_smallest_sine(sine_of(criteria.misfit_angle * CGAL_PI / 180)), m_part(cdt, is_in_domain, {}),
       m_star_numbers(sizeof(typename Cdt::Vertex))
   {}
 
@@ -69,30 +68,23 @@ public:
     for (Face_handle f : faces) {
       tick(); // asking for a size may take long
       if (m_is_in_domain(f) && is_misfit(f) && !is_forced(f))
-        add(f);
+        m_part.add(f);
     }
-    for (std::size_t k = 0; k < m_found.size(); ++k)
+    for (std::size_t k = 0; k < m_part.faces().size(); ++k)
       for (int i = 0; i < 3; ++i) {
-        const Face_handle n = m_found[k]->neighbor(i);
+        const Face_handle n = m_part.faces()[k]->neighbor(i);
         if (is_other(n) && is_slight_misfit(n))
-          add(n);
+          m_part.add(n);
       }
-    Part_growth_2<Cdt, Is_inside> part(m_cdt, m_is_in_domain, std::move(m_found));
-    part.add_rings(m_criteria.number_of_rings);
-    return part.faces();
+    m_part.add_rings(m_criteria.number_of_rings);
+    return m_part.faces();
   }
 
 private:
-  void add(Face_handle f)
-  {
-    m_numbers.add(&*f);
-    m_found.push_back(f);
-  }
-
   /// whether it is a face of the domain that was not found yet
   bool is_other(Face_handle f) const
   {
-    return m_numbers(&*f) == no_index && !m_cdt.is_infinite(f) && m_is_in_domain(f);
+    return !m_part.contains(f) && !m_cdt.is_infinite(f) && m_is_in_domain(f);
   }
 
   /// A sharp corner makes edges short and angles small, never edges long.
@@ -263,8 +255,7 @@ private:
   Misfit_criteria m_criteria;
   const std::vector<Forced_place_2>& m_forced;
   double m_smallest_sine;
-  Address_numbers m_numbers; // of faces that were found
-  std::vector<Face_handle> m_found;
+  Part_growth_2<Cdt, Is_inside> m_part; // what was found
   Address_numbers m_star_numbers; // of vertices beside misfits
   std::vector<Star> m_stars;
 };

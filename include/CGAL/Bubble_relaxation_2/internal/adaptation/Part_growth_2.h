@@ -38,6 +38,7 @@ public:
   }
 
   const std::vector<Face_handle>& faces() const { return m_part; }
+  bool contains(Face_handle f) const { return m_numbers(&*f) != no_index; }
 
   /// adds so many times all faces around the vertices of the part
   void add_rings(std::size_t number)
@@ -64,7 +65,7 @@ public:
   /// \pre it is in the domain
   void add(Face_handle f)
   {
-    if (m_numbers(&*f) != no_index)
+    if (contains(f))
       return;
     m_numbers.add(&*f);
     m_part.push_back(f);

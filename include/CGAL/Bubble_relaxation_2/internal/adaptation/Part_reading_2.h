@@ -12,6 +12,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
+#include <CGAL/iterator.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -51,18 +53,11 @@ private:
       for (Index v : {e.source, e.target})
         ++degree[v];
     for (std::size_t v = 0; v < degree.size(); ++v)
-      if (degree[v] == 2 && !m_is_given[v] && number_of_constraints(cdt, vertex(static_cast<Index>(v))) != 2)
-        m_is_given[v] = 1;
-  }
-
-  static int number_of_constraints(const Cdt& cdt, Vertex_handle v)
-  {
-    int result = 0;
-    auto e = cdt.incident_edges(v), first = e;
-    do
-      result += cdt.is_constrained(*e);
-    while (++e != first);
-    return result;
+      if (degree[v] == 2 && !m_is_given[v]) {
+        std::size_t all = 0;
+        cdt.incident_constraints(vertex(static_cast<Index>(v)), CGAL::Counting_output_iterator(&all));
+        m_is_given[v] = all != 2;
+      }
   }
 
   /// Only vertices that were not given as points of a constraint, on pieces that belong to one constraint only, may

@@ -19,17 +19,10 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// The faces of a triangulation that do not fit sizes, and what it took to find them.
-template <class Cdt>
-struct Misfits_2
-{
-  std::vector<typename Cdt::Face_handle> faces;
-  std::optional<Sizes_2> sizes; ///< by which a relaxation of the whole would cut its corners off
-};
 
 /// The domain of a triangulation whose faces have no marks is found as by a relaxation, in a copy.
 template <class Cdt, class NamedParameters>
@@ -39,23 +32,6 @@ auto domain_of(const Cdt& cdt, [[maybe_unused]] const NamedParameters& np)
     return Is_in_domain<Cdt>{cdt};
   else
     return Domain_marks_2<Cdt>(cdt, np);
-}
-
-/// what is reported where nothing is a misfit
-inline void tell_that_all_fits(Report& report)
-{
-  report.converged = true;
-  report.stop_reason = Bubble_stop_reason::CONVERGED;
-}
-
-/// \throws std::invalid_argument if no face is of the domain
-template <class Cdt, class Is_inside>
-void check_has_domain(const Cdt& cdt, const Is_inside& is_in_domain)
-{
-  const auto faces = cdt.finite_face_handles();
-  if (std::none_of(faces.begin(), faces.end(), [&](auto f) { return is_in_domain(f); }))
-    throw std::invalid_argument("Bubble_relaxation_2: no face of the triangulation is marked as one of the domain; "
-                                "npbs_relax() marks them");
 }
 
 /// the faces among which the user has misfits looked for: all, or those that are given
@@ -70,18 +46,25 @@ auto faces_to_check(const Cdt& cdt, [[maybe_unused]] const Is_inside& is_in_doma
     return cdt.finite_face_handles();
 }
 
+/// The faces of a triangulation that do not fit sizes, and the sizes by which a relaxation of the whole would cut its
+/// corners off.
+/// \throws std::invalid_argument if no face is of the domain
 template <class Cdt, class Is_inside, class NamedParameters>
-Misfits_2<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_options& options,
-                            const NamedParameters& np)
+std::pair<std::vector<typename Cdt::Face_handle>, std::optional<Sizes_2>>
+find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_options& options,
+             const NamedParameters& np)
 {
   static_assert(Is_given<NamedParameters, internal_np::sizing_function_t>::value,
                 "sizing_function is needed to find out where a mesh does not fit it");
   const Misfit_criteria criteria = read_misfit_criteria(np);
-  check_has_domain(cdt, is_in_domain);
+  const auto all = cdt.finite_face_handles();
+  if (std::none_of(all.begin(), all.end(), [&](auto f) { return is_in_domain(f); }))
+    throw std::invalid_argument("Bubble_relaxation_2: no face of the triangulation is marked as one of the domain; "
+                                "npbs_relax() marks them");
   const auto faces = faces_to_check(cdt, is_in_domain, np);
   const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, np, *given_sizes<Place_2<Cdt>>(np), options);
   Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
-  return Misfits_2<Cdt>{search(faces), outline.sizes_of_parts()};
+  return {search(faces), outline.sizes_of_parts()};
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

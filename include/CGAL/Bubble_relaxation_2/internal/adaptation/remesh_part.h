@@ -91,19 +91,12 @@ private:
   Limits_of_outline_2 m_limits;
 };
 
-/// What is known of a mesh before it is written.
+/// Nodes that cannot be written have to go, until those can be that are left. Returns the vertices that will go, and
+/// whether the triangles become faces as they are, without flips.
 template <class Cdt>
-struct Part_foresight_2
-{
-  std::vector<typename Cdt::Vertex_handle> removed; ///< vertices that will go
-  bool needs_no_flips;                              ///< its triangles become faces as they are
-};
-
-/// Nodes that cannot be written have to go, until those can be that are left.
-template <class Cdt>
-Part_foresight_2<Cdt> make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
-                                    const Part_reading_2<Cdt>& reading, const Problem_2& problem, Bubble_mesh_2& mesh,
-                                    Report& report)
+std::pair<std::vector<typename Cdt::Vertex_handle>, bool>
+make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_reading_2<Cdt>& reading,
+              const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
 {
   const Elevations<Cdt> none;
   for (;;) {

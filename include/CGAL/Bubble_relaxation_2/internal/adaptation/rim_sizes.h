@@ -140,9 +140,9 @@ inline Sizes_2 no_finer_than_rim(const Domain_2& part, const Sizes_2& wanted, co
   for (Size_source_2& s : sources) // the largest of d_s - g |x - s| is less than the longest by the least of these
     s.d = longest - s.d;
   Outline_field_2 less(sources, part.bbox(), growth);
-  return larger_of(wanted, Sizes_2([less = std::move(less), longest](double x, double y) {
-                     return longest - less(x, y);
-                   }));
+  return Sizes_2([wanted, less = std::move(less), longest](double x, double y) {
+    return (std::max)(wanted(x, y), longest - less(x, y));
+  });
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -59,6 +59,12 @@ struct Bubbles_2
   /// whether this rank says what becomes of a bubble
   bool is_ours(std::size_t i) const { return owner.empty() || owner[i] == rank; }
 
+  /// on other ranks others of them count
+  std::size_t count_ours(const std::vector<Index>& those) const
+  {
+    return static_cast<std::size_t>(std::count_if(those.begin(), those.end(), [this](Index i) { return is_ours(i); }));
+  }
+
   std::size_t size() const { return x.size(); }
   Point point(std::size_t i) const { return Point(x[i], y[i]); }
   bool is_corner(std::size_t i) const { return dimension[i] == CORNER; }

@@ -58,12 +58,6 @@ inline Sizes_2 smaller_of(const Sizes_2& a, const Sizes_2& b)
   return Sizes_2([a, b](double x, double y) { return (std::min)(a(x, y), b(x, y)); });
 }
 
-/// the larger of two in each place
-inline Sizes_2 larger_of(const Sizes_2& a, const Sizes_2& b)
-{
-  return Sizes_2([a, b](double x, double y) { return (std::max)(a(x, y), b(x, y)); });
-}
-
 /// `factor` times other sizes
 inline Sizes_2 scaled(const Sizes_2& sizes, double factor)
 {

@@ -222,9 +222,6 @@ public:
   /// \name Treatment
   /// @{
 
-  /// the largest number of sets of all ranks
-  virtual std::size_t largest_number(std::size_t here) const { return here; }
-
   /// tells other ranks of vertices that were moved, and moves theirs
   virtual void share_moved(Bubble_mesh_2&, const std::vector<Index>& /* moved */) {}
 

@@ -70,6 +70,13 @@ struct Unwrapped<std::reference_wrapper<T>>
   using type = T;
 };
 
+/// what a visitor refers to if it is a reference
+template <class Visitor>
+typename Unwrapped<Visitor>::type& unwrapped(Visitor& visitor)
+{
+  return visitor;
+}
+
 /// the type of a parameter's value, `Param_not_found` if it was not given
 template <class NamedParameters, class Tag>
 using Value_of = typename Unwrapped<std::decay_t<typename internal_np::Lookup_named_param_def<

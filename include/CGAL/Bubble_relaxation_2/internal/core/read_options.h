@@ -99,19 +99,6 @@ inline void check_options(const Relaxation_options& o)
                             "greater than 1.5, where the force ends, and at most " + in_words(largest_neighbor_radius));
 }
 
-/// what a visitor refers to if it is a reference
-template <class Visitor>
-Visitor& unwrapped(Visitor& visitor)
-{
-  return visitor;
-}
-
-template <class Visitor>
-Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
-{
-  return visitor.get();
-}
-
 /// the user's callback, if there is any
 template <class NamedParameters>
 std::function<bool(double)> read_callback(const NamedParameters& np)

@@ -32,8 +32,6 @@ public:
   /// tells whether a side of a triangle is an edge
   auto is_wall() const { return [this](Index t, int i) { return edge(t, i) != no_index; }; }
 
-  Domain_2() = default;
-
   /// \pre the edges meet in corners only
   Marking_error build(std::vector<Point> corners, std::vector<Domain_edge_2> edges)
   {

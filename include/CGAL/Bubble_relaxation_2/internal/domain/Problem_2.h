@@ -25,12 +25,6 @@ struct Mesh_star_2
 {
   double spacing;   ///< mean length of the edges
   double direction; ///< angle of the shortest edge
-
-  /// whether a bubble of size `d` may stay there: the mesh is about as fine as d asks, up to a factor
-  bool fits(double d, double largest_misfit = 1.25) const
-  {
-    return !(spacing > largest_misfit * d || d > largest_misfit * spacing);
-  }
 };
 
 /// `ring`: the neighbours of a vertex at `p`, counterclockwise from the lexicographically smallest one on

@@ -26,37 +26,21 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Finds bubbles on an edge whose order along it is lost in rounding, or would be: told of all from source to
-/// target, one after the other.
-class Crowd_on_edge
-{
-public:
-  explicit Crowd_on_edge(double length) : m_length(length) {}
-
-  /// whether the next bubble, of size `d` at `s`, is too near to the last that is not, or to an end
-  bool has(double s, double d)
-  {
-    constexpr double least_gap = 1e-3; // of the size; simulated bubbles are far above
-    const double gap = least_gap * d / m_length;
-    if (s - m_last < gap || 1 - s < gap)
-      return true;
-    m_last = s;
-    return false;
-  }
-
-private:
-  double m_length, m_last = 0;
-};
-
-/// Removes bubbles on edges that are crowded.
+/// Removes bubbles on edges whose order along them is lost in rounding, or would be: those too near to the last one that is
+/// not, or to an end.
 inline void remove_crowded_on_edges(const Domain_2& domain, Bubbles_2& b)
 {
+  constexpr double least_gap = 1e-3; // of the size; simulated bubbles are far above
   const std::vector<std::vector<Index>> on_edge = bubbles_on_edges(domain, b);
   for (std::size_t e = 0; e < on_edge.size(); ++e) {
-    Crowd_on_edge crowd(domain.length(static_cast<Index>(e)));
-    for (Index i : on_edge[e])
-      if (crowd.has(b.s[i], b.d[i]))
+    double last = 0;
+    for (Index i : on_edge[e]) {
+      const double gap = least_gap * b.d[i] / domain.length(static_cast<Index>(e));
+      if (b.s[i] - last < gap || 1 - b.s[i] < gap)
         b.remove(i);
+      else
+        last = b.s[i];
+    }
   }
 }
 

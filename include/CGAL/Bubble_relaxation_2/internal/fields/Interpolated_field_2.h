@@ -161,44 +161,28 @@ private:
   Triangle_quadtree_2 m_quadtree;
 };
 
-struct Edge_length
-{
-  std::array<Index, 2> ends;
-  double length;
-};
-
-/// At each vertex the mean length of its edges in the domain. `edges`: both ends and the length of each.
-inline std::vector<double> mean_edge_lengths(std::size_t number_of_vertices,
-                                             std::vector<Edge_length> edges)
-{
-  // in the order of lengths, so that sums are rounded the same way whatever the order of the faces is
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge_length& e, const Edge_length& f) { return e.length < f.length; });
-  std::vector<double> sum(number_of_vertices, 0), count(number_of_vertices, 0);
-  double all = 0;
-  for (const Edge_length& e : edges) {
-    for (Index v : e.ends) {
-      sum[v] += e.length;
-      ++count[v];
-    }
-    all += e.length;
-  }
-  for (std::size_t v = 0; v < sum.size(); ++v)
-    sum[v] = count[v] > 0 ? sum[v] / count[v] : all / static_cast<double>(edges.size());
-  return sum;
-}
-
 /// The size that a mesh with a domain has: at each vertex the mean length of its edges there.
 inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh)
 {
   Sorted_triangulation_2 sorted(mesh); // so that it does not matter how the mesh came about
   const Flat_triangulation_2& tr = sorted.tr;
-  std::vector<Edge_length> edges;
+  std::vector<std::pair<double, std::array<Index, 2>>> edges; // their lengths and ends
   for_each_edge(tr, 0, tr.number_of_triangles(), [&](Index t, int i) {
     const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
-    edges.push_back({{tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)]}, std::sqrt(CGAL::squared_distance(p, q))});
+    edges.push_back({std::sqrt(CGAL::squared_distance(p, q)), {tr.vertices[t][ccw(i)], tr.vertices[t][cw(i)]}});
   });
-  std::vector<double> sizes = mean_edge_lengths(tr.points.size(), std::move(edges));
+  std::sort(edges.begin(), edges.end()); // so that sums are rounded the same way whatever the order of the faces is
+  std::vector<double> sizes(tr.points.size(), 0), count(tr.points.size(), 0);
+  double all = 0;
+  for (const auto& [length, ends] : edges) {
+    for (Index v : ends) {
+      sizes[v] += length;
+      ++count[v];
+    }
+    all += length;
+  }
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+    sizes[v] = count[v] > 0 ? sizes[v] / count[v] : all / static_cast<double>(edges.size());
   return Interpolated_field_2(std::move(sorted.tr), std::move(sizes));
 }
 

@@ -17,7 +17,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Strings edges together, see `edge_chains()`.
+/// The nodes of each chain of the edges of a part of an outline, the first one again at the end of one that is closed.
+/// Chains end where not just two edges meet, and go in the direction of their first edge.
 class Edge_chains_2
 {
 public:
@@ -67,13 +68,6 @@ private:
   std::unordered_map<std::size_t, std::vector<std::size_t>> m_edges_of; // of each node
   std::vector<Chain> m_chains;
 };
-
-/// The nodes of each chain of the edges of a part of an outline, the first one again at the end of one that is closed.
-/// Chains end where not just two edges meet, and go in the direction of their first edge.
-inline std::vector<Edge_chains_2::Chain> edge_chains(const std::vector<Edge_chains_2::Edge>& edges)
-{
-  return Edge_chains_2(edges).take_chains();
-}
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 

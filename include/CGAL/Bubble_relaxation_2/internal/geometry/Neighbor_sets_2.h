@@ -45,6 +45,9 @@ struct Bubble_references_2
 /// can be renewed alone.
 class Neighbor_sets_2
 {
+  /// `is_before()` as a function object
+  auto order() const { return [this](Index i, Index j) { return is_before(i, j); }; }
+
 public:
   explicit Neighbor_sets_2(double radius) : m_radius(radius) {}
 
@@ -132,7 +135,6 @@ public:
     if (!m_buckets)
       return;
     m_buckets->insert(i, x, y, d);
-    m_found.clear();
     find_neighbors(i, m_found);
     replace(i, m_found);
   }
@@ -154,13 +156,7 @@ public:
     m_new_sets.resize((std::min)(outrun.size(), renewed_at_once));
     for (std::size_t first = 0; first < outrun.size(); first += renewed_at_once) {
       const std::size_t n = (std::min)(outrun.size() - first, renewed_at_once);
-      parallel_for(
-        threads, n,
-        [&](std::size_t k) {
-          m_new_sets[k].clear();
-          find_neighbors(outrun[first + k], m_new_sets[k]);
-        },
-        64);
+      parallel_for(threads, n, [&](std::size_t k) { find_neighbors(outrun[first + k], m_new_sets[k]); }, 64);
       for (std::size_t k = 0; k < n; ++k)
         replace(outrun[first + k], m_new_sets[k]);
     }
@@ -268,15 +264,6 @@ public:
   }
 
 private:
-  /// `is_before()` as a function object
-  struct Order
-  {
-    const Neighbor_sets_2& sets;
-    bool operator()(Index i, Index j) const { return sets.is_before(i, j); }
-  };
-
-  Order order() const { return Order{*this}; }
-
   template <class Visitor>
   static auto visitor(const Visitor& visit)
   {
@@ -322,16 +309,15 @@ private:
       find(first, last, is_gone, order(), block);
   }
 
-  /// adds the neighbours of bubble `i` by references, sorted
+  /// the neighbours of bubble `i` by references, sorted
   void find_neighbors(std::size_t i, std::vector<Index>& found) const
   {
-    const std::size_t before = found.size();
+    found.clear();
     Neighbor_search_2(*m_buckets, m_x, m_y, m_d, m_radius).find_neighbors(i, found);
-    const auto first = found.begin() + static_cast<std::ptrdiff_t>(before);
     if (m_numbers->empty())
-      std::sort(first, found.end());
+      std::sort(found.begin(), found.end());
     else
-      std::sort(first, found.end(), order());
+      std::sort(found.begin(), found.end(), order());
   }
 
   void append(const Neighbor_block& block)

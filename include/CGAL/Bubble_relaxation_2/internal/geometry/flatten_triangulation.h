@@ -140,7 +140,9 @@ struct Triangulation_copy_2
   explicit Triangulation_copy_2(const Triangulation& t)
     : vertices(sizeof(typename Triangulation::Vertex)), faces(sizeof(typename Triangulation::Face))
   {
-    reserve(t.number_of_vertices(), t.number_of_faces());
+    tr.points.reserve(t.number_of_vertices());
+    tr.vertices.reserve(t.number_of_faces());
+    tr.neighbors.reserve(t.number_of_faces());
     for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
       add_vertex(&*v, point_in_double<Triangulation>(v->point()));
     for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
@@ -175,13 +177,6 @@ private:
       add_triangle({&*face.vertex(0), &*face.vertex(1), &*face.vertex(2)},
                    {&*face.neighbor(0), &*face.neighbor(1), &*face.neighbor(2)});
     }
-  }
-
-  void reserve(std::size_t number_of_vertices, std::size_t number_of_faces)
-  {
-    tr.points.reserve(number_of_vertices);
-    tr.vertices.reserve(number_of_faces);
-    tr.neighbors.reserve(number_of_faces);
   }
 
   void add_vertex(void* vertex, const Point& p)

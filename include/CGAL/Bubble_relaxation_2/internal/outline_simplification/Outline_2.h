@@ -136,13 +136,7 @@ struct Fitted_vertex_2
 
 using Fitted_path_2 = std::vector<Fitted_vertex_2>;
 
-inline double squared_distance(const Point& p, const Point& q)
-{
-  const double dx = q.x() - p.x(), dy = q.y() - p.y();
-  return dx * dx + dy * dy;
-}
-
-inline double distance(const Point& p, const Point& q) { return std::sqrt(squared_distance(p, q)); }
+inline double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
 /// the point of the segment from `a` to `b` that is nearest to `p`
 inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)

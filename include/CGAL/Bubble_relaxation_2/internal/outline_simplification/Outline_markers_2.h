@@ -15,6 +15,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/write_outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
+#include <CGAL/utility.h>
+
 #include <optional>
 #include <vector>
 
@@ -25,7 +27,7 @@ template <class Cdt, class NamedParameters>
 class Outline_markers_2
 {
   using Maps = Tag_maps<NamedParameters>;
-  using Marker = typename Tag_type<NamedParameters, internal_np::edge_marker_t>::type;
+  using Marker = Tag_type<NamedParameters, internal_np::edge_marker_t>;
 
 public:
   /// Vertices at which markers change are ends in `reading`.
@@ -34,7 +36,8 @@ public:
     if constexpr (Maps::has_markers) {
       std::vector<std::optional<Marker>> first(reading.problem.outline.points.size()); // around each vertex
       for (const Outline_segment_2& s : reading.problem.outline.segments) {
-        m_markers.push_back(get(m_maps.markers(), edge_key(reading.vertex(s.source), reading.vertex(s.target))));
+        m_markers.push_back(
+          get(m_maps.markers(), CGAL::make_sorted_pair(reading.vertex(s.source), reading.vertex(s.target))));
         for (Index v : {s.source, s.target})
           if (!first[v])
             first[v] = m_markers.back();
@@ -49,7 +52,8 @@ public:
   {
     if constexpr (Maps::has_markers)
       for (const Outline_segment_2& s : reading.problem.outline.segments)
-        forget_if_possible(m_maps.markers(), edge_key(reading.vertex(s.source), reading.vertex(s.target)));
+        forget_if_possible(m_maps.markers(),
+                           CGAL::make_sorted_pair(reading.vertex(s.source), reading.vertex(s.target)));
   }
 
   /// gives each piece that of the segment that it stands for, or none if a rule made it
@@ -58,7 +62,7 @@ public:
   {
     if constexpr (Maps::has_markers)
       for (const Outline_segment_2& s : outline.segments)
-        put(m_maps.markers(), edge_key(written.vertex(s.source), written.vertex(s.target)),
+        put(m_maps.markers(), CGAL::make_sorted_pair(written.vertex(s.source), written.vertex(s.target)),
             s.origin == no_index ? Marker() : m_markers[s.origin]);
   }
 

@@ -58,11 +58,7 @@ public:
   Index segment(Index t, int i) const { return m_marked.edges[t][i]; }
   Index neighbor(Index t, int i) const { return tr().neighbors[t][i]; }
 
-  double area(Index t) const
-  {
-    const Point &a = tr().point(t, 0), &b = tr().point(t, 1), &c = tr().point(t, 2);
-    return 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
-  }
+  double area(Index t) const { return CGAL::area(tr().point(t, 0), tr().point(t, 1), tr().point(t, 2)); }
 
   double area(const std::vector<Index>& triangles) const
   {

@@ -207,10 +207,10 @@ private:
   static double distance_to(const Point& a, const Point& p, const Point& b, const Near& near)
   {
     if (!near.is_vertex)
-      return std::sqrt(squared_distance(p, nearest_on_segment(p, near.source, near.target)));
+      return std::sqrt(CGAL::squared_distance(p, nearest_on_segment(p, near.source, near.target)));
     const Point& w = near.source;
-    return std::sqrt((std::min)(squared_distance(w, nearest_on_segment(w, p, a)),
-                                squared_distance(w, nearest_on_segment(w, p, b))));
+    return std::sqrt((std::min)(CGAL::squared_distance(w, nearest_on_segment(w, p, a)),
+                                CGAL::squared_distance(w, nearest_on_segment(w, p, b))));
   }
 
   /// from the vertex `p` to a segment, or from one of the pieces beside it to a vertex; `none` if it is not less than

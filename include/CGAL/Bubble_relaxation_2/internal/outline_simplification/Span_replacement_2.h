@@ -53,10 +53,13 @@ public:
         ++place;
       }
     }
-    if (is_possible)
-      return path;
-    put_back();
-    return old_path();
+    if (!is_possible) {
+      put_back();
+      path.clear();
+      for (std::size_t k = 0; k <= m_span.size(); ++k)
+        path.push_back({m_outline.points[m_span.vertices[k]], static_cast<Index>(k), m_span.vertices[k]});
+    }
+    return path;
   }
 
   /// the segments that the span has now
@@ -67,20 +70,9 @@ private:
 
   const Point& old_point(Index k) const { return m_outline.points[m_span.vertex(k)]; }
 
-  Fitted_path_2 old_path()
-  {
-    Fitted_path_2 path;
-    for (std::size_t k = 0; k <= m_span.size(); ++k)
-      path.push_back({m_outline.points[m_span.vertices[k]], static_cast<Index>(k), m_span.vertices[k]});
-    m_ids = m_old;
-    return path;
-  }
-
   /// cuts a ring that starts within a segment there
   bool begin(const Fitted_vertex_2& first)
   {
-    m_ids.clear();
-    m_rest = m_head = no_index;
     m_first = first;
     if (first.vertex != no_index)
       return true;

@@ -164,7 +164,7 @@ private:
       return false;
     double squares[3];
     for (int i = 0; i < 3; ++i)
-      squares[i] = squared_distance(tr().point(t, ccw(i)), tr().point(t, cw(i)));
+      squares[i] = CGAL::squared_distance(tr().point(t, ccw(i)), tr().point(t, cw(i)));
     for (int i = 0; i < 3; ++i) // a vertex very near to a part of a segment
       if (m_triangulation.segment(t, i) != no_index && 2 * squares[i] > squares[0] + squares[1] + squares[2])
         return true;
@@ -318,7 +318,7 @@ private:
         for (int i = 0; i < 3; ++i) {
           const Point &a = tr().point(t, ccw(i)), &b = tr().point(t, cw(i));
           const Point middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
-          const double l = squared_distance(a, b);
+          const double l = CGAL::squared_distance(a, b);
           if (l > longest || (l == longest && middle < place)) {
             longest = l;
             place = middle;

@@ -115,13 +115,6 @@ private:
   double m_size, m_largest = 0;
 };
 
-/// the two-sided Hausdorff distance of two sets of segments, up to a relative error, and not less than it is
-inline double hausdorff_distance(const One_sided_distance_2::Segments& a, const One_sided_distance_2::Segments& b,
-                                 double size)
-{
-  return One_sided_distance_2(a, size)(b, One_sided_distance_2(b, size)(a, 0));
-}
-
 } // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_OUTLINE_DISTANCE_H

@@ -81,14 +81,6 @@ inline Outline_demands_2 with_caution(Outline_demands_2 demands, const Outline_2
   return demands;
 }
 
-/// The order in which spans are replaced: long ones first, since they have more to gain.
-inline std::vector<Index> order_of_spans(const std::vector<Outline_span_2>& spans)
-{
-  std::vector<Index> order = indices_below(spans.size());
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return spans[a].size() > spans[b].size(); });
-  return order;
-}
-
 /// the paths that take the places of the spans
 /// \param obstacles points that no span may pass
 inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const std::vector<Outline_span_2>& spans,
@@ -104,7 +96,8 @@ inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const 
   for (const Point& p : obstacles)
     movable.insert(p, p, least_size);
   std::vector<Fitted_path_2> paths(spans.size());
-  const std::vector<Index> order = order_of_spans(spans);
+  std::vector<Index> order = indices_below(spans.size()); // long ones first, since they have more to gain
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return spans[a].size() > spans[b].size(); });
   for (Index s : order) {
     Span_replacement_2 replacement(outline, spans[s], demands, ids[s], movable);
     paths[s] = replacement(Piece_fitting_2(outline, spans[s], demands));

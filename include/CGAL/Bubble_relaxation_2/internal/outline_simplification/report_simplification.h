@@ -151,7 +151,7 @@ inline void report_seeds(const Simplification_problem_2& problem, Simplified_out
       result.report.seeds.push_back({problem.seeds[k].x(), problem.seeds[k].y()});
 }
 
-/// the distance between the outline that was replaced and the new one
+/// the two-sided Hausdorff distance between the outline that was replaced and the new one, up to a relative error
 inline double distance_between(const Outline_2& outline, const Simplified_outline_2& result, double size)
 {
   One_sided_distance_2::Segments before, after;
@@ -159,7 +159,7 @@ inline double distance_between(const Outline_2& outline, const Simplified_outlin
     before.emplace_back(outline.points[s.source], outline.points[s.target]);
   for (const Outline_segment_2& s : result.segments)
     after.emplace_back(result.points[s.source], result.points[s.target]);
-  return hausdorff_distance(before, after, size);
+  return One_sided_distance_2(before, size)(after, One_sided_distance_2(after, size)(before, 0)); // not less than it is
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

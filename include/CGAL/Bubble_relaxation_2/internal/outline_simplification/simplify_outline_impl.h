@@ -11,7 +11,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Forced_vertices_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_assembly_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/drop_islands.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/fill_gaps.h>
@@ -65,6 +64,42 @@ inline Outline_2 apply_rules(Outline_2 outline, const Simplification_problem_2& 
   return outline;
 }
 
+/// Makes one outline of the paths that replace the spans of another one.
+inline Simplified_outline_2 assemble(const Outline_2& outline, const std::vector<Outline_span_2>& spans,
+                                     const std::vector<Fitted_path_2>& paths)
+{
+  Simplified_outline_2 result;
+  std::vector<Index> number(outline.points.size(), no_index); // of the outline's vertices in the result
+  const auto add_vertex = [&](const Fitted_vertex_2& v) {
+    const Index vertex = v.vertex != no_index ? v.vertex : index_among(outline.points, v.point); // it came back to
+    if (vertex != no_index && number[vertex] != no_index)
+      return number[vertex];
+    const Index last = static_cast<Index>(result.points.size());
+    result.points.push_back(v.point);
+    result.old_vertices.push_back(vertex == no_index ? no_index : outline.given[vertex]);
+    if (vertex != no_index)
+      number[vertex] = last;
+    return last;
+  };
+  for (std::size_t s = 0; s < spans.size(); ++s) {
+    const Outline_span_2& span = spans[s];
+    const Fitted_path_2& path = paths[s];
+    Simplified_span_2& part = result.spans.emplace_back();
+    for (std::size_t k = 0; k < path.size(); ++k)
+      part.vertices.push_back(span.is_ring && k + 1 == path.size() ? part.vertices.front() : add_vertex(path[k]));
+    for (std::size_t k = 0; k < span.size(); ++k) {
+      part.origins.push_back(outline.segments[span.segments[k]].origin);
+      part.is_forward.push_back(span.vertices[k] < span.vertices[k + 1]);
+    }
+    for (std::size_t k = 1; k < path.size(); ++k) { // stands for the old segment in the middle of its part
+      const std::size_t middle = span.place(path[k - 1].segment + (path[k].segment - path[k - 1].segment) / 2);
+      result.segments.push_back(
+        {part.vertices[k - 1], part.vertices[k], span.inside_left, span.inside_right, part.origins[middle]});
+    }
+  }
+  return result;
+}
+
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
 {
@@ -88,7 +123,7 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
   Fidelity_check_2 check(outline, demands);
   for (std::size_t s = 0; s < spans.size(); ++s)
     check(spans[s], paths[s]);
-  Simplified_outline_2 result = Outline_assembly_2(outline, spans, paths)();
+  Simplified_outline_2 result = assemble(outline, spans, paths);
   report.largest_share_of_tolerance = check.largest_share();
   report.hausdorff_distance =
     distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));

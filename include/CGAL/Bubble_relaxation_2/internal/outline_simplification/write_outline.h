@@ -26,19 +26,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// the identifiers of a triangulation's constraints, if it has some
-template <class Cdt, bool = Has_constraint_hierarchy<Cdt>::value>
-struct Constraint_of
-{
-  using type = typename Cdt::Constraint_id;
-};
-
-template <class Cdt>
-struct Constraint_of<Cdt, false>
-{
-  using type = int;
-};
-
 /// Writes an outline into the triangulation that it was made from: constraints go unless they are of the new outline
 /// too, then vertices come and go, then the new constraints are inserted and the domain is marked. Vertices that stay
 /// are not touched.
@@ -60,17 +47,19 @@ public:
     for (void* v : m_reading.free)
       m_cdt.remove(Handles<Cdt>::vertex(v));
     if constexpr (has_hierarchy) {
+      std::vector<std::pair<typename Cdt::Constraint_id, std::vector<Index>>> lines; // of constraints
       find_spans_of_origins();
-      take_constraints();
+      take_constraints(lines);
+      insert_vertices();
+      remove_vertices();
+      give_constraints(lines);
     } else {
       remove_segments();
+      insert_vertices();
+      remove_vertices();
+      for (const Outline_segment_2& s : m_outline.segments)
+        insert_segment(s.source, s.target);
     }
-    insert_vertices();
-    remove_vertices();
-    if constexpr (has_hierarchy)
-      give_constraints();
-    else
-      insert_segments();
     check();
     if constexpr (Domain_marks_2<Cdt>::has_marks)
       mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
@@ -130,12 +119,6 @@ private:
   {
     if (!is_there(a, b))
       insert_line({a, b}, [&] { m_cdt.insert_constraint(vertex(a), vertex(b)); });
-  }
-
-  void insert_segments()
-  {
-    for (const Outline_segment_2& s : m_outline.segments)
-      insert_segment(s.source, s.target);
   }
 
   /// \throws std::runtime_error if two of them become one
@@ -249,7 +232,8 @@ private:
     return *--last == *m_cdt.vertices_in_constraint_begin(id);
   }
 
-  void take_constraints()
+  template <class Lines>
+  void take_constraints(Lines& lines)
   {
     const std::vector<Point>& old = m_reading.problem.outline.points;
     const Bbox_2 box = bbox_2(old.begin(), old.end());
@@ -258,9 +242,9 @@ private:
     m_beside[1] = &*m_cdt.insert(Cdt_point(x, box.ymin() + size));
     std::vector<typename Cdt::Constraint_id> ids(m_cdt.constraints_begin(), m_cdt.constraints_end());
     for (auto id : ids) {
-      m_lines.emplace_back(id, line(places(id), is_closed(id)));
-      if (m_lines.back().second.empty()) {
-        m_lines.pop_back();
+      lines.emplace_back(id, line(places(id), is_closed(id)));
+      if (lines.back().second.empty()) {
+        lines.pop_back();
         m_cdt.remove_constraint(id);
         continue;
       }
@@ -295,9 +279,10 @@ private:
     return result;
   }
 
-  void give_constraints()
+  template <class Lines>
+  void give_constraints(const Lines& lines)
   {
-    for (auto l = m_lines.rbegin(); l != m_lines.rend(); ++l) { // CGAL finds the one that was taken last at once
+    for (auto l = lines.rbegin(); l != lines.rend(); ++l) { // CGAL finds the one that was taken last at once
       std::vector<Cdt_point> points;
       for (Index v : l->second)
         points.push_back(vertex(v)->point());
@@ -317,7 +302,6 @@ private:
   std::vector<void*> m_vertices; // of the new outline
   std::set<void*> m_taken;       // the same
   std::vector<Place_in_span> m_span_of_origin;
-  std::vector<std::pair<typename Constraint_of<Cdt>::type, std::vector<Index>>> m_lines; // of constraints
   void* m_beside[2] = {nullptr, nullptr}; // an edge beside the triangulation
 };
 

@@ -59,8 +59,6 @@ public:
 
   const std::vector<Index>& edges_of_corner(Index corner) const { return m_edges_of_corner[corner]; }
 
-  bool empty() const { return m_queue.empty(); }
-
   /// Adds a bubble with the direction of its lattice: a corner has one for each of its edges, and a bubble on
   /// an edge gets that of the edge.
   void add(const Bubbles_2& bubbles, std::size_t i, double key, Direction& direction)

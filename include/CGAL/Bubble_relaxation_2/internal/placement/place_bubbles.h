@@ -31,17 +31,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Bubbles on all vertices that stay: corners and pinned ones.
-inline void place_on_vertices(const Domain_2& domain, const std::vector<Point>& pinned, const Sizes_2& sizing,
-                       Bubbles_2& bubbles)
-{
-  const std::vector<Point>& corners = domain.corners();
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    bubbles.add(corners[i], sizing(corners[i]), Bubbles_2::CORNER, static_cast<Index>(i));
-  for (std::size_t i = 0; i < pinned.size(); ++i)
-    bubbles.add(pinned[i], sizing(pinned[i]), Bubbles_2::CORNER, no_index, 0, static_cast<Index>(i));
-}
-
 /// What becomes of the vertices of an existing mesh on edges.
 enum class On_edges { PLACE_ANEW, KEEP_THE_RIGHT_NUMBER, KEEP };
 
@@ -49,7 +38,11 @@ enum class On_edges { PLACE_ANEW, KEEP_THE_RIGHT_NUMBER, KEEP };
 inline Bubbles_2 place_on_outline(const Domain_2& domain, const Given_mesh_2& mesh, On_edges way, const Sizes_2& sizing)
 {
   Bubbles_2 bubbles;
-  place_on_vertices(domain, mesh.pinned, sizing, bubbles);
+  const std::vector<Point>& corners = domain.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    bubbles.add(corners[i], sizing(corners[i]), Bubbles_2::CORNER, static_cast<Index>(i));
+  for (std::size_t i = 0; i < mesh.pinned.size(); ++i)
+    bubbles.add(mesh.pinned[i], sizing(mesh.pinned[i]), Bubbles_2::CORNER, no_index, 0, static_cast<Index>(i));
   for (std::size_t k = 0; k < domain.edges().size(); ++k) {
     const Index e = static_cast<Index>(k);
     const std::vector<Point>& splits = mesh.on_edge[k];
@@ -108,7 +101,8 @@ inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, co
   share_out(domain, sizing, bubbles, team, threads);
   std::vector<double> directions(bubbles.size(), 0);
   const auto is_kept = [&](std::size_t k, double d) {
-    const bool is_fitting = given.around[k].fits(d, given.largest_misfit);
+    const double spacing = given.around[k].spacing;
+    const bool is_fitting = !(spacing > given.largest_misfit * d || d > given.largest_misfit * spacing);
     if (is_fitting)
       directions.push_back(given.around[k].direction);
     return is_fitting;

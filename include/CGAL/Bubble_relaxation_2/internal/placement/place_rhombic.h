@@ -46,11 +46,7 @@ public:
     m_x0 = box.xmin() - height / std::sqrt(3.);
     m_y0 = box.ymin();
 
-    std::vector<Index> boundary(m_bubbles.size());
-    for (std::size_t i = 0; i < boundary.size(); ++i)
-      boundary[i] = static_cast<Index>(i);
-    m_centers.clear();
-    subdivide(Cell{0, 0, side, 0, 1, 0, Share_of_disc::SOME}, boundary);
+    subdivide(Cell{0, 0, side, 0, 1, 0, Share_of_disc::SOME}, indices_below(m_bubbles.size()));
     add_bubbles();
   }
 

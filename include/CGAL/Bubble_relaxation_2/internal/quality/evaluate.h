@@ -255,15 +255,6 @@ private:
   Counted_places_2 m_forced, m_others;
 };
 
-/// adds the lengths of edges of this rank over d in the midpoints, of those that have their first triangle in a range
-inline void add_lengths(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last, const Sizes_2& sizing,
-                        Mesh_quality_accumulator_2& accumulator)
-{
-  for_each_own_edge(mesh, first, last, [&](Index a, Index b) {
-    add_length(mesh.bubbles.point(a), mesh.bubbles.point(b), sizing, accumulator);
-  });
-}
-
 /// adds the triangles of the domain in a range whose vertices with the smallest indices are of this rank
 inline void add_triangles(const Bubble_mesh_2& mesh, std::size_t first, std::size_t last,
                           Mesh_quality_accumulator_2& accumulator)
@@ -276,23 +267,16 @@ inline void add_triangles(const Bubble_mesh_2& mesh, std::size_t first, std::siz
   }
 }
 
-/// adds the vertices of the domain that are of this rank
-inline void add_vertices(const Bubble_mesh_2& mesh, Mesh_quality_accumulator_2& accumulator)
-{
-  const Marked_triangles_2& tr = mesh.triangles;
-  add_vertices(
-    tr, mesh.bubbles.size(), [&](Index t, int i) { return tr.edges[t][i] != no_index; },
-    [&](std::size_t v) { return mesh.bubbles.is_ours(v); }, accumulator);
-}
-
-/// The statistics of a mesh, of all ranks. `sizing`: null if there are to be no lengths
+/// The statistics of a mesh, of all ranks. `sizing`: over d in their midpoints lengths of edges are told; null if there
+/// are to be none
 inline Mesh_quality_2<double> quality_of(const Bubble_mesh_2& mesh, const Sizes_2* sizing, const Threads& threads,
                                          Team& team)
 {
   constexpr std::size_t block_size = 4096;
   Mesh_quality_accumulator_2 all;
   team.agree_after([&] {
-    const std::size_t n = mesh.triangles.number_of_triangles();
+    const Marked_triangles_2& tr = mesh.triangles;
+    const std::size_t n = tr.number_of_triangles();
     std::vector<Mesh_quality_accumulator_2> blocks((n + block_size - 1) / block_size);
     parallel_for(
       threads, blocks.size(),
@@ -300,10 +284,14 @@ inline Mesh_quality_2<double> quality_of(const Bubble_mesh_2& mesh, const Sizes_
         const std::size_t first = k * block_size, last = (std::min)(first + block_size, n);
         add_triangles(mesh, first, last, blocks[k]);
         if (sizing != nullptr)
-          add_lengths(mesh, first, last, *sizing, blocks[k]);
+          for_each_own_edge(mesh, first, last, [&](Index a, Index b) {
+            add_length(mesh.bubbles.point(a), mesh.bubbles.point(b), *sizing, blocks[k]);
+          });
       },
       1);
-    add_vertices(mesh, all);
+    add_vertices(
+      tr, mesh.bubbles.size(), [&](Index t, int i) { return tr.edges[t][i] != no_index; },
+      [&](std::size_t v) { return mesh.bubbles.is_ours(v); }, all);
     all.make_room_for(blocks);
     for (const Mesh_quality_accumulator_2& block : blocks) {
       tick();

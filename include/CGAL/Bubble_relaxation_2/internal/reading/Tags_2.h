@@ -33,14 +33,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// What a user's map takes for a constrained edge between two vertices: one of both orders, so that any map will do.
-template <class Vertex_handle>
-auto edge_key(Vertex_handle u, Vertex_handle v)
-{
-  return CGAL::make_sorted_pair(u, v);
-}
-
-/// The maps of a user's tags; `markers()` and `regions()` are there if they were given.
+/// The maps of a user's tags; `markers()` and `regions()` are there if they were given. A constrained edge is a key in
+/// one order of its ends, that of `make_sorted_pair()`, so that any map will do.
 template <class NamedParameters>
 class Tag_maps
 {
@@ -56,9 +50,6 @@ public:
 private:
   const NamedParameters& m_np;
 };
-
-template <class Map>
-using Map_value = typename boost::property_traits<std::decay_t<Map>>::value_type;
 
 template <class Map, class Key, class = void>
 struct Can_forget : std::false_type {};
@@ -78,16 +69,7 @@ void forget_if_possible([[maybe_unused]] const Map& map, [[maybe_unused]] const 
 
 /// the type of a user's markers or regions, `int` if there are none
 template <class NamedParameters, class Tag, class Map = Value_of<NamedParameters, Tag>>
-struct Tag_type
-{
-  using type = Map_value<Map>;
-};
-
-template <class NamedParameters, class Tag>
-struct Tag_type<NamedParameters, Tag, internal_np::Param_not_found>
-{
-  using type = int;
-};
+using Tag_type = typename boost::property_traits<std::conditional_t<is_missing<Map>, int*, Map>>::value_type;
 
 /// Finds the vertices at which the user's markers of constraints change: they are not mere splits of a line.
 template <class NamedParameters>
@@ -103,11 +85,12 @@ struct Marker_changes
   {
     if constexpr (Tag_maps<NamedParameters>::has_markers) {
       const auto map = Tag_maps<NamedParameters>(np).markers();
-      std::vector<std::optional<Map_value<decltype(map)>>> first(stays.size()); // around each vertex
+      using Marker = Tag_type<NamedParameters, internal_np::edge_marker_t>;
+      std::vector<std::optional<Marker>> first(stays.size()); // around each vertex
       for (const Constrained_edge_2& e : edges) {
         if (!e.is_in_domain() || !e.takes_bubbles) // what takes none stays as it is
           continue;
-        const auto marker = get(map, edge_key(vertex(e.source), vertex(e.target)));
+        const auto marker = get(map, CGAL::make_sorted_pair(vertex(e.source), vertex(e.target)));
         for (Index v : {e.source, e.target})
           if (!first[v])
             first[v] = marker;
@@ -124,7 +107,8 @@ void check_regions([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] 
 {
   if constexpr (Tag_maps<NamedParameters>::has_regions) {
     const auto map = Tag_maps<NamedParameters>(np).regions();
-    std::vector<std::optional<Map_value<decltype(map)>>> region(marks.tr.number_of_triangles());
+    using Region = Tag_type<NamedParameters, internal_np::face_region_t>;
+    std::vector<std::optional<Region>> region(marks.tr.number_of_triangles());
     for (std::size_t t = 0; t < region.size(); ++t)
       if (marks.is_inside(static_cast<Index>(t)))
         region[t] = get(map, Handles<Cdt>::face(marks.faces.addresses()[t]));
@@ -152,8 +136,8 @@ class Tags_2
   using Chain = Constraint_graph_2::Chain;
 
 public:
-  using Marker = typename Tag_type<NamedParameters, internal_np::edge_marker_t>::type;
-  using Region = typename Tag_type<NamedParameters, internal_np::face_region_t>::type;
+  using Marker = Tag_type<NamedParameters, internal_np::edge_marker_t>;
+  using Region = Tag_type<NamedParameters, internal_np::face_region_t>;
 
   static constexpr bool has_markers = Maps::has_markers, has_regions = Maps::has_regions;
 
@@ -184,7 +168,7 @@ public:
         const std::vector<Vertex_handle> path = path_of(reading, c);
         if constexpr (Maps::has_markers)
           for (std::size_t k = 1; k < path.size(); ++k)
-            forget_if_possible(m_maps.markers(), edge_key(path[k - 1], path[k]));
+            forget_if_possible(m_maps.markers(), CGAL::make_sorted_pair(path[k - 1], path[k]));
         if constexpr (Maps::has_regions) {
           const auto forget = [this](Face_handle f) { forget_if_possible(m_maps.regions(), f); };
           const Sides sides = sides_of(cdt, path);
@@ -209,7 +193,7 @@ public:
         const auto [f, i] = edge;
         const Vertex_handle u = f->vertex(Cdt::ccw(i)), v = f->vertex(Cdt::cw(i));
         if constexpr (Maps::has_markers)
-          put(m_maps.markers(), edge_key(u, v), *m_markers[chain]); // a whole domain has no rim
+          put(m_maps.markers(), CGAL::make_sorted_pair(u, v), *m_markers[chain]); // a whole domain has no rim
         if constexpr (Maps::has_regions) {
           spread(f, (u == source ? m_left : m_right)[chain], reached);
           spread(f->neighbor(i), (u == source ? m_right : m_left)[chain], reached);
@@ -226,7 +210,7 @@ public:
       for (const Chain& c : reading.graph->chains()) {
         const std::vector<Vertex_handle> path = path_of(reading, c);
         for (std::size_t k = 1; k < path.size() && c.takes_bubbles; ++k)
-          forget_if_possible(m_maps.markers(), edge_key(path[k - 1], path[k]));
+          forget_if_possible(m_maps.markers(), CGAL::make_sorted_pair(path[k - 1], path[k]));
       }
     if constexpr (Maps::has_regions)
       for (Face_handle f : part)
@@ -252,7 +236,7 @@ public:
       for_each_piece(domain, mesh, [&](Index t, int i, Index e, bool is_left) {
         if constexpr (Maps::has_markers)
           if (tr.inside[t] && m_markers[e])
-            put(m_maps.markers(), edge_key(vertex(tr.vertices[t][ccw(i)]), vertex(tr.vertices[t][cw(i)])),
+            put(m_maps.markers(), CGAL::make_sorted_pair(vertex(tr.vertices[t][ccw(i)]), vertex(tr.vertices[t][cw(i)])),
                 *m_markers[e]);
         if constexpr (Maps::has_regions)
           reach(t, is_left ? &m_left[e] : &m_right[e]);
@@ -286,7 +270,7 @@ private:
     if constexpr (Maps::has_markers) {
       m_markers.emplace_back(); // a rim of a part is no constraint, or stays
       if (c.takes_bubbles)
-        m_markers.back() = get(m_maps.markers(), edge_key(path[0], path[1]));
+        m_markers.back() = get(m_maps.markers(), CGAL::make_sorted_pair(path[0], path[1]));
     }
     if constexpr (Maps::has_regions) {
       const Sides sides = sides_of(cdt, path);

@@ -20,7 +20,6 @@
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,26 +31,15 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// whether a triangulation is a `Constrained_triangulation_plus_2`, which knows its constraints whole
-template <class Cdt, class = void>
-struct Has_constraint_hierarchy : std::false_type {};
-
 template <class Cdt>
-struct Has_constraint_hierarchy<Cdt, std::void_t<typename Cdt::Constraint_hierarchy_tag>>
-  : std::is_same<typename Cdt::Constraint_hierarchy_tag, Tag_true> {};
+using Has_constraint_hierarchy = typename Cdt::Constraint_hierarchy_tag;
 
-/// Whether the hierarchy knows of a constrained edge. An insertion that throws may leave others, and so may one that
-/// rounds the crossing of two constraints.
-template <class Cdt, class Vertex_handle>
-bool is_of_constraint(const Cdt& cdt, Vertex_handle u, Vertex_handle v)
-{
-  return const_cast<Cdt&>(cdt).is_subconstraint(u, v); // changes nothing, though CGAL does not say so
-}
-
-/// \throws std::invalid_argument if it does not
+/// \throws std::invalid_argument if the hierarchy does not know of a constrained edge. An insertion that throws may
+/// leave such, and so may one that rounds the crossing of two constraints.
 template <class Cdt, class Vertex_handle>
 void check_is_of_constraint(const Cdt& cdt, Vertex_handle u, Vertex_handle v)
 {
-  if (is_of_constraint(cdt, u, v))
+  if (const_cast<Cdt&>(cdt).is_subconstraint(u, v)) // changes nothing, though CGAL does not say so
     return;
   const auto place = [](Vertex_handle w) {
     return in_words(CGAL::to_double(Plane_2<Cdt>::x(w->point())), CGAL::to_double(Plane_2<Cdt>::y(w->point())));
@@ -141,14 +129,6 @@ struct Vertex_order
   }
 };
 
-/// where a user's constraints have no markers
-struct No_changes
-{
-  template <class Vertex>
-  void operator()(const std::vector<Constrained_edge_2>&, const Vertex&, std::vector<char>&) const
-  {}
-};
-
 /// What is read from a triangulation of a certain type. It knows the handles of vertices.
 template <class Cdt>
 class Domain_reading_2 : public Read_domain_2
@@ -158,9 +138,9 @@ public:
 
   /// `is_pinned(vertex)`: what the user pinned; `find_changes(edges, vertex, stays)` sets which vertices of edges
   /// are no mere splits of a line
-  template <class Is_pinned, class Find_changes = No_changes>
+  template <class Is_pinned, class Find_changes>
   Domain_reading_2(const Cdt& cdt, const Domain_marks_2<Cdt>& marks, const Is_pinned& is_pinned,
-                   const Find_changes& find_changes = Find_changes())
+                   const Find_changes& find_changes)
     : Read_domain_2(marks, Vertex_order<Cdt>::is_before())
   {
     find_changes(m_edges, [this](Index v) { return vertex(v); }, m_is_given);

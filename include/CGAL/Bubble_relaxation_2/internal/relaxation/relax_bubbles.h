@@ -20,9 +20,7 @@
 
 #include <CGAL/Bubble_relaxation_report_2.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
@@ -37,13 +35,6 @@ inline void add_to_report(const Round_result& result, unsigned evaluations_per_s
   report.number_of_returns += result.returns;
   if (observer != nullptr)
     observer->round_ends(report);
-}
-
-/// on other ranks others of them count
-inline std::size_t count_ours(const Bubbles_2& bubbles, const std::vector<Index>& those)
-{
-  return static_cast<std::size_t>(
-    std::count_if(those.begin(), those.end(), [&bubbles](Index i) { return bubbles.is_ours(i); }));
 }
 
 /// In the second half of the rounds what still does not rest swings to and fro, which shorter and shorter steps end, and
@@ -106,7 +97,7 @@ inline void relax(const Problem_2& problem, Bubbles_2& bubbles, Team& team, Repo
     if (is_last)
       break; // what is inserted now would not be relaxed
     report.number_of_insertions += change.inserted.size();
-    report.number_of_deletions += count_ours(bubbles, change.deleted);
+    report.number_of_deletions += bubbles.count_ours(change.deleted);
     change_population(change, problem.options, simulation, bubbles, team);
   }
   report.converged = report.stop_reason == Bubble_stop_reason::CONVERGED;

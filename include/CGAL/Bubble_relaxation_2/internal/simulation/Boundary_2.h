@@ -35,8 +35,6 @@ public:
 
   explicit Boundary_2(const Domain_2& domain) : m_domain(domain) {}
 
-  const Domain_2& domain() const { return m_domain; }
-
   /// the part of a vector that a bubble can follow
   Force project(const Bubbles_2& bubbles, std::size_t i, Force f) const
   {

@@ -220,7 +220,7 @@ public:
       const Phase_timer timer(seconds.renewal);
       result.renewals += build_neighbors_if_first();
     }
-    m_number_of_outrun = m_team.sum(Step_sums{0, count_outrun()}).outrun;
+    m_number_of_outrun = m_team.sum(Step_sums{0, m_bubbles.count_ours(m_outrun)}).outrun;
     while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
       if (!m_team.goes_on(report_progress())) {
         result.is_cancelled = true;
@@ -412,12 +412,6 @@ private:
       if (is_alone || m_team.is_at_border(active[k]) == is_at_border)
         move(k, active[k]);
     });
-  }
-
-  std::size_t count_outrun() const
-  {
-    return static_cast<std::size_t>(
-      std::count_if(m_outrun.begin(), m_outrun.end(), [this](Index i) { return m_bubbles.is_ours(i); }));
   }
 
   /// the bubbles that moved more than a tenth of their size in the last step

@@ -166,12 +166,6 @@ private:
     return std::binary_search(m_given.at_jumps.begin(), m_given.at_jumps.end(), p);
   }
 
-  void limit_by_width(const Point& p, double width)
-  {
-    if (width > narrowest * m_limited.wanted()(p))
-      limit(p, width);
-  }
-
   void limit(const Point& p, double distance)
   {
     const double d = tolerated * distance;
@@ -226,11 +220,9 @@ private:
   /// whether a node and the side from `p` to `q` lie on two edges that meet in a corner
   bool is_in_corner(const Bubbles_2& nodes, Index node, Index p, Index q) const
   {
-    const std::array<Index, 2> opposite = ends_of_edge(nodes, p, q);
-    for (Index end : ends(nodes, node))
-      if (end == opposite[0] || end == opposite[1])
-        return true;
-    return false;
+    const Domain_edge_2& side = m_domain.edges()[edge_of_piece(m_domain, nodes, p, q)];
+    const std::array<Index, 2> corners = ends(nodes, node);
+    return std::any_of(corners.begin(), corners.end(), [&side](Index c) { return c == side.source || c == side.target; });
   }
 
   /// the corners at the ends of the edge that a node lies on; none of a pinned vertex
@@ -240,13 +232,6 @@ private:
       return {nodes.host[i], nodes.host[i]};
     const Domain_edge_2& e = m_domain.edges()[nodes.host[i]];
     return {e.source, e.target};
-  }
-
-  std::array<Index, 2> ends_of_edge(const Bubbles_2& nodes, Index p, Index q) const
-  {
-    if (!nodes.is_corner(p))
-      return ends(nodes, p);
-    return nodes.is_corner(q) ? std::array<Index, 2>{nodes.host[p], nodes.host[q]} : ends(nodes, q);
   }
 
   /// the distance of the vertex `i` of a triangle from the constraint opposite to it
@@ -261,8 +246,10 @@ private:
     if (is_at_jump(p) || is_at_jump(a) || is_at_jump(b))
       return;
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
+    const double width = std::sqrt(CGAL::squared_distance(p, foot));
     for (const Point& end : {p, foot})
-      limit_by_width(end, std::sqrt(CGAL::squared_distance(p, foot)));
+      if (width > narrowest * m_limited.wanted()(end))
+        limit(end, width);
   }
 
   const Domain_2& m_domain;

@@ -126,7 +126,7 @@ private:
   {
     const Vertex_smoothing_2 smooth(m_domain, treated_quality);
     std::vector<std::vector<Index>> independent = independent_sets(mesh, candidates);
-    independent.resize(m_team.largest_number(independent.size()));
+    independent.resize(static_cast<std::size_t>(m_team.largest(static_cast<double>(independent.size()))));
     std::vector<Index> result;
     for (const std::vector<Index>& set : independent) {
       std::vector<char> was_moved(set.size(), 0);

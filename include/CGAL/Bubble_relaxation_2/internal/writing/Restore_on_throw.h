@@ -33,20 +33,6 @@ struct Knows_its_hierarchy<
   : std::true_type
 {};
 
-/// The same constraint in a copy of a triangulation: the set of constraints has another order there, but
-/// the lists of contexts of a piece have the same. `copied` maps vertices to their copies.
-template <class Cdt, class Vertex_map>
-auto constraint_in_copy(const Cdt& cdt, const Cdt& copy, typename Cdt::Constraint_id id,
-                        const Vertex_map& copied)
-{
-  auto v = cdt.vertices_in_constraint_begin(id);
-  const auto first = *v, second = *++v;
-  auto in_copy = copy.contexts_begin(copied[first], copied[second]);
-  for (auto c = cdt.contexts_begin(first, second); !((*c).id() == id); ++c)
-    ++in_copy;
-  return (*in_copy).id();
-}
-
 /// Which vertices of a polyline were given by the user is not copied by CGAL 5.5.
 template <class Cdt>
 void copy_input_flags(const Cdt& cdt, Cdt& copy)
@@ -57,8 +43,13 @@ void copy_input_flags(const Cdt& cdt, Cdt& copy)
   for (Vertex_handle v : cdt.finite_vertex_handles())
     copied[v] = w++; // a copy has the same order
   for (auto c = cdt.constraints_begin(); c != cdt.constraints_end(); ++c) {
-    auto to = copy.vertices_in_constraint_begin(constraint_in_copy(cdt, copy, *c, copied));
-    for (auto from = cdt.vertices_in_constraint_begin(*c); from != cdt.vertices_in_constraint_end(*c);
+    // the set of constraints has another order in the copy, but the lists of contexts of a piece have the same
+    auto from = cdt.vertices_in_constraint_begin(*c), next = from;
+    const Vertex_handle first = *next, second = *++next;
+    auto in_copy = copy.contexts_begin(copied[first], copied[second]);
+    for (auto context = cdt.contexts_begin(first, second); !((*context).id() == *c); ++context)
+      ++in_copy;
+    for (auto to = copy.vertices_in_constraint_begin((*in_copy).id()); from != cdt.vertices_in_constraint_end(*c);
          ++from, ++to)
       to.input() = from.input();
   }

@@ -13,8 +13,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_location_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
@@ -75,29 +73,23 @@ public:
       m_edge(points, "edge")
   {}
 
+  /// adds what it makes of a point to the bubbles
   template <class Sizing>
-  Bubble_record_2 read(const Index_in_set& i, const Sizing& sizing)
+  void read(const Index_in_set& i, const Sizing& sizing, Bubbles_2& bubbles)
   {
     const Point p(CGAL::to_double(m_points.point(i).x()), CGAL::to_double(m_points.point(i).y()));
     const Location_2 location = locate(i, p);
-    Bubble_record_2 r{};
-    r.x = p.x();
-    r.y = p.y();
-    r.d = m_size.is_there() ? m_size[i] : sizing(p);
-    if (m_size.is_there() && (!(r.d > 0) || !std::isfinite(r.d)))
-      throw_property("size", r.d, p, "must be positive and finite");
+    const double d = m_size.is_there() ? m_size[i] : sizing(p);
+    if (m_size.is_there() && (!(d > 0) || !std::isfinite(d)))
+      throw_property("size", d, p, "must be positive and finite");
+    bubbles.add(p, d, location.dimension, location.place, location.s);
     if (m_points.has_normal_map()) {
-      r.vx = CGAL::to_double(m_points.normal(i).x());
-      r.vy = CGAL::to_double(m_points.normal(i).y());
+      bubbles.vx.back() = CGAL::to_double(m_points.normal(i).x());
+      bubbles.vy.back() = CGAL::to_double(m_points.normal(i).y());
     }
-    r.id = m_number.is_there() ? m_number[i] : no_index;
-    if (m_number.is_there() && r.id < 0)
-      throw_property("global_id", double(r.id), p, "must not be negative");
-    r.s = location.s;
-    r.host = location.place;
-    r.pin = no_index;
-    r.dimension = location.dimension;
-    return r;
+    bubbles.id.push_back(m_number.is_there() ? m_number[i] : no_index);
+    if (bubbles.id.back() < 0 && m_number.is_there())
+      throw_property("global_id", double(bubbles.id.back()), p, "must not be negative");
   }
 
 private:
@@ -155,7 +147,7 @@ Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Si
   Bubbles_2 result;
   result.make_room_for(points.size());
   for (const typename Point_set::Index& i : points)
-    add_own(result, reader.read(i, sizing));
+    reader.read(i, sizing, result);
   return result;
 }
 
@@ -183,17 +175,6 @@ void write_bubbles(const Bubbles_2& b, Point_set& points)
     edge[k] = b.is_on_edge(i) ? b.host[i] : no_index;
     position[k] = b.s[i];
   }
-}
-
-/// Collective. `here`: points that this rank was given.
-/// \throws std::invalid_argument on all ranks if there are any and something that goes with them is missing
-inline void check_given_points(const Communicator& comm, std::size_t here, bool has_sizing_function)
-{
-  const std::int64_t n = comm.sum(static_cast<std::int64_t>(here));
-  if (n != 0 && !has_sizing_function)
-    comm.throw_on_all(
-      std::invalid_argument("Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
-                            "together, but there is no sizing_function; no rank has their mesh to take sizes from"));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

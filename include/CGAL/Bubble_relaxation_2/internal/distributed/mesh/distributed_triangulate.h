@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_MESH_DISTRIBUTED_TRIANGULATE_H
 
-#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
@@ -351,16 +350,6 @@ inline Distributed_mesh_2 triangulate_from_anywhere(const Domain_2& domain, cons
   remove_confusing_of_ours(comm, domain, bubbles);
   const Bubbles_2 own = bring_home_and_number(comm, partition, end, std::move(bubbles));
   return distributed_triangulate(domain, own, partition, comm);
-}
-
-/// Collective. `Cut_domain_2::join()` by ranks.
-inline Distributed_mesh_2 join_distributed(const Cut_domain_2& cut, const Distributed_mesh_2& mesh,
-                                           const Hilbert_partition_2& partition, Communicator& comm)
-{
-  Bubbles_2 own = own_bubbles(mesh.bubbles);
-  cut.join(own);
-  const std::int64_t end = comm.sum(static_cast<std::int64_t>(own.size()));
-  return triangulate_from_anywhere(cut.whole(), partition, comm, end, std::move(own));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -9,8 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HILBERT_PARTITION_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_HILBERT_PARTITION_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/find_sorted.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 
@@ -163,18 +163,6 @@ Hilbert_partition_2 even_partition(const Communicator& comm, const Hilbert_curve
   for (int rank = 1; rank < comm.size(); ++rank)
     cuts.push_back(static_cast<std::size_t>(all * rank / comm.size()));
   return Hilbert_partition_2(curve, find_sorted(cuts, count_before, comm));
-}
-
-/// cuts the curve so that all ranks own equally many of some bubbles, which all of them have
-inline Hilbert_partition_2 partition_of_common(const Hilbert_curve_2& curve, const Bubbles_2& common, int ranks)
-{
-  std::vector<Hilbert_curve_2::Key> keys, first;
-  for (std::size_t i = 0; i < common.size(); ++i)
-    keys.push_back(curve.key(common.x[i], common.y[i]));
-  std::sort(keys.begin(), keys.end());
-  for (int rank = 1; rank < ranks; ++rank)
-    first.push_back(keys[keys.size() * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks)]);
-  return Hilbert_partition_2(curve, first);
 }
 
 /// The length of a vector or up to 9 % more, without a square root and for coordinates of any order.

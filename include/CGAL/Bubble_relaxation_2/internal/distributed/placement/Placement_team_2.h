@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/bubble_records.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Crystal_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/Growth_proposals_2.h>
 
@@ -57,8 +58,14 @@ public:
 
   void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
-    m_division =
-      std::make_unique<Hilbert_partition_2>(partition_of_common(hilbert_curve(domain), large, m_comm.size()));
+    const Hilbert_curve_2 curve = hilbert_curve(domain);
+    std::vector<Hilbert_curve_2::Key> keys, first;
+    for (std::size_t i = 0; i < large.size(); ++i)
+      keys.push_back(curve.key(large.x[i], large.y[i]));
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t rank = 1, ranks = static_cast<std::size_t>(m_comm.size()); rank < ranks; ++rank)
+      first.push_back(keys[keys.size() * rank / ranks]);
+    m_division = std::make_unique<Hilbert_partition_2>(curve, first);
     m_partition = m_division.get();
   }
 
@@ -103,7 +110,11 @@ public:
   void start_growth(Crystal_2& crystal, std::size_t expected) override
   {
     const Bubbles_2& b = crystal.bubbles();
-    make_room_for(expected, crystal);
+    const std::size_t all = crystal.size() + expected;
+    crystal.make_room_for_births(all);
+    m_owner.reserve(all);
+    m_places.reserve(all);
+    m_key.reserve(all);
     for (std::size_t i = 0; i < b.size(); ++i)
       enter(crystal, Growth_birth_2{0, static_cast<double>(m_numbers[i]), b.x[i], b.y[i]}, b.d[i], 0, no_index);
     for (std::size_t i = 0, n = b.size(); i < n; ++i)
@@ -223,16 +234,6 @@ private:
 
   /// instead of the bubble that proposes, if another rank owns it
   static constexpr Index foreign = (std::numeric_limits<Index>::max)();
-
-  /// makes room for `n` more bubbles than the crystal has
-  void make_room_for(std::size_t n, Crystal_2& crystal)
-  {
-    const std::size_t all = crystal.size() + n;
-    crystal.make_room_for_births(all);
-    m_owner.reserve(all);
-    m_places.reserve(all);
-    m_key.reserve(all);
-  }
 
   /// how far from (x, y) all is of this rank, as far as that is known from `parent`, a bubble nearby, or none
   double clearance_at(double x, double y, Index parent) const

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -79,9 +80,10 @@ private:
   void distribute(const Bubbles_2& points)
   {
     gather_outline(points);
+    const std::set<Point> pinned(m_here.pinned.begin(), m_here.pinned.end());
     Bubbles_2 others;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (!is_pinned(points.point(i)))
+      if (pinned.count(points.point(i)) == 0)
         add_own(others, record(points, i, no_index));
     if (m_comm.rank() == 0)
       for (const Point& p : m_here.pinned) {
@@ -103,28 +105,13 @@ private:
     std::sort(placed.begin(), placed.end(), [](const Bubble_record_2& p, const Bubble_record_2& q) {
       return std::tie(p.host, p.s, p.x, p.y) < std::tie(q.host, q.s, q.x, q.y);
     });
+    std::vector<Point> pinned;
     m_here.on_edge.assign(m_domain.edges().size(), {});
     for (const Bubble_record_2& p : placed)
-      (p.host == no_index ? m_here.pinned : m_here.on_edge[p.host]).push_back(Point(p.x, p.y));
-    sort_pinned();
-  }
-
-  /// along the curve, as those of the domain are, and each once
-  void sort_pinned()
-  {
-    std::vector<Point>& pinned = m_here.pinned;
-    std::vector<Point> sorted;
-    for (Index i : hilbert_order(hilbert_curve(m_domain), pinned))
-      sorted.push_back(pinned[i]);
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    pinned.swap(sorted);
-    m_pinned_by_place = pinned;
-    std::sort(m_pinned_by_place.begin(), m_pinned_by_place.end());
-  }
-
-  bool is_pinned(const Point& p) const
-  {
-    return std::binary_search(m_pinned_by_place.begin(), m_pinned_by_place.end(), p);
+      (p.host == no_index ? pinned : m_here.on_edge[p.host]).push_back(Point(p.x, p.y));
+    for (Index i : hilbert_order(hilbert_curve(m_domain), pinned)) // as those of the domain, each once
+      m_here.pinned.push_back(pinned[i]);
+    m_here.pinned.erase(std::unique(m_here.pinned.begin(), m_here.pinned.end()), m_here.pinned.end());
   }
 
   /// Collective. How the mesh of all given bubbles looks around those in faces.
@@ -145,32 +132,14 @@ private:
   Communicator& m_comm;
   const Domain_2& m_domain;
   Given_mesh_2 m_here;
-  std::vector<Point> m_pinned_by_place;
   Point_distribution_2 m_distribution{m_domain, m_comm};
   Bubbles_2 m_points; // if there are points: as many on each rank, with corners and pinned ones
 };
 
-/// Brings placed bubbles to the ranks that own their places, as many to each, and numbers them. Of those that
-/// cannot be told apart one stays, as `remove_coincident()` has it.
-inline Placed_part_2 bring_home_and_number(Communicator& comm, const Domain_2& domain, const Placement_team_2& team,
-                                           Bubbles_2 bubbles)
-{
-  std::vector<Bubble_record_2> records;
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (team.brings(i)) // those of faces have no numbers yet
-      records.push_back(record(bubbles, i, bubbles.is_in_face(i) ? no_index : team.number(i)));
-  bubbles = Bubbles_2();
-  Placed_part_2 result = send_home_evenly(comm, hilbert_curve(domain), records);
-  remove_confusing_of_ours(comm, domain, result.bubbles);
-  remove_those_in_one_place(result.bubbles);
-  result.bubbles.forget_gone();
-  number_along_curve(comm, result.bubbles);
-  return result;
-}
-
 /// Collective. The bubbles of all ranks, each on the rank that owns its place: what `place`, which is `place_bubbles()`
 /// or `given_bubbles()`, makes of a problem with this rank's share of what is given. `points`: of those to start from,
-/// if any rank has some; they take the place of the free vertices of the domain's triangulation.
+/// if any rank has some; they take the place of the free vertices of the domain's triangulation. As many come to each
+/// rank; of those that cannot be told apart one stays, as `remove_coincident()` has it.
 inline Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, const Bubbles_2& points,
                                   Bubbles_2 (*place)(const Problem_2&, Team&))
 {
@@ -179,7 +148,17 @@ inline Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, 
   Placement_team_2 team(comm);
   Bubbles_2 bubbles = place(here, team);
   comm.agree();
-  return bring_home_and_number(comm, problem.domain, team, std::move(bubbles));
+  std::vector<Bubble_record_2> records;
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    if (team.brings(i)) // those of faces have no numbers yet
+      records.push_back(record(bubbles, i, bubbles.is_in_face(i) ? no_index : team.number(i)));
+  bubbles = Bubbles_2();
+  Placed_part_2 result = send_home_evenly(comm, hilbert_curve(problem.domain), records);
+  remove_confusing_of_ours(comm, problem.domain, result.bubbles);
+  remove_those_in_one_place(result.bubbles);
+  result.bubbles.forget_gone();
+  number_along_curve(comm, result.bubbles);
+  return result;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

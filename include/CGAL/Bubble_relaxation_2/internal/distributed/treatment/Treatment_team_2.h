@@ -39,11 +39,6 @@ public:
     start();
   }
 
-  std::size_t largest_number(std::size_t here) const override
-  {
-    return static_cast<std::size_t>(m_comm.largest(static_cast<std::int64_t>(here)));
-  }
-
   void share(std::vector<char>& values) override { share_values(m_comm, m_piece.shared, values); }
 
   void share_moved(Bubble_mesh_2& mesh, const std::vector<Index>& moved) override

@@ -11,9 +11,11 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
@@ -35,6 +37,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -76,7 +81,11 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   const auto input = read_same_input(domain, np, ranks);
   const Progress_scope scope(*input->options.progress);
   const Domain_2& read_domain = input->reading.domain;
-  check_given_points(ranks, points.size(), Is_given<NamedParameters, internal_np::sizing_function_t>::value);
+  const std::int64_t n = ranks.sum(static_cast<std::int64_t>(points.size()));
+  if (n != 0 && !Is_given<NamedParameters, internal_np::sizing_function_t>::value)
+    ranks.throw_on_all(
+      std::invalid_argument("Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
+                            "together, but there is no sizing_function; no rank has their mesh to take sizes from"));
   Bubbles_2 given;
   ranks.agree_after([&] { given = read_bubbles(points, read_domain, input->limits.sizes); });
   Problem_2 problem = input->problem();
@@ -92,7 +101,10 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     input->options.progress->start_phase(Bubble_phase::EVALUATION);
     if (problem.cut != nullptr) {
       const Phase_timer joining_time(report.seconds.evaluation);
-      mesh = join_distributed(*problem.cut, mesh, part.partition, ranks);
+      Bubbles_2 own = own_bubbles(mesh.bubbles);
+      problem.cut->join(own);
+      const std::int64_t end = ranks.sum(static_cast<std::int64_t>(own.size()));
+      mesh = triangulate_from_anywhere(problem.cut->whole(), part.partition, ranks, end, std::move(own));
     }
     Team_of_ranks team(ranks);
     evaluate(mesh, problem, team, report);

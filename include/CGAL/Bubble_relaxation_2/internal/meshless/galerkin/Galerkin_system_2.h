@@ -218,12 +218,12 @@ private:
       integrate_dirichlet(m.edge(segment), part);
   }
 
-  /// the values of a function of the data at the points of a block
+  /// the values of a function of the data at the points of a block, 0 if it is not given
   static Eigen::VectorXd values(const Block& block, const char* name, const std::function<double(const Point&)>& f)
   {
     Eigen::VectorXd result(static_cast<Eigen::Index>(block.size()));
     for (std::size_t q = 0; q < block.size(); ++q) {
-      const double value = f(block.point(q));
+      const double value = f ? f(block.point(q)) : 0;
       if (!std::isfinite(value))
         throw std::invalid_argument(std::string("Bubble_relaxation_2: the function ") + name +
                                     " of the Poisson_problem_2 is " + in_words(value) + " at " +
@@ -289,19 +289,12 @@ private:
     add_load(part, "neumann", flow);
   }
 
-  Eigen::VectorXd given_values(const Block& b) const
-  {
-    if (!m_problem.dirichlet)
-      return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(b.size()));
-    return values(b, "dirichlet", m_problem.dirichlet);
-  }
-
   /// Penalty: the integral of alpha (u - g) v. Nitsche's method adds - du/dn v, which makes it consistent, and
   /// - (u - g) dv/dn, which makes it symmetric.
   void integrate_dirichlet(const Boundary_edge_2& edge, Galerkin_cell& part) const
   {
     const Block& b = part.block;
-    const Eigen::VectorXd g = given_values(b), factor = products(penalty(b), b.weights);
+    const Eigen::VectorXd g = values(b, "dirichlet", m_problem.dirichlet), factor = products(penalty(b), b.weights);
     part.unknowns = b.nodes;
     part.matrix = weighted_sums(b.phi, factor, b.phi);
     part.load = weighted_sums(b.phi, products(factor, g));
@@ -359,7 +352,8 @@ private:
     const Eigen::MatrixXd coupling = weighted_sums(b.phi, weights, mu);
     part.matrix.setZero(all, all);
     part.load.setZero(all);
-    const Eigen::VectorXd load = weighted_sums(mu, products(weights, given_values(b)));
+    const Eigen::VectorXd g = values(b, "dirichlet", m_problem.dirichlet);
+    const Eigen::VectorXd load = weighted_sums(mu, products(weights, g));
     for (Eigen::Index k = 0; k < mu.cols(); ++k) {
       part.load[n + k] = load[k];
       for (Eigen::Index i = 0; i < n; ++i)

@@ -99,10 +99,13 @@ public:
         return;
       ++state.number_of_fallbacks;
     }
-    if (factor <= 1)
+    if (factor <= 1) {
       m_lists.find(m_discs, x, y, factor, result);
-    else
-      find_in_enlarged(x, y, factor, result);
+      return;
+    }
+    result.clear();
+    buckets().for_each(x, y, factor, [&result](std::int32_t i) { result.push_back(i); });
+    std::sort(result.begin(), result.end());
   }
 
   std::int32_t nearest(double x, double y) const
@@ -117,13 +120,6 @@ public:
   }
 
 private:
-  void find_in_enlarged(double x, double y, double factor, std::vector<std::int32_t>& result) const
-  {
-    result.clear();
-    buckets().for_each(x, y, factor, [&result](std::int32_t i) { result.push_back(i); });
-    std::sort(result.begin(), result.end());
-  }
-
   static void check(const std::vector<Influence_disc_2>& discs)
   {
     if (discs.size() > static_cast<std::size_t>((std::numeric_limits<Index>::max)()))

@@ -252,8 +252,12 @@ private:
     for (std::size_t i = 0; i < m_discs.size(); ++i)
       points.emplace_back(Kernel::Point_2(m_discs[i].x, m_discs[i].y), static_cast<std::int32_t>(i));
     const Delaunay delaunay(points.begin(), points.end());
-    if (delaunay.number_of_vertices() < points.size())
-      link_coincident_nodes(points);
+    if (delaunay.number_of_vertices() < points.size()) { // it has one of those in one place, which sets have to link
+      std::sort(points.begin(), points.end());
+      for (std::size_t k = 1; k < points.size(); ++k)
+        if (points[k].first == points[k - 1].first)
+          lower_clearances(points[k - 1].second, points[k].second, 0);
+    }
     for (const auto& e : delaunay.finite_edges()) {
       const auto u = e.first->vertex(delaunay.ccw(e.second)), v = e.first->vertex(delaunay.cw(e.second));
       double clearance = 0.5 * std::sqrt(CGAL::squared_distance(u->point(), v->point()));
@@ -265,16 +269,6 @@ private:
       }
       lower_clearances(u->info(), v->info(), clearance);
     }
-  }
-
-  /// nodes in one place, of which the triangulation has one: neighbour sets have to link them
-  void link_coincident_nodes(std::vector<std::pair<Exact_predicates_inexact_constructions_kernel::Point_2,
-                                                   std::int32_t>>& points)
-  {
-    std::sort(points.begin(), points.end());
-    for (std::size_t k = 1; k < points.size(); ++k)
-      if (points[k].first == points[k - 1].first)
-        lower_clearances(points[k - 1].second, points[k].second, 0);
   }
 
   /// How far u is at least from the end of its Voronoi edge with v that the triangle u v w has, if all of that edge
