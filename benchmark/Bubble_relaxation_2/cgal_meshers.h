@@ -66,9 +66,7 @@ public:
 
   Meshing refine_and_optimize(int number_of_iterations) const
   {
-    CDT cdt;
-    for (const paper::Outline& o : m_domain.outlines)
-      cdt.insert_constraint(o.begin(), o.end(), true);
+    CDT cdt = paper::triangulate<CDT>(m_domain.outlines);
     const std::vector<paper::Point> seeds(1, point_in_domain(cdt));
     const auto scaled = [scale = m_scale, &d = m_domain.d](const paper::Point& p) { return scale * d(p); };
     using Criteria = CGAL::Bubble_mesh_criteria_2<CDT, decltype(scaled)>;

@@ -42,9 +42,8 @@ void print_header()
 
 void measure(const std::string& name, double g, const Sizing& d)
 {
-  paper::CDT cdt;
   const paper::Outline square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  cdt.insert_constraint(square.begin(), square.end(), true);
+  paper::CDT cdt = paper::triangulate({square});
   const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
   const auto& q = report.quality;
   std::cout << std::left << std::setw(10) << name << std::right << std::setprecision(2) << std::setw(6) << g

@@ -39,7 +39,6 @@
 namespace {
 
 using namespace influence_searches;
-using paper::CDT;
 
 constexpr std::size_t queries_a_node = 4, most_queries = 200000, queries_in_a_row = 4000;
 constexpr std::size_t few_queries = 20000, few_in_a_row = 500; // of a slow method
@@ -139,15 +138,14 @@ bool measure_all(const Task& task)
 /// uniform, or along a circle down to sizes that are far smaller than elsewhere
 Nodes place(double n, bool is_uniform)
 {
-  CDT cdt;
   const paper::Outline square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  cdt.insert_constraint(square.begin(), square.end(), true);
   const double least = is_uniform ? std::sqrt(1.1547 / n) : 4 * paper::pi * 0.3 * 1.1547 / (gradation * n);
   const auto d = [=](const Point& p) {
     return is_uniform ? least : least + gradation * std::abs(paper::distance(p, 0.5, 0.5) - 0.3);
   };
   return CGAL::npbs_place_nodes(
-    cdt, CGAL::parameters::sizing_function(d).number_of_rounds(2).defect_treatment(false));
+    paper::triangulate({square}),
+    CGAL::parameters::sizing_function(d).number_of_rounds(2).defect_treatment(false));
 }
 
 Nodes shuffled(const Nodes& nodes)

@@ -20,11 +20,10 @@
 
 #include "../../demo/Bubble_relaxation_2/moving_hole.h"
 #include "../../demo/Bubble_relaxation_2/paper_domains.h"
+#include "../../test/Bubble_relaxation_2/counted_memory.h"
 
 #include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_relax.h>
-
-#include <malloc.h>
 
 #include <algorithm>
 #include <array>
@@ -35,36 +34,11 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
-#include <new>
 #include <optional>
 #include <random>
 #include <set>
 #include <string>
 #include <vector>
-
-namespace {
-
-std::size_t bytes_in_use = 0, most_bytes = 0;
-
-} // namespace
-
-void* operator new(std::size_t size)
-{
-  void* p = std::malloc(size);
-  if (p == nullptr)
-    throw std::bad_alloc();
-  bytes_in_use += malloc_usable_size(p);
-  most_bytes = (std::max)(most_bytes, bytes_in_use);
-  return p;
-}
-
-void operator delete(void* p) noexcept
-{
-  bytes_in_use -= malloc_usable_size(p);
-  std::free(p);
-}
-
-void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
 namespace {
 
@@ -77,8 +51,7 @@ const paper::Outline square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 template <class Sizes>
 CDT mesh(const paper::Outline& outline, const Sizes& d)
 {
-  CDT cdt;
-  cdt.insert_constraint(outline.begin(), outline.end(), true);
+  CDT cdt = paper::triangulate({outline});
   CGAL::npbs_relax(cdt, P::sizing_function(d));
   return cdt;
 }
@@ -95,11 +68,11 @@ Cost cost(const Prepare& prepare, const Function& f)
   Cost result;
   for (int k = 0; k < 5; ++k) {
     prepare();
-    const std::size_t before = most_bytes = bytes_in_use;
+    const std::size_t before = counted_memory::most_memory = counted_memory::memory;
     const std::clock_t start = std::clock();
     f();
     result.seconds = (std::min)(result.seconds, double(std::clock() - start) / CLOCKS_PER_SEC);
-    result.megabytes = 1e-6 * double(most_bytes - before);
+    result.megabytes = 1e-6 * double(counted_memory::most_memory - before);
   }
   return result;
 }
@@ -344,9 +317,7 @@ private:
 
   CDT make(Pins& pins) const
   {
-    CDT cdt;
-    for (const paper::Outline& o : {square, outline_of_hole()})
-      cdt.insert_constraint(o.begin(), o.end(), true);
+    CDT cdt = paper::triangulate({square, outline_of_hole()});
     for (const Point& p : m_pin_places)
       pins.push_back(cdt.insert(p));
     CGAL::npbs_relax(cdt, drift_parameters(m_sizes, pins));

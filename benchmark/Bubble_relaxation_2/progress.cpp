@@ -142,15 +142,6 @@ void measure(const std::string& name, const Cdt& cdt, const paper::Sizing& d)
   }
 }
 
-template <class Cdt>
-Cdt unit_square()
-{
-  const paper::Outline outline = square(1).outlines[0];
-  Cdt cdt;
-  cdt.insert_constraint(outline.begin(), outline.end(), true);
-  return cdt;
-}
-
 CDT read_lake(const std::string& file)
 {
   std::ifstream in(file);
@@ -176,13 +167,14 @@ paper::Sizing uniform(double area, double n)
 
 void measure_domains(const CDT& lake, double n)
 {
-  measure("square", unit_square<paper::CDT>(), uniform(1, n));
+  const std::vector<paper::Outline> unit_square = square(1).outlines;
+  measure("square", paper::triangulate(unit_square), uniform(1, n));
   const paper::Domain graded = domain_with_vertices(paper::graded_circle, n);
   measure("eq. 4", paper::triangulate(graded), graded.d);
   measure("lake", lake, uniform(area(lake), n));
   using Plus = CGAL::Constrained_triangulation_plus_2<paper::CDT>;
-  measure("square, inserted", unit_square<Plus>(), uniform(1, n));
-  paper::CDT mesh = unit_square<paper::CDT>();
+  measure("square, inserted", paper::triangulate<Plus>(unit_square), uniform(1, n));
+  paper::CDT mesh = paper::triangulate(unit_square);
   CGAL::npbs_relax(mesh, P::sizing_function(uniform(1, n / 4)));
   measure("square, from a mesh", mesh, uniform(1, n));
 }

@@ -9,6 +9,7 @@
 #ifndef BUBBLE_RELAXATION_2_BENCHMARK_QUALITY_CHART_H
 #define BUBBLE_RELAXATION_2_BENCHMARK_QUALITY_CHART_H
 
+#include "../../examples/Bubble_relaxation_2/svg_picture.h"
 #include "comparison.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ public:
 
   void write(std::ostream& out, const std::string& title)
   {
-    add_text(width() / 2, 28, title, 17, "middle");
+    m_body.add_text(width() / 2, 28, title, 17, "middle");
     add_panel(0, "mean q (logarithmic in 1 - q)", mean_ticks(), [](const Comparison_row& r) { return r.mean_q; },
               [this](double q) { return height_of_mean(q); });
     add_panel(1, "smallest q", minimum_ticks(), [](const Comparison_row& r) { return r.min_q; },
@@ -84,22 +85,22 @@ private:
     m_left = 70 + number * (size + 80);
     const auto y = [&](double q) { return top + size * (1 - share(q)); };
     for (double q : ticks) {
-      add_line(m_left, y(q), m_left + size, y(q), "#ddd");
+      m_body.add_line(m_left, y(q), m_left + size, y(q), "#ddd");
       std::ostringstream label;
       label << q;
-      add_text(m_left - 6, y(q) + 4, label.str(), 12, "end");
+      m_body.add_text(m_left - 6, y(q) + 4, label.str(), 12, "end");
     }
     for (double decade = 1; std::log10(decade) <= m_logarithm; decade *= 10)
       for (int i = 1; i < 10 && std::log10(i * decade) <= m_logarithm; ++i) {
         const double at = x(i * decade);
-        add_line(at, top, at, top + size, i == 1 ? "#bbb" : "#eee");
+        m_body.add_line(at, top, at, top + size, i == 1 ? "#bbb" : "#eee");
         if (i == 1 || i == 2 || i == 5)
-          add_text(at, top + size + 18, std::to_string(std::lround(i * decade)), 12, "middle");
+          m_body.add_text(at, top + size + 18, std::to_string(std::lround(i * decade)), 12, "middle");
       }
     m_body << "<rect x=\"" << m_left << "\" y=\"" << top << "\" width=\"" << size << "\" height=\"" << size
            << "\" fill=\"none\" stroke=\"black\"/>\n";
-    add_text(m_left + size / 2, top + size + 40, "CPU time over that of the bare triangulation", 13, "middle");
-    add_text(m_left, top - 10, name, 14, "start");
+    m_body.add_text(m_left + size / 2, top + size + 40, "CPU time over that of the bare triangulation", 13, "middle");
+    m_body.add_text(m_left, top - 10, name, 14, "start");
     for (std::size_t m = 0; m < m_meshers.size(); ++m)
       add_mesher(m, quality, y);
   }
@@ -129,10 +130,10 @@ private:
         continue;
       const double left = 75 + 300 * double(shown % 3), y = top + size + 72 + 24 * double(shown / 3);
       add_dot(left, y - 5, 8, m, 1);
-      add_text(left + 16, y, m_meshers[m], 14, "start");
+      m_body.add_text(left + 16, y, m_meshers[m], 14, "start");
       ++shown;
     }
-    add_text(width() - 10, height - 8, "small: a domain, large: the mean of the domains", 12, "end");
+    m_body.add_text(width() - 10, height - 8, "small: a domain, large: the mean of the domains", 12, "end");
   }
 
   double x(double floors) const { return m_left + size * std::log10((std::max)(1., floors)) / m_logarithm; }
@@ -146,17 +147,6 @@ private:
            << (opacity < 1 ? "none" : "black") << "\"/>\n";
   }
 
-  void add_line(double x0, double y0, double x1, double y1, const char* color)
-  {
-    m_body << "<path d=\"M" << x0 << ' ' << y0 << 'L' << x1 << ' ' << y1 << "\" stroke=\"" << color << "\"/>\n";
-  }
-
-  void add_text(double x, double y, const std::string& text, int font_size, const char* anchor)
-  {
-    m_body << "<text x=\"" << x << "\" y=\"" << y << "\" font-size=\"" << font_size << "\" text-anchor=\""
-           << anchor << "\">" << text << "</text>\n";
-  }
-
   static constexpr double size = 400, top = 75, height = top + size + 130;
   static double width() { return 70 + 2 * size + 80 + 30; }
 
@@ -164,7 +154,7 @@ private:
   const std::vector<std::string>& m_meshers;
   double m_left = 0, m_logarithm = 1;
   double m_worst_mean = 1, m_best_mean = 0, m_worst_min = 1, m_best_min = 0;
-  std::ostringstream m_body;
+  Svg_body m_body;
 };
 
 #endif // BUBBLE_RELAXATION_2_BENCHMARK_QUALITY_CHART_H

@@ -36,9 +36,8 @@ namespace P = CGAL::parameters;
 /// a square with about so many vertices, three times as far from each other in one corner as in the opposite one
 CDT mesh(double number_of_vertices)
 {
-  CDT cdt;
   const paper::Outline square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  cdt.insert_constraint(square.begin(), square.end(), true);
+  CDT cdt = paper::triangulate({square});
   const double d = std::sqrt(1.15 / number_of_vertices);
   CGAL::npbs_relax(cdt, P::sizing_function([=](const Point& p) { return d * (0.55 + 0.5 * (p.x() + p.y())); }));
   return cdt;

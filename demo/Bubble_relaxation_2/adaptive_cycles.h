@@ -15,6 +15,7 @@
 #include "error_estimate.h"
 #include "error_norms.h"
 #include "linear_finite_elements.h"
+#include "paper_domains.h"
 #include "size_from_error.h"
 
 #include <CGAL/Mesh_quality_2.h>
@@ -68,11 +69,9 @@ public:
   using Field = CGAL::Interpolated_sizing_field_2<CDT>;
   using Exact = Corner_singularity<typename CDT::Geom_traits>;
 
-  explicit Adaptive_cycles(const Cycle_options& options) : m_options(options)
-  {
-    const auto outline = Exact::outline();
-    m_cdt.insert_constraint(outline.begin(), outline.end(), true);
-  }
+  explicit Adaptive_cycles(const Cycle_options& options)
+    : m_options(options), m_cdt(paper::triangulate<CDT>({Exact::outline()}))
+  {}
 
   /// `look(cycle)` sees each of them.
   template <class Look>
@@ -95,10 +94,8 @@ public:
   /// a mesh made at once with the d of the last one, and the solution on it
   Adaptive_cycle at_once()
   {
-    m_cdt.clear();
+    m_cdt = paper::triangulate<CDT>({Exact::outline()});
     m_carried.values.clear();
-    const auto outline = Exact::outline();
-    m_cdt.insert_constraint(outline.begin(), outline.end(), true);
     m_cycle = Adaptive_cycle();
     const double start = seconds();
     CGAL::npbs_relax(m_cdt, CGAL::parameters::sizing_function(*m_field));

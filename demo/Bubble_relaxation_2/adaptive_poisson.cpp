@@ -34,7 +34,6 @@
 #include <vector>
 
 using paper::CDT;
-using paper::Point;
 using Exact = Corner_singularity<paper::K>;
 using Steps = std::vector<Adaptive_step>;
 using Solver = std::function<Solved(const CDT&, const Triangle_arrays<CDT>&)>;
@@ -63,14 +62,6 @@ Arguments read_arguments(int argc, char** argv)
       throw std::invalid_argument("usage: adaptive_poisson [--nodes N] [--efg-nodes N] [--tolerance T], all positive");
   }
   return result;
-}
-
-CDT domain()
-{
-  CDT cdt;
-  const std::vector<Point> outline = Exact::outline();
-  cdt.insert_constraint(outline.begin(), outline.end(), true);
-  return cdt;
 }
 
 void print_head(const std::string& title)
@@ -106,7 +97,7 @@ double h1(const Adaptive_step& s) { return s.error.h1; }
 Steps study(const std::string& title, Refinement refinement, const Arguments& arguments, double most_nodes,
             const Solver& solver, const Look& look)
 {
-  CDT cdt = domain();
+  CDT cdt = paper::triangulate({Exact::outline()});
   Adaptive_options options;
   options.refinement = refinement;
   options.most_nodes = most_nodes;

@@ -71,12 +71,8 @@ po::variables_map read_arguments(const Mpi_session& session, int argc, char** ar
     endings.insert(endings.begin(), ".pvtu");
     check_extension(output, endings);
     if (session.is_first()) // before the work is done, not after it
-      for (const std::string& file : files_of_first(output)) {
-        std::error_code ignored;
-        if (std::filesystem::equivalent(arguments["input"].as<std::string>(), file, ignored))
-          throw std::runtime_error(file + ": is the input; give --output another name");
-        check_writable(file);
-      }
+      for (const std::string& file : files_of_first(output))
+        check_output(arguments["input"].as<std::string>(), file, "--output");
   }
   return arguments;
 }

@@ -42,7 +42,7 @@ Convergence converge(const std::string& name, double d, int levels, const NamedP
   Convergence result{name, {}, {}};
   std::cout << name << '\n';
   for (int level = 0; level < levels; ++level, d /= 2) {
-    CDT mesh = triangulate(square_outline());
+    CDT mesh = paper::triangulate({square_outline()});
     CGAL::npbs_relax(mesh, CGAL::parameters::sizing_function(d));
     const Nodes nodes = CGAL::node_set_2(mesh);
     const Errors errors = solve(mesh, nodes, np);

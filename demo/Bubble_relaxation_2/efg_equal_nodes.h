@@ -154,7 +154,7 @@ inline CDT square_mesh(std::size_t n)
   double least_difference = (std::numeric_limits<double>::max)();
   for (int k = 0; k < 80 && least_difference > 0; ++k) {
     const double d = (1.07 + 0.001 * (k % 2 == 0 ? k / 2 : -(k / 2) - 1)) / parts;
-    CDT mesh = triangulate(square_outline());
+    CDT mesh = paper::triangulate({square_outline()});
     CGAL::npbs_relax(mesh, CGAL::parameters::sizing_function(d));
     const double difference = std::abs(static_cast<double>(mesh.number_of_vertices()) - static_cast<double>(n));
     if (difference < least_difference) {

@@ -77,13 +77,6 @@ inline std::vector<Point> square_outline(int parts = 1)
   return points;
 }
 
-inline CDT triangulate(const std::vector<Point>& outline)
-{
-  CDT cdt;
-  cdt.insert_constraint(outline.begin(), outline.end(), true);
-  return cdt;
-}
-
 /// The distance of neighbours in a hexagonal packing of the unit square: a cell is sqrt(3)/2 d^2, of which a node
 /// inside owns all, one on an edge half, and one in a corner a quarter.
 inline double natural_distance(std::size_t inside, std::size_t on_edges)
@@ -107,7 +100,7 @@ inline Nodes bare_nodes(const std::vector<Point>& points, double distance)
 /// pinned, those inside free.
 inline Nodes simulate(const std::vector<Point>& outline, const std::vector<Point>& inside, double d, std::size_t steps)
 {
-  CDT cdt = triangulate(outline);
+  CDT cdt = paper::triangulate({outline});
   std::set<CDT::Vertex_handle> on_outline;
   for (CDT::Vertex_handle v : cdt.finite_vertex_handles())
     on_outline.insert(v);

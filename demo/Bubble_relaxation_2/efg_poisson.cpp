@@ -40,7 +40,7 @@ void draw_figure_17()
   Svg_picture picture;
   for (std::size_t steps : {0, 250, 500, 1000}) {
     const efg::Nodes nodes = efg::paper_nodes(1000, efg::large_then_less(steps));
-    efg::CDT cdt = efg::triangulate(efg::square_outline());
+    efg::CDT cdt = paper::triangulate({efg::square_outline()});
     cdt.insert(nodes.points.begin(), nodes.points.end());
     picture.add_nodes(cdt, steps == 0 ? "at random" : "after " + std::to_string(steps) + " steps");
   }

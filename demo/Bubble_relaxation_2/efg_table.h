@@ -63,7 +63,7 @@ Error_sample sample(std::size_t seeds, const Make_nodes& make_nodes, Domain doma
   Error_sample errors;
   for (std::uint64_t k = 0; k < seeds; ++k) {
     const Nodes nodes = make_nodes(first_seed + k);
-    CDT square = triangulate(square_outline());
+    CDT square = paper::triangulate({square_outline()});
     if (domain == Domain::MESH)
       square.insert(nodes.points.begin(), nodes.points.end());
     errors.add(solve(square, nodes, np));

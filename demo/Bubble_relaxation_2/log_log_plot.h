@@ -63,7 +63,7 @@ public:
     const double height = top + size + 70 + legend_height;
     m_body.str("");
     m_body << std::fixed << std::setprecision(2);
-    add_text(width / 2, 28, m_title, 17, "middle");
+    m_body.add_text(width / 2, 28, m_title, 17, "middle");
     for (std::size_t k = 0; k < m_panels.size(); ++k)
       draw_panel(m_panels[k], gap + static_cast<double>(k) * (size + gap));
     for (std::size_t k = 0; k < m_names.size(); ++k)
@@ -124,11 +124,11 @@ private:
     y.first = top + size;
     y.length = -size;
     draw_grid(x, y);
-    add_text(left + size / 2, top + size + 42, panel.x_title, 13, "middle");
+    m_body.add_text(left + size / 2, top + size + 42, panel.x_title, 13, "middle");
     m_body << "<g transform=\"translate(" << left - 50 << ' ' << top + size / 2 << ") rotate(-90)\">";
-    add_text(0, 0, panel.y_title, 13, "middle");
+    m_body.add_text(0, 0, panel.y_title, 13, "middle");
     m_body << "</g>\n";
-    add_text(left + size / 2, top - 10, panel.caption, 14, "middle");
+    m_body.add_text(left + size / 2, top - 10, panel.caption, 14, "middle");
     for (const Slope& s : panel.slopes)
       draw_slope(s, x, y);
     for (const Series& s : panel.series)
@@ -139,15 +139,15 @@ private:
   {
     for_each_tick(x, [&](double value, int digit, bool is_labelled) {
       const double at = x.at(value);
-      add_line(at, top, at, top + size, digit == 1 ? "#bbb" : "#eee");
+      m_body.add_line(at, top, at, top + size, digit == 1 ? "#bbb" : "#eee");
       if (is_labelled)
-        add_text(at, top + size + 18, in_short(value), 12, "middle");
+        m_body.add_text(at, top + size + 18, in_short(value), 12, "middle");
     });
     for_each_tick(y, [&](double value, int digit, bool is_labelled) {
       const double at = y.at(value);
-      add_line(x.first, at, x.first + size, at, digit == 1 ? "#bbb" : "#eee");
+      m_body.add_line(x.first, at, x.first + size, at, digit == 1 ? "#bbb" : "#eee");
       if (is_labelled)
-        add_text(x.first - 6, at + 4, in_short(value), 12, "end");
+        m_body.add_text(x.first - 6, at + 4, in_short(value), 12, "end");
     });
     m_body << "<rect x=\"" << x.first << "\" y=\"" << top << "\" width=\"" << size << "\" height=\"" << size
            << "\" fill=\"none\" stroke=\"black\"/>\n";
@@ -187,14 +187,14 @@ private:
            << "Z\" fill=\"#eee\" stroke=\"#555\"/>\n";
     std::ostringstream order;
     order << s.order;
-    add_text(right + 5, (from + to) / 2 + 4, order.str(), 12, "start");
+    m_body.add_text(right + 5, (from + to) / 2 + 4, order.str(), 12, "start");
   }
 
   void draw_entry(std::size_t number, double left, double y)
   {
-    add_line(left, y - 5, left + 30, y - 5, color(number));
+    m_body.add_line(left, y - 5, left + 30, y - 5, color(number));
     add_mark(left + 15, y - 5, number);
-    add_text(left + 38, y, m_names[number], 13, "start");
+    m_body.add_text(left + 38, y, m_names[number], 13, "start");
   }
 
   /// colours are told apart with the common colour-vision deficiencies too, and so are shapes without colour
@@ -236,23 +236,12 @@ private:
     return text.str();
   }
 
-  void add_line(double x0, double y0, double x1, double y1, const char* stroke)
-  {
-    m_body << "<path d=\"M" << x0 << ' ' << y0 << 'L' << x1 << ' ' << y1 << "\" stroke=\"" << stroke << "\"/>\n";
-  }
-
-  void add_text(double x, double y, const std::string& text, int font_size, const char* anchor)
-  {
-    m_body << "<text x=\"" << x << "\" y=\"" << y << "\" font-size=\"" << font_size << "\" text-anchor=\"" << anchor
-           << "\">" << text << "</text>\n";
-  }
-
   static constexpr double size = 400, gap = 80, top = 75;
 
   std::string m_title;
   std::vector<Panel> m_panels;
   std::vector<std::string> m_names; ///< of the series, in the order of the legend
-  std::ostringstream m_body;
+  Svg_body m_body;
 };
 
 #endif // BUBBLE_RELAXATION_2_DEMO_LOG_LOG_PLOT_H

@@ -105,10 +105,7 @@ double seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 template <class Sizes>
 double seconds_at_once(const Body& body, const Sizes& d)
 {
-  CDT cdt;
-  cdt.insert_constraint(channel.begin(), channel.end(), true);
-  const Outline outline = body.outline();
-  cdt.insert_constraint(outline.begin(), outline.end(), true);
+  CDT cdt = paper::triangulate({channel, body.outline()});
   const double start = seconds();
   CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(d));
   return seconds() - start;
@@ -118,11 +115,9 @@ double seconds_at_once(const Body& body, const Sizes& d)
 class Moving_body
 {
 public:
-  explicit Moving_body(int steps) : m_steps(steps), m_body(0)
+  explicit Moving_body(int steps)
+    : m_steps(steps), m_body(0), m_cdt(paper::triangulate({channel, m_body.outline()}))
   {
-    const Outline outline = m_body.outline();
-    for (const Outline& o : {channel, outline})
-      m_cdt.insert_constraint(o.begin(), o.end(), true);
     CGAL::npbs_relax(m_cdt, CGAL::parameters::sizing_function(sizes()));
     set_temperatures([this](const Point& p) { return Heat_problem(m_body).dirichlet(p); });
   }

@@ -120,36 +120,22 @@ po::variables_map read_arguments(int argc, char** argv)
   return arguments;
 }
 
-/// \throws std::runtime_error if the input is among the files of the output
-void check_that_input_stays(const std::string& input, const std::string& output)
-{
-  std::error_code ignored;
-  for (const std::string& file : mesh_files(output))
-    if (std::filesystem::equivalent(input, file, ignored))
-      throw std::runtime_error(file + ": is the input; give --output another name");
-}
-
 /// what would be found out only when the mesh is there
 void check_arguments(const po::variables_map& arguments)
 {
+  const std::string input = arguments["input"].as<std::string>();
   if (arguments.count("output") > 0) {
     const std::string output = arguments["output"].as<std::string>();
     check_extension(output, mesh_endings());
-    check_that_input_stays(arguments["input"].as<std::string>(), output);
     for (const std::string& file : mesh_files(output))
-      check_writable(file);
+      check_output(input, file, "--output");
   }
   if (arguments.count("picture") > 0) {
     check_extension(arguments["picture"].as<std::string>(), {".svg"});
     check_writable(arguments["picture"].as<std::string>());
   }
-  if (arguments.count("simplification-report") > 0) {
-    const std::string report = arguments["simplification-report"].as<std::string>();
-    std::error_code ignored;
-    if (std::filesystem::equivalent(arguments["input"].as<std::string>(), report, ignored))
-      throw std::runtime_error(report + ": is the input; give --simplification-report another name");
-    check_writable(report);
-  }
+  if (arguments.count("simplification-report") > 0)
+    check_output(input, arguments["simplification-report"].as<std::string>(), "--simplification-report");
   check_mesh_options(arguments);
   if (arguments["threads"].as<int>() < 0)
     throw std::runtime_error("--threads must not be negative");

@@ -45,13 +45,16 @@ struct Domain
   int rounds;     ///< the paper's rounds
 };
 
-inline CDT triangulate(const Domain& domain)
+template <class Cdt = CDT>
+Cdt triangulate(const std::vector<Outline>& outlines)
 {
-  CDT cdt;
-  for (const Outline& o : domain.outlines)
+  Cdt cdt;
+  for (const Outline& o : outlines)
     cdt.insert_constraint(o.begin(), o.end(), true);
   return cdt;
 }
+
+inline CDT triangulate(const Domain& domain) { return triangulate(domain.outlines); }
 
 inline double distance(const Point& p, double x, double y = 0)
 {

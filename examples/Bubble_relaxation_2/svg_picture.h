@@ -39,6 +39,21 @@ inline void write_svg(const std::string& file_name, double width, double height,
     throw std::runtime_error(file_name + ": cannot be written: " + std::strerror(errno));
 }
 
+/// Elements of SVG.
+struct Svg_body : std::ostringstream
+{
+  void add_line(double x0, double y0, double x1, double y1, const char* color)
+  {
+    *this << "<path d=\"M" << x0 << ' ' << y0 << 'L' << x1 << ' ' << y1 << "\" stroke=\"" << color << "\"/>\n";
+  }
+
+  void add_text(double x, double y, const std::string& text, int font_size, const char* anchor = "middle")
+  {
+    *this << "<text x=\"" << x << "\" y=\"" << y << "\" font-size=\"" << font_size << "\" text-anchor=\"" << anchor
+          << "\">" << text << "</text>\n";
+  }
+};
+
 /// A picture of panels side by side: meshes, nodes, bubbles, histograms, parts of ranks.
 class Svg_picture
 {
@@ -52,7 +67,7 @@ public:
     m_x0 = m_left + 0.5 * (m_size - m_scale * width) - m_scale * box.xmin();
     m_y0 = m_top + 0.5 * (m_size + m_scale * height) + m_scale * box.ymin();
     ++m_number_of_panels;
-    add_text(m_left + 0.5 * m_size, m_top - 15, caption, 16);
+    m_body.add_text(m_left + 0.5 * m_size, m_top - 15, caption, 16);
   }
 
   /// triangles of the domain in the colour of their q, constraints in bold
@@ -168,11 +183,11 @@ public:
     m_body << "<path d=\"M" << m_left << ' ' << m_top + m_size << 'h' << m_size
            << "\" stroke=\"black\"/>\n";
     for (int k = 0; k <= 5; ++k)
-      add_text(m_left + m_size * k / 5, m_top + m_size + 15, std::to_string(0.2 * k).substr(0, 3), 12);
+      m_body.add_text(m_left + m_size * k / 5, m_top + m_size + 15, std::to_string(0.2 * k).substr(0, 3), 12);
     std::ostringstream numbers;
     numbers << std::fixed << std::setprecision(3) << "mean " << quality.mean_quality() << ", smallest "
             << quality.minimum_quality();
-    add_text(m_left + 0.35 * m_size, m_top + 20, numbers.str(), 14);
+    m_body.add_text(m_left + 0.35 * m_size, m_top + 20, numbers.str(), 14);
   }
 
   /// a disc in the colour of a rank
@@ -237,12 +252,6 @@ private:
            << "\" r=\"" << radius << "\" " << style << "/>\n";
   }
 
-  void add_text(double x, double y, const std::string& text, int size)
-  {
-    m_body << "<text x=\"" << x << "\" y=\"" << y << "\" font-size=\"" << size
-           << "\" text-anchor=\"middle\">" << text << "</text>\n";
-  }
-
   template <class Point_2>
   std::string at(const Point_2& p) const
   {
@@ -286,7 +295,7 @@ private:
   static constexpr double m_size = 480, m_gap = 30, m_top = 40;
   double m_scale = 1, m_left = 0, m_x0 = 0, m_y0 = 0;
   int m_number_of_panels = 0;
-  std::ostringstream m_body;
+  Svg_body m_body;
 };
 
 #endif // BUBBLE_RELAXATION_2_EXAMPLES_SVG_PICTURE_H

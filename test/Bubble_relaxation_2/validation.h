@@ -331,6 +331,23 @@ void expect_report_adds_up(const CDT& cdt, const Report& report, std::size_t eva
   EXPECT_EQ(report.converged, report.stop_reason == CGAL::Bubble_stop_reason::CONVERGED);
 }
 
+/// all that is told of the quality of a mesh, to compare
+template <class FT>
+std::vector<double> all_numbers(const CGAL::Mesh_quality_2<FT>& q)
+{
+  std::vector<double> numbers{double(q.number_of_vertices()), double(q.number_of_triangles()),
+                              q.minimum_quality(), q.mean_quality(), q.worst_x(), q.worst_y(),
+                              q.minimum_angle(), q.maximum_angle(), q.shortest_edge(), q.longest_edge(),
+                              double(q.number_of_interior_vertices()), q.irregular_share(),
+                              q.mean_length_ratio(), q.length_ratio_deviation(),
+                              q.length_ratio_percentile(1), q.length_ratio_percentile(99)};
+  for (int percent : {1, 5, 10, 25, 50, 75, 90})
+    numbers.push_back(q.quality_percentile(percent));
+  for (std::size_t bar : q.histogram())
+    numbers.push_back(double(bar));
+  return numbers;
+}
+
 } // namespace validation
 
 #endif // BUBBLE_RELAXATION_2_TEST_VALIDATION_H

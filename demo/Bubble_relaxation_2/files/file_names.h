@@ -61,6 +61,15 @@ inline void check_writable(const std::string& name)
     std::filesystem::remove(name, ignored);
 }
 
+/// \throws std::runtime_error if a file that `option` asks for is the input, or if it cannot be written
+inline void check_output(const std::string& input, const std::string& file, const std::string& option)
+{
+  std::error_code ignored;
+  if (std::filesystem::equivalent(input, file, ignored))
+    throw std::runtime_error(file + ": is the input; give " + option + " another name");
+  check_writable(file);
+}
+
 using CGAL::Bubble_relaxation_2::internal::write_file;
 
 #endif // BUBBLE_RELAXATION_2_DEMO_FILE_NAMES_H

@@ -80,29 +80,6 @@ Points with_properties(const Case& c, const std::vector<std::int64_t>& numbers, 
   return points;
 }
 
-distributed::Triangle sorted(const Mesh& mesh, std::size_t t)
-{
-  const auto ids = mesh.triangle(t);
-  const int first = static_cast<int>(std::min_element(ids.begin(), ids.end()) - ids.begin());
-  distributed::Triangle result{};
-  for (int i = 0; i < 3; ++i) {
-    result.vertices[i] = ids[(first + i) % 3];
-    result.is_constrained[i] = mesh.is_constrained(t, (first + i) % 3);
-  }
-  result.inside = 1;
-  return result;
-}
-
-std::vector<distributed::Triangle> union_of(const Mesh& mesh)
-{
-  std::vector<distributed::Triangle> own;
-  for (std::size_t t = 0; t < mesh.number_of_owned_triangles(); ++t)
-    own.push_back(sorted(mesh, t));
-  auto all = gather_records(Communicator(MPI_COMM_WORLD), own);
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
 /// the numbers that points get along the curve
 std::vector<std::int64_t> numbers_along_curve(const Case& c)
 {
@@ -119,7 +96,7 @@ std::vector<std::int64_t> numbers_along_curve(const Case& c)
 void expect_whole(const Mesh& mesh, const Case& c, const std::vector<std::int64_t>& numbers)
 {
   const Marked_triangles_2 whole = mesh_of(c).triangles;
-  EXPECT_TRUE(union_of(mesh) == distributed::triangles(whole, numbers, whole.inside));
+  EXPECT_TRUE(distributed::triangles_of_all(mesh) == distributed::triangles(whole, numbers, whole.inside));
   EXPECT_EQ(mesh.rank(), rank());
   EXPECT_EQ(mesh.number_of_ranks(), size());
   const std::map<std::int64_t, std::size_t> index = [&] {

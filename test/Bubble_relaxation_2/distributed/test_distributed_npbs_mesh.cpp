@@ -10,6 +10,7 @@
 
 #include "paper_domains.h"
 #include "same_exception.h"
+#include "union_of_ranks.h"
 
 #include <CGAL/Distributed/npbs_mesh.h>
 #include <CGAL/Distributed/triangulate.h>
@@ -38,6 +39,8 @@ using CGAL::Bubble_relaxation_2::internal::gather_records;
 using distributed::expect_same_exception;
 using distributed::last_rank;
 using distributed::rank;
+using distributed::Triangle;
+using distributed::triangles_of_all;
 using paper::Point;
 using Points = CGAL::Point_set_3<paper::K::Point_2, paper::K::Vector_2>;
 using Mesh = CGAL::Distributed::Mesh_2<paper::K>;
@@ -55,9 +58,6 @@ struct Vertex
     return id == v.id && x == v.x && y == v.y && size == v.size && dimension == v.dimension;
   }
 };
-
-/// a triangle by the ids of its vertices, the smallest first, and whether the sides opposite to them are constraints
-using Triangle = std::array<std::int64_t, 6>;
 
 std::vector<Vertex> owned_points(const Mesh& mesh)
 {
@@ -78,34 +78,11 @@ std::vector<Vertex> vertices(const Points& points)
   return result;
 }
 
-Triangle triangle(const Mesh& mesh, std::size_t t)
-{
-  const auto ids = mesh.triangle(t);
-  const int first = static_cast<int>(std::min_element(ids.begin(), ids.end()) - ids.begin());
-  Triangle result{};
-  for (int k = 0; k < 3; ++k) {
-    result[k] = ids[(first + k) % 3];
-    result[3 + k] = mesh.is_constrained(t, (first + k) % 3);
-  }
-  return result;
-}
-
 /// Collective.
 template <class Record>
 std::vector<Record> of_all(const std::vector<Record>& own)
 {
   return gather_records(Communicator(MPI_COMM_WORLD), own);
-}
-
-/// Collective. The triangles that ranks own, sorted.
-std::vector<Triangle> triangles_of_all(const Mesh& mesh)
-{
-  std::vector<Triangle> own;
-  for (std::size_t t = 0; t < mesh.number_of_owned_triangles(); ++t)
-    own.push_back(triangle(mesh, t));
-  std::vector<Triangle> all = of_all(own);
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
 struct Owned_vertex
@@ -143,16 +120,16 @@ void expect_ghost_layer(const Mesh& mesh, const std::vector<Triangle>& all)
   }
   std::set<Triangle> known;
   for (std::size_t t = 0; t < mesh.number_of_triangles(); ++t)
-    known.insert(triangle(mesh, t));
+    known.insert(distributed::triangle(mesh, t));
   EXPECT_EQ(known.size(), mesh.number_of_triangles());
   std::size_t around = 0;
   for (const Triangle& t : all) {
     const auto is_own = [&own](std::int64_t id) { return own.count(id) != 0; };
-    if (!std::any_of(t.begin(), t.begin() + 3, is_own))
+    if (!std::any_of(t.vertices.begin(), t.vertices.end(), is_own))
       continue;
     ++around;
     EXPECT_EQ(known.count(t), 1u);
-    std::remove_copy_if(t.begin(), t.begin() + 3, std::inserter(needed, needed.end()), is_own);
+    std::remove_copy_if(t.vertices.begin(), t.vertices.end(), std::inserter(needed, needed.end()), is_own);
   }
   EXPECT_EQ(around, known.size());
   EXPECT_EQ(ghosts, needed);
@@ -174,7 +151,7 @@ void expect_faces(const std::vector<Triangle>& triangles, std::vector<Vertex> ve
   for (const Triangle& t : triangles) {
     Corners corners;
     for (int k = 0; k < 3; ++k) {
-      const Vertex& v = vertices.at(static_cast<std::size_t>(t[k]));
+      const Vertex& v = vertices.at(static_cast<std::size_t>(t.vertices[k]));
       corners.insert({v.x, v.y});
     }
     ASSERT_EQ(faces.count(corners), 1u);

@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_TEST_DISTRIBUTED_UNION_OF_RANKS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 
 #include <algorithm>
 #include <array>
@@ -49,6 +50,33 @@ inline Triangle triangle(const Marked_triangles_2& mesh, std::size_t t,
   }
   result.inside = mesh.inside[t];
   return result;
+}
+
+/// a triangle of a mesh of the user's, which has only those of the domain
+template <class Mesh>
+Triangle triangle(const Mesh& mesh, std::size_t t)
+{
+  const auto ids = mesh.triangle(t);
+  const int first = static_cast<int>(std::min_element(ids.begin(), ids.end()) - ids.begin());
+  Triangle result{};
+  for (int i = 0; i < 3; ++i) {
+    result.vertices[i] = ids[(first + i) % 3];
+    result.is_constrained[i] = mesh.is_constrained(t, (first + i) % 3);
+  }
+  result.inside = 1;
+  return result;
+}
+
+/// Collective. The triangles that ranks own, sorted.
+template <class Mesh>
+std::vector<Triangle> triangles_of_all(const Mesh& mesh)
+{
+  std::vector<Triangle> own;
+  for (std::size_t t = 0; t < mesh.number_of_owned_triangles(); ++t)
+    own.push_back(triangle(mesh, t));
+  std::vector<Triangle> all = gather_records(Communicator(MPI_COMM_WORLD), own);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 /// the triangles of the domain that are marked, sorted

@@ -36,7 +36,7 @@ efg::Errors orders(CGAL::Moving_least_squares_basis basis)
 {
   std::vector<efg::Errors> errors;
   for (double d : {0.1, 0.0125}) {
-    efg::CDT square = efg::triangulate(efg::square_outline());
+    efg::CDT square = paper::triangulate({efg::square_outline()});
     const efg::Nodes nodes = CGAL::npbs_place_nodes(square, CGAL::parameters::sizing_function(d));
     square.insert(nodes.points.begin(), nodes.points.end());
     errors.push_back(efg::solve(square, nodes, CGAL::parameters::mls_basis(basis)));

@@ -8,11 +8,11 @@
 
 // Influence domains by expansion over neighbour sets: nothing is lost where the sets do not suffice.
 
+#include "domains.h"
 #include "expect_throw.h"
 #include "influence_checks.h"
 #include "random_seeds.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/npbs_place_nodes.h>
 
 #include <stdexcept>
@@ -22,38 +22,16 @@
 namespace test_influence_expansion {
 
 using namespace influence_checks;
+using domains::CDT;
 using Nodes = CGAL::Node_set_2<Point>;
 
 const auto expansion = CGAL::parameters::influence_search(CGAL::Influence_search::EXPANSION);
 
-using CDT = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
+CDT square() { return domains::make({domains::square(0, 0, 1)}); }
 
-CDT square()
-{
-  CDT cdt;
-  const Points outline{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  cdt.insert_constraint(outline.begin(), outline.end(), true);
-  return cdt;
-}
+CDT square_with_hole() { return domains::make({domains::square(0, 0, 1), domains::polygon(0.5, 0.5, 0.15, 24)}); }
 
-CDT square_with_hole()
-{
-  CDT cdt = square();
-  Points hole;
-  for (int k = 0; k < 24; ++k)
-    hole.emplace_back(0.5 + 0.15 * std::cos(k * pi / 12), 0.5 + 0.15 * std::sin(k * pi / 12));
-  cdt.insert_constraint(hole.begin(), hole.end(), true);
-  return cdt;
-}
-
-/// with a notch
-CDT notched()
-{
-  CDT cdt;
-  const Points outline{{0, 0}, {1, 0}, {1, 1}, {0.51, 1}, {0.5, 0.3}, {0.49, 1}, {0, 1}};
-  cdt.insert_constraint(outline.begin(), outline.end(), true);
-  return cdt;
-}
+CDT notched() { return domains::make({{{0, 0}, {1, 0}, {1, 1}, {0.51, 1}, {0.5, 0.3}, {0.49, 1}, {0, 1}}}); }
 
 template <class Size>
 Nodes place(const CDT& cdt, const Size& d)

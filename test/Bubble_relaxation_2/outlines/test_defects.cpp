@@ -8,6 +8,7 @@
 
 // The treatment of the last defects, and sizes that follow the outline where it is finer than d.
 
+#include "../../../benchmark/Bubble_relaxation_2/outline_judgement.h"
 #include "distributed/bubbles.h"
 #include "domains.h"
 #include "random_seeds.h"
@@ -31,25 +32,6 @@ using paper::CDT;
 using paper::Domain;
 using paper::Point;
 
-double angle(const Point& p, const Point& q, const Point& r)
-{
-  const double ux = p.x() - q.x(), uy = p.y() - q.y(), vx = r.x() - q.x(), vy = r.y() - q.y();
-  return std::abs(std::atan2(ux * vy - uy * vx, ux * vx + uy * vy)) * 180 / paper::pi;
-}
-
-/// the corners of outlines with an angle of less than 60 degrees, on either side
-std::set<Point> sharp_corners(const Domain& domain)
-{
-  std::set<Point> result;
-  for (const paper::Outline& o : domain.outlines)
-    for (std::size_t i = 0; i < o.size(); ++i) {
-      const Point& p = o[(i + o.size() - 1) % o.size()];
-      if (angle(p, o[i], o[(i + 1) % o.size()]) < 60)
-        result.insert(o[i]);
-    }
-  return result;
-}
-
 /// the smallest angle of triangles that are neither at a sharp corner nor beside one that is
 double smallest_angle_away_from(const std::set<Point>& corners, const CDT& cdt)
 {
@@ -68,9 +50,9 @@ double smallest_angle_away_from(const std::set<Point>& corners, const CDT& cdt)
       continue;
     const auto a = f->vertex(0), b = f->vertex(1), c = f->vertex(2);
     if (near.count(a) + near.count(b) + near.count(c) == 0)
-      smallest = (std::min)({smallest, angle(a->point(), b->point(), c->point()),
-                             angle(b->point(), c->point(), a->point()),
-                             angle(c->point(), a->point(), b->point())});
+      smallest = (std::min)({smallest, angle_at(a->point(), b->point(), c->point()),
+                             angle_at(b->point(), c->point(), a->point()),
+                             angle_at(c->point(), a->point(), b->point())});
   }
   return smallest;
 }
@@ -361,7 +343,7 @@ TEST(Defects, angles_away_from_sharp_corners_of_random_domains)
     domain.d = [=](const Point& p) { return d0 + g * std::hypot(p.x() - x, p.y() - y); };
     CDT cdt;
     relax_and_validate(domain, cdt, P::mass(1.));
-    EXPECT_GE(smallest_angle_away_from(sharp_corners(domain), cdt), 33); // 33.4 is the least of 400
+    EXPECT_GE(smallest_angle_away_from(sharp_corners(paper::triangulate(domain)), cdt), 33); // 33.4 is the least of 400
   }
 }
 

@@ -9,6 +9,7 @@
 // Outlines as they come: coasts, combs, stars, and graphs with pins, all at random. However sharp their corners and
 // narrow their channels, what is not forced by a corner is good, and the simulation comes to an end.
 
+#include "../../../benchmark/Bubble_relaxation_2/outline_judgement.h"
 #include "counted_memory.h"
 #include "domains.h"
 #include "random_seeds.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <set>
 #include <sstream>
@@ -50,30 +50,6 @@ Pins pins_at(const CDT& cdt, const std::set<Point>& places)
 
 constexpr double degrees = 57.29577951308232;
 
-double angle(const Point& at, const Point& p, const Point& q)
-{
-  const domains::K::Vector_2 u = p - at, v = q - at;
-  return degrees * std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u * v);
-}
-
-/// corners in which two constraints meet in less than 60 degrees
-std::set<Point> sharp_corners(const CDT& cdt)
-{
-  std::map<Point, std::vector<Point>> star;
-  for (const auto& e : cdt.constrained_edges()) {
-    const Point p = e.first->vertex(cdt.ccw(e.second))->point(), q = e.first->vertex(cdt.cw(e.second))->point();
-    star[p].push_back(q);
-    star[q].push_back(p);
-  }
-  std::set<Point> result;
-  for (const auto& [p, ends] : star)
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (angle(p, ends[i], ends[j]) < 60)
-          result.insert(p);
-  return result;
-}
-
 bool is_free(const domains::K::Triangle_2& t, const std::set<Point>& sharp)
 {
   return sharp.count(t[0]) + sharp.count(t[1]) + sharp.count(t[2]) == 0;
@@ -81,7 +57,7 @@ bool is_free(const domains::K::Triangle_2& t, const std::set<Point>& sharp)
 
 double smallest_angle_of(const domains::K::Triangle_2& t)
 {
-  return (std::min)({angle(t[0], t[1], t[2]), angle(t[1], t[2], t[0]), angle(t[2], t[0], t[1])});
+  return (std::min)({angle_at(t[0], t[1], t[2]), angle_at(t[1], t[2], t[0]), angle_at(t[2], t[0], t[1])});
 }
 
 /// of the triangles without a vertex in a sharp corner
@@ -112,7 +88,7 @@ double smallest_angle_at(const CDT& cdt, const Point& vertex)
     for (int i = 0; i < 3; ++i) {
       const auto t = cdt.triangle(f);
       if (f->is_in_domain() && t[i] == vertex)
-        smallest = (std::min)(smallest, angle(t[i], t[i + 1], t[i + 2]));
+        smallest = (std::min)(smallest, angle_at(t[i], t[i + 1], t[i + 2]));
     }
   return smallest;
 }

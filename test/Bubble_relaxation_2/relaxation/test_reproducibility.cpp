@@ -63,26 +63,10 @@ struct Outcome
   std::vector<double> numbers;
 };
 
-template <class FT>
-std::vector<double> all_numbers(const CGAL::Mesh_quality_2<FT>& q)
-{
-  std::vector<double> numbers{double(q.number_of_vertices()), double(q.number_of_triangles()),
-                              q.minimum_quality(), q.mean_quality(), q.worst_x(), q.worst_y(),
-                              q.minimum_angle(), q.maximum_angle(), q.shortest_edge(), q.longest_edge(),
-                              double(q.number_of_interior_vertices()), q.irregular_share(),
-                              q.mean_length_ratio(), q.length_ratio_deviation(),
-                              q.length_ratio_percentile(1), q.length_ratio_percentile(99)};
-  for (int percent : {1, 5, 10, 25, 50, 75, 90})
-    numbers.push_back(q.quality_percentile(percent));
-  for (std::size_t bar : q.histogram())
-    numbers.push_back(double(bar));
-  return numbers;
-}
-
 template <class Cdt, class Report>
 Outcome outcome(const Cdt& cdt, const Report& report)
 {
-  std::vector<double> numbers = all_numbers(report.quality);
+  std::vector<double> numbers = validation::all_numbers(report.quality);
   for (std::size_t n : {report.number_of_steps, report.number_of_insertions, report.number_of_deletions})
     numbers.push_back(double(n));
   return {validation::snapshot(cdt).vertices, validation::triangles(cdt), numbers};

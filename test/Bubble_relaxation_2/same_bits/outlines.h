@@ -9,13 +9,10 @@
 #ifndef BUBBLE_RELAXATION_2_TEST_SAME_BITS_OUTLINES_H
 #define BUBBLE_RELAXATION_2_TEST_SAME_BITS_OUTLINES_H
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_mesh_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "../../../demo/Bubble_relaxation_2/paper_domains.h"
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <random>
 #include <vector>
 
@@ -23,25 +20,15 @@
 /// that the standard defines, without its distributions.
 namespace same_bits {
 
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = K::Point_2;
-using CDT = CGAL::Constrained_Delaunay_triangulation_2<
-  K, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<K>,
-                                          CGAL::Delaunay_mesh_face_base_2<K>>>;
-using Outline = std::vector<Point>;
-using Size = std::function<double(const Point&)>;
+using paper::CDT;
+using paper::Outline;
+using paper::Point;
+using paper::triangulate;
+using Size = paper::Sizing;
 
 inline double distance(const Point& p, double x, double y)
 {
   return std::sqrt((p.x() - x) * (p.x() - x) + (p.y() - y) * (p.y() - y));
-}
-
-inline CDT triangulate(const std::vector<Outline>& outlines)
-{
-  CDT cdt;
-  for (const Outline& o : outlines)
-    cdt.insert_constraint(o.begin(), o.end(), true);
-  return cdt;
 }
 
 /// around the origin; `n` is 4 times a power of 2: of the corners of a square, halved between neighbours
@@ -69,22 +56,7 @@ inline std::vector<Outline> square_with_hole(std::size_t n)
 inline Outline l_shape() { return {{0, 0}, {0.4, 0}, {0.4, 0.6}, {1, 0.6}, {1, 1}, {0, 1}}; }
 
 /// the paper's, with seven fingers
-inline Outline comb()
-{
-  constexpr int fingers = 7;
-  constexpr double pitch = 1 / (fingers - 0.5), width = pitch / 2;
-  Outline o{{0, 0}};
-  for (int i = 0; i < fingers; ++i) {
-    if (i > 0)
-      o.push_back(Point(0.7, pitch * i));
-    o.push_back(Point(1, pitch * i));
-    o.push_back(Point(1, i + 1 < fingers ? pitch * i + width : 1));
-    if (i + 1 < fingers)
-      o.push_back(Point(0.7, pitch * i + width));
-  }
-  o.push_back(Point(0, 1));
-  return o;
-}
+inline Outline comb() { return paper::comb(1).outlines[0]; }
 
 /// a ring that is rough at all scales
 inline Outline shore(const Point& center, double radius, std::size_t n, std::mt19937& random)

@@ -12,7 +12,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/meshless/search/Influence_disc_2.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
