@@ -179,9 +179,11 @@ inline void simplify(Domain& domain, const po::variables_map& arguments, const s
                                                 .relative_outline_tolerance(arguments["tolerance"].as<double>())
                                                 .minimum_island_area(arguments["min-island"].as<double>())
                                                 .minimum_gap(arguments["min-gap"].as<double>()));
-  const std::vector<Connected_part> parts = connected_parts(domain.cdt);
-  if (!report.filled_gaps.empty() && parts.size() > 1 && arguments.count("largest-part") == 0)
-    domain.warnings.push_back(parts_message(parts));
+  if (!report.filled_gaps.empty() && arguments.count("largest-part") == 0) {
+    const std::vector<Connected_part> parts = connected_parts(domain.cdt);
+    if (parts.size() > 1)
+      domain.warnings.push_back(parts_message(parts));
+  }
   if (!tells)
     return;
   if (arguments.count("quiet") == 0)

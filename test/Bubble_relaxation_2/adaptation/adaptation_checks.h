@@ -13,9 +13,7 @@
 #include "validation.h"
 
 #include <CGAL/Bubble_relaxation_parameters.h>
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -30,12 +28,9 @@
 /// Which parts of a mesh are meshed anew, and that nothing else changes.
 namespace adaptation {
 
-// Each kind of triangulation takes the compiler ten seconds or more, so that there are as few as see all differences.
-
-/// with polylines of constraints, which may cross
+/// With polylines of constraints, which may cross. Each kind of triangulation takes the compiler ten seconds or more, so
+/// that tests share this one.
 using Plus = CGAL::Constrained_triangulation_plus_2<domains::Cdt_of<domains::K, CGAL::Exact_predicates_tag>>;
-/// with faces that have no marks, and predicates that are exact only on a grid, so that edges are parallel to the axes
-using Bare = CGAL::Constrained_Delaunay_triangulation_2<CGAL::Simple_cartesian<double>>;
 
 template <class D>
 auto size(const D& d)

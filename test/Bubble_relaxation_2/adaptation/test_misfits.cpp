@@ -232,10 +232,9 @@ TEST(Misfits, bad_faces_to_check_are_told)
   expect_invalid(check(faces_near(other, 0.5, 0.2, 0.2)[0]), {"faces_to_check", "none of this triangulation"});
   EXPECT_TRUE(Content<CDT>(cdt) == before);
 
-  using adaptation::Bare;
-  const Bare bare = domains::mesh<Bare>({domains::square(0, 0, 1), domains::square(0.4, 0.4, 0.2)}, 0.05);
-  const std::vector<Bare::Face_handle> inside{bare.locate(Bare::Point(0.2, 0.2))},
-    outside{bare.locate(Bare::Point(0.52, 0.5))};
+  using Bare = CGAL::Constrained_Delaunay_triangulation_2<domains::K>; // no marks
+  const Bare bare = domains::mesh<Bare>({slanted, hole}, 0.05);
+  const std::vector<Bare::Face_handle> inside{bare.locate(Point(0.2, 0.2))}, outside{bare.locate(Point(0.52, 0.5))};
   EXPECT_FALSE(CGAL::npbs_misfit_faces(bare, size(0.02).faces_to_check(inside)).empty());
   expect_invalid([&] { CGAL::npbs_misfit_faces(bare, size(0.02).faces_to_check(outside)); },
                  {"faces_to_check", "not in the domain"});
