@@ -221,15 +221,19 @@ TEST(Relax, number_of_vertices_follows_the_size)
 }
 
 // all bubbles would be thrown about in half of the rounds, which takes 300 moves each
-TEST(Relax, steps_too_long_for_the_mass_get_shorter)
+TEST(Relax, steps_too_long_for_the_forces_get_shorter)
 {
-  for (double mass : {0.1, 0.05}) {
+  namespace P = CGAL::Bubble_relaxation_parameters;
+  const auto expect_as_few_moves_as_otherwise = [](const auto& np) {
     CDT cdt = paper::triangulate(paper::l_shape(1));
-    const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(0.05).mass(mass));
+    const auto report = CGAL::npbs_relax(cdt, np.sizing_function(0.05));
     EXPECT_TRUE(report.converged);
-    EXPECT_LT(report.number_of_moves, 200 * report.number_of_vertices);
-    EXPECT_GE(report.quality.mean_quality(), 0.95);
-  }
+    EXPECT_LT(report.number_of_moves, 60 * report.number_of_vertices);
+    EXPECT_GE(report.quality.mean_quality(), 0.98);
+  };
+  expect_as_few_moves_as_otherwise(P::mass(0.1));
+  expect_as_few_moves_as_otherwise(P::mass(0.05));
+  expect_as_few_moves_as_otherwise(P::time_step(5));
 }
 
 TEST(Relax, no_rounds_give_the_initial_placement)

@@ -220,10 +220,6 @@ private:
   /// a hole of up to `widest_hole`.
   static constexpr double certain_diameter = 1.5;
 
-  /// With more neighbours, or more than the square of that of theirs, with a large radius, or where bubbles are piled up or
-  /// lie among much larger ones, it is faster to look around.
-  static constexpr std::size_t most_neighbors = 48;
-
   static constexpr std::size_t block_size = 512;
 
   void wrap(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, const Threads& threads)
@@ -280,13 +276,18 @@ private:
     };
     candidates.assign(neighbors.begin(i), neighbors.end(i));
     star.wrap(candidates);
-    if (!is_within(certain_diameter)) {
-      if (candidates.size() > most_neighbors ||
-          number_of_neighbors(neighbors, candidates) > most_neighbors * most_neighbors)
-        return false;
-      add_neighbors_of_neighbors(bubbles, neighbors, i, candidates);
-      star.wrap(candidates);
-    }
+    if (is_within(certain_diameter))
+      return true;
+    // beyond the widest hole, those that count as on the same circle
+    const double farthest = (widest_hole + 0.1) * bubbles.d[i];
+    candidates.clear();
+    neighbors.find_within(bubbles.x[i], bubbles.y[i], bubbles.d[i], widest_hole + 0.1, [&](Index j) {
+      const double dx = bubbles.x[j] - bubbles.x[i], dy = bubbles.y[j] - bubbles.y[i];
+      if (j != i && dx * dx + dy * dy < farthest * farthest)
+        candidates.push_back(j);
+    });
+    sort(bubbles, candidates);
+    star.wrap(candidates);
     return is_within(widest_hole);
   }
 
@@ -311,25 +312,6 @@ private:
     }
     const unsigned empty = (~sectors & 0xffffu) | (~sectors & 0xffffu) << 16; // twice around
     return (empty & empty >> 1 & empty >> 2 & empty >> 3) == 0;
-  }
-
-  static std::size_t number_of_neighbors(const Neighbor_sets_2& neighbors, const Delaunay_star_2::Indices& bubbles)
-  {
-    std::size_t number = 0;
-    for (Index i : bubbles)
-      number += static_cast<std::size_t>(neighbors.end(i) - neighbors.begin(i));
-    return number;
-  }
-
-  static void add_neighbors_of_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i,
-                                         Delaunay_star_2::Indices& candidates)
-  {
-    const std::size_t n = candidates.size();
-    for (std::size_t k = 0; k < n; ++k)
-      candidates.insert(candidates.end(), neighbors.begin(candidates[k]), neighbors.end(candidates[k]));
-    sort(bubbles, candidates);
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    candidates.erase(std::remove(candidates.begin(), candidates.end(), i), candidates.end());
   }
 
   static void sort(const Bubbles_2& bubbles, Delaunay_star_2::Indices& indices)

@@ -37,14 +37,13 @@ inline void add_to_report(const Round_result& result, unsigned evaluations_per_s
     observer->round_ends(report);
 }
 
-/// In the second half of the rounds what still does not rest swings to and fro, which shorter and shorter steps end, and
-/// before that those that are too long for the parameters.
+/// In the second half of the rounds what still does not rest swings to and fro, which shorter and shorter steps end.
 inline void choose_step(std::size_t round, const Relaxation_options& options, Simulation_2& simulation)
 {
-  const bool is_late = round >= (options.number_of_rounds + 1) / 2;
-  if (is_late)
-    simulation.rest_finely();
-  if (simulation.is_wild() || (is_late && options.population == Bubble_population::DELAUNAY))
+  if (round < (options.number_of_rounds + 1) / 2)
+    return;
+  simulation.rest_finely();
+  if (options.population == Bubble_population::DELAUNAY)
     simulation.halve_steps();
 }
 

@@ -145,9 +145,6 @@ public:
     return true;
   }
 
-  /// Whether steps are too long for forces and mass: at the end of the last round many bubbles still went far in each.
-  bool is_wild() const { return m_is_wild; }
-
   void halve_steps()
   {
     constexpr double least = 1e-6; // of those that the options ask for
@@ -236,11 +233,11 @@ public:
         const Phase_timer timer(seconds.motion);
         step(result);
       }
+      if (result.steps % steps_until_calm == 0 && is_wild())
+        calm_down();
       if (Observer* observer = m_options.progress->observer())
         observer->step_ends(m_bubbles);
     }
-    m_is_wild = m_integrator->lets_bubbles_sleep() && result.steps >= least_steps_of_wild && !result.is_at_rest &&
-                3 * m_team.sum(Step_sums{count_far_moves(), 0}).restless > m_team.number_of_all(m_bubbles);
     m_team.end_steps(*this, m_bubbles);
     if (!keeps_references()) { // as in the paper before each round, and for the control of the population
       const Phase_timer timer(seconds.renewal);
@@ -296,7 +293,7 @@ public:
 
 private:
   static constexpr double coarse_tolerance = 3.3; // times that of the end
-  static constexpr std::size_t least_steps_of_wild = 10; // before, bubbles may still be on their way
+  static constexpr std::size_t steps_until_calm = 5; // before, bubbles may still be on their way
 
   /// Tells which share of the simulation is over. Bubbles that may sleep need 3 to 30 moves, as the sizes have it: each
   /// counts less than the one before.
@@ -414,15 +411,25 @@ private:
     });
   }
 
-  /// the bubbles that moved more than a tenth of their size in the last step
-  std::size_t count_far_moves() const
+  /// whether steps are too long for forces and mass: a third of the bubbles go more than a tenth of their size in each
+  bool is_wild() const
   {
+    if (!m_integrator->lets_bubbles_sleep())
+      return false;
     const Bubbles_2& b = m_bubbles;
     const double far = 0.1 / m_time_step;
     std::size_t number = 0;
     for (std::size_t i = 0; i < b.size(); ++i)
       number += b.can_move(i) && b.is_ours(i) && b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] > far * far;
-    return number;
+    return 3 * m_team.sum(Step_sums{number, 0}).restless > m_team.number_of_all(b);
+  }
+
+  /// lets all bubbles start again, from standstill, with shorter steps
+  void calm_down()
+  {
+    halve_steps();
+    for (std::vector<double>* v : {&m_bubbles.vx, &m_bubbles.vy})
+      std::fill(v->begin(), v->end(), 0.);
   }
 
   void move(std::size_t k, Index i)
@@ -442,7 +449,6 @@ private:
   const Relaxation_options& m_options;
   bool m_has_begun = false; // neighbours were looked for, if only of other ranks' bubbles
   bool m_rests_coarsely = false;
-  bool m_is_wild = false;
   std::size_t m_number_of_moves = 0;
   double m_time_step;
   const Boundary_2 m_boundary;
