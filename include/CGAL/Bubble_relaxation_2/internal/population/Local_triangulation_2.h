@@ -181,7 +181,7 @@ private:
 
 /// The Delaunay triangles with at least one of some bubbles, found from their neighbour sets: each bubble
 /// wraps its own star, and of the stars of a triangle's corners that of the first one counts. Beside holes that
-/// no neighbour set reaches across, the buckets are asked. A triangle is one of the triangulation of all
+/// neighbour sets do not reach across, the buckets are asked. A triangle is one of the triangulation of all
 /// bubbles, unless its circle is so large that there is a hole anyway.
 class Local_triangulation_2
 {
@@ -216,8 +216,7 @@ public:
 
 private:
   /// The forces end at 1.5 d, and pairs farther apart than that may be missing in the sets: circles up to this
-  /// diameter are known to be empty. For others the neighbours' neighbours are looked at as well, which reach around
-  /// a hole of up to `widest_hole`.
+  /// diameter are known to be empty. For others all are looked at that lie around a hole of up to `widest_hole`.
   static constexpr double certain_diameter = 1.5;
 
   static constexpr std::size_t block_size = 512;
