@@ -181,7 +181,7 @@ private:
 
 /// The Delaunay triangles with at least one of some bubbles, found from their neighbour sets: each bubble
 /// wraps its own star, and of the stars of a triangle's corners that of the first one counts. Beside holes that
-/// neighbour sets do not reach across, the buckets are asked. A triangle is one of the triangulation of all
+/// no neighbour set reaches across, the buckets are asked. A triangle is one of the triangulation of all
 /// bubbles, unless its circle is so large that there is a hole anyway.
 class Local_triangulation_2
 {
@@ -216,8 +216,13 @@ public:
 
 private:
   /// The forces end at 1.5 d, and pairs farther apart than that may be missing in the sets: circles up to this
-  /// diameter are known to be empty. For others all are looked at that lie around a hole of up to `widest_hole`.
+  /// diameter are known to be empty. For others the neighbours' neighbours are looked at as well, which reach around
+  /// a hole of up to `widest_hole`.
   static constexpr double certain_diameter = 1.5;
+
+  /// With more neighbours, or more than the square of that of theirs, with a large radius, or where bubbles are piled up or
+  /// lie among much larger ones, it is faster to look around.
+  static constexpr std::size_t most_neighbors = 48;
 
   static constexpr std::size_t block_size = 512;
 
@@ -275,18 +280,13 @@ private:
     };
     candidates.assign(neighbors.begin(i), neighbors.end(i));
     star.wrap(candidates);
-    if (is_within(certain_diameter))
-      return true;
-    // beyond the widest hole, those that count as on the same circle
-    const double farthest = (widest_hole + 0.1) * bubbles.d[i];
-    candidates.clear();
-    neighbors.find_within(bubbles.x[i], bubbles.y[i], bubbles.d[i], widest_hole + 0.1, [&](Index j) {
-      const double dx = bubbles.x[j] - bubbles.x[i], dy = bubbles.y[j] - bubbles.y[i];
-      if (j != i && dx * dx + dy * dy < farthest * farthest)
-        candidates.push_back(j);
-    });
-    sort(bubbles, candidates);
-    star.wrap(candidates);
+    if (!is_within(certain_diameter)) {
+      if (candidates.size() > most_neighbors ||
+          number_of_neighbors(neighbors, candidates) > most_neighbors * most_neighbors)
+        return false;
+      add_neighbors_of_neighbors(bubbles, neighbors, i, candidates);
+      star.wrap(candidates);
+    }
     return is_within(widest_hole);
   }
 
@@ -311,6 +311,25 @@ private:
     }
     const unsigned empty = (~sectors & 0xffffu) | (~sectors & 0xffffu) << 16; // twice around
     return (empty & empty >> 1 & empty >> 2 & empty >> 3) == 0;
+  }
+
+  static std::size_t number_of_neighbors(const Neighbor_sets_2& neighbors, const Delaunay_star_2::Indices& bubbles)
+  {
+    std::size_t number = 0;
+    for (Index i : bubbles)
+      number += static_cast<std::size_t>(neighbors.end(i) - neighbors.begin(i));
+    return number;
+  }
+
+  static void add_neighbors_of_neighbors(const Bubbles_2& bubbles, const Neighbor_sets_2& neighbors, Index i,
+                                         Delaunay_star_2::Indices& candidates)
+  {
+    const std::size_t n = candidates.size();
+    for (std::size_t k = 0; k < n; ++k)
+      candidates.insert(candidates.end(), neighbors.begin(candidates[k]), neighbors.end(candidates[k]));
+    sort(bubbles, candidates);
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    candidates.erase(std::remove(candidates.begin(), candidates.end(), i), candidates.end());
   }
 
   static void sort(const Bubbles_2& bubbles, Delaunay_star_2::Indices& indices)
