@@ -25,7 +25,6 @@
 
 #include <CGAL/Bubble_relaxation_enums.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -119,11 +118,13 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
   return options.placement_is_given && options.placement == Bubble_placement::KEEP;
 }
 
-/// Thins out free vertices of an existing mesh that are finer than d: as bubbles they would push each other in all steps,
-/// and population control would need many rounds to get rid of them.
+/// Thins out free vertices of an existing mesh that are far finer than d: as bubbles each of them would push hundreds
+/// of others in each step, and population control would need many rounds to get rid of them. Of smaller bubbles there
+/// may be many around a large one, so they do not count.
 inline void thin_out_crowds(const Domain_2& domain, const Sizes_2& sizing, Given_mesh_2& given)
 {
-  constexpr double near = 0.75; // in units of the smaller d; in a packing hardly any two are
+  constexpr double near = 0.5;     // in units of d
+  constexpr std::size_t many = 25; // so near to a bubble; in the hexagonal lattice there is none but itself
   Bubbles_2 b;
   keep_in_faces(domain, given, sizing, b);
   const std::size_t n = b.size();
@@ -135,9 +136,10 @@ inline void thin_out_crowds(const Domain_2& domain, const Sizes_2& sizing, Given
   for (; step > 0; step /= 2) // along the curve, in the middle between those that came before: what is left is even
     for (std::size_t k = step - 1; k < n; k += 2 * step) {
       tick(number++);
-      is_kept[k] = kept.for_each_near(b.x[k], b.y[k], b.d[k], [&](Index, double squared, double d) {
-        const double least = near * (std::min)(d, b.d[k]);
-        return squared >= least * least;
+      std::size_t others = 0;
+      is_kept[k] = kept.for_each_near(b.x[k], b.y[k], b.d[k], [&](Index, double, double d) {
+        others += 2 * d >= b.d[k];
+        return others < many;
       });
       if (is_kept[k])
         kept.insert(static_cast<Index>(k), b.x[k], b.y[k], b.d[k]);
