@@ -184,7 +184,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNBegin{time_step}
     \cgalParamDescription{the length of a step in time. With `Bubble_population::DELAUNAY` it is halved before each
                           round in the second half of `number_of_rounds`, and with any, but not with `RUNGE_KUTTA_4`,
-                          after each fifth step of a round in which a third of the bubbles move by more than d/10:
+                          after the 10th, 15th, ... step of a round if a third of the bubbles move by more than d/10:
                           then all go on from standstill; 20 times at most}
     \cgalParamType{`double`, positive, 10<sup>-12</sup> to 10<sup>12</sup> for the default integrator}
     \cgalParamDefault{0.6; 0.02 with `RUNGE_KUTTA_4`}
