@@ -220,7 +220,8 @@ TEST(Relax, number_of_vertices_follows_the_size)
   }
 }
 
-// all bubbles would be thrown about in half of the rounds, which takes 300 moves each
+// else all bubbles are thrown about: in half of the rounds, with 300 moves each, or with 115 to 236 where steps get shorter
+// once a round
 TEST(Relax, steps_too_long_for_the_forces_get_shorter)
 {
   namespace P = CGAL::Bubble_relaxation_parameters;

@@ -232,9 +232,9 @@ public:
       {
         const Phase_timer timer(seconds.motion);
         step(result);
+        if (result.steps >= least_steps_of_wild && result.steps % steps_to_calm == 0 && is_wild())
+          calm_down();
       }
-      if (result.steps >= 2 * steps_to_calm && result.steps % steps_to_calm == 0 && is_wild())
-        calm_down();
       if (Observer* observer = m_options.progress->observer())
         observer->step_ends(m_bubbles);
     }
@@ -293,7 +293,8 @@ public:
 
 private:
   static constexpr double coarse_tolerance = 3.3; // times that of the end
-  static constexpr std::size_t steps_to_calm = 5; // in which forces damp velocities; bubbles may be on their way for twice as many
+  static constexpr std::size_t least_steps_of_wild = 10; // before, bubbles may still be on their way
+  static constexpr std::size_t steps_to_calm = 5;        // from standstill, if steps are short enough
 
   /// Tells which share of the simulation is over. Bubbles that may sleep need 3 to 30 moves, as the sizes have it: each
   /// counts less than the one before.
