@@ -129,7 +129,7 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           radius of a circle is at most 0.36 of the size at its corner}
     \cgalParamType{`Bubble_placement`}
     \cgalParamDefault{`FRONTAL`; the paper: `RHOMBIC`. If the domain has free vertices: `KEEP` where the
-                      mesh is as fine as d asks up to a factor of 1.25, `FRONTAL` in the rest}
+                      mesh is as fine as d asks up to a factor of 1.1, `FRONTAL` in the rest}
   \cgalParamNEnd
   \cgalParamNBegin{population_control}
     \cgalParamDescription{how the number of bubbles is adjusted between two rounds}

@@ -256,6 +256,10 @@ TEST(Defects, a_vertex_of_one_triangle_is_not_taken_away)
 
 TEST(Defects, surgery_removes_and_inserts)
 {
+  const auto no_crowd = [](const Point& p) { // all vertices are far enough from others to be taken
+    const bool is_on_outline = p.x() == 0 || p.x() == 1 || p.y() == 0 || p.y() == 1;
+    return is_on_outline ? 0.1 : 0.07;
+  };
   // a vertex too many, and one that is missing, which moving alone cannot mend
   for (bool is_missing : {false, true}) {
     const Domain domain = uniform(points_of(domains::square(0, 0, 1)), 0.1);
@@ -270,8 +274,11 @@ TEST(Defects, surgery_removes_and_inserts)
       f->set_in_domain(false); // the new ones are not marked; then all are by nesting
     const std::size_t n = cdt.number_of_vertices();
     const auto report =
-      CGAL::npbs_relax(cdt, P::sizing_function(domain.d).initial_placement(CGAL::Bubble_placement::KEEP)
+      CGAL::npbs_relax(cdt, P::sizing_function(no_crowd)
+                              .initial_placement(CGAL::Bubble_placement::KEEP)
                               .number_of_rounds(1).number_of_iterations(1).time_step(1e-3));
+    EXPECT_EQ(report.number_of_insertions, is_missing ? 1u : 0u);
+    EXPECT_EQ(report.number_of_deletions, is_missing ? 0u : 1u);
     EXPECT_EQ(report.number_of_vertices,
               n + report.number_of_insertions - report.number_of_deletions);
     EXPECT_GE(report.quality.minimum_quality(), 0.92);

@@ -237,6 +237,40 @@ TEST(Relax, steps_too_long_for_the_forces_get_shorter)
   expect_as_few_moves_as_otherwise(P::time_step(5));
 }
 
+TEST(Relax, a_mesh_gets_a_little_coarser_or_finer_as_if_it_were_new)
+{
+  namespace P = CGAL::Bubble_relaxation_parameters;
+  for (double factor : {0.8, 0.85, 1.15, 1.2}) {
+    SCOPED_TRACE(factor);
+    const auto d = P::sizing_function(0.02 * factor);
+    CDT cdt = paper::triangulate(paper::l_shape(1)), anew = cdt;
+    CGAL::npbs_relax(cdt, 0.02);
+    const auto report = CGAL::npbs_relax(cdt, d), report_anew = CGAL::npbs_relax(anew, d);
+    EXPECT_TRUE(report.converged);
+    // 60 to 80 moves, and mean q .97 to .98, if bubbles that fit worse are kept
+    EXPECT_LT(report.number_of_moves, 30 * report.number_of_vertices);
+    EXPECT_GE(report.quality.mean_quality(), report_anew.quality.mean_quality() - 0.005);
+    EXPECT_NEAR(double(report.number_of_vertices), double(report_anew.number_of_vertices),
+                0.03 * double(report_anew.number_of_vertices));
+  }
+}
+
+TEST(Relax, a_mesh_that_is_kept_gets_coarser_in_few_moves)
+{
+  namespace P = CGAL::Bubble_relaxation_parameters;
+  CDT fine = paper::triangulate(paper::l_shape(1));
+  CGAL::npbs_relax(fine, 0.02);
+  for (double d : {0.028, 0.04, 0.06}) {
+    SCOPED_TRACE(d);
+    CDT cdt = fine;
+    const auto report =
+      CGAL::npbs_relax(cdt, P::sizing_function(d).initial_placement(CGAL::Bubble_placement::KEEP));
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT(report.number_of_moves, 60 * report.number_of_vertices); // 179, 386, 1004 if all are taken
+    EXPECT_GE(report.quality.mean_quality(), 0.975);
+  }
+}
+
 TEST(Relax, no_rounds_give_the_initial_placement)
 {
   for (auto placement : {CGAL::Bubble_placement::RHOMBIC, CGAL::Bubble_placement::FRONTAL}) {

@@ -52,9 +52,6 @@ public:
   }
 
 private:
-  /// Bubbles that are a little too dense stay so. Once that does not show, but many changes of a mesh would add up.
-  static constexpr double little = 1.1;
-
   template <class Is_inside, class NamedParameters>
   Part_input_2(const Cdt& cdt, const Marked_copy_2& copy, const Is_inside& is_in_domain, const NamedParameters& np,
                const Relaxation_options& o, const std::optional<Sizes_2>& sizes)
@@ -62,8 +59,6 @@ private:
       m_wanted(sizes ? sizes_from_rim(cdt, is_in_domain, *sizes) : sizes_of_mesh(copy)),
       m_limits(limit_by_outline(m_reading.domain, m_reading.given, m_wanted, o, o.limit_by_outline && sizes))
   {
-    m_reading.given.largest_misfit = little;
-    thin_out(m_reading.domain, m_limits, m_options, m_reading.given);
     if (!m_options.placement_is_given) // then what fits of a mesh is kept
       m_reading.look_around(copy);
   }

@@ -115,6 +115,9 @@ public:
   /// how many of so many bubbles come to this rank, about
   virtual std::size_t part_of(double number) const { return static_cast<std::size_t>(number); }
 
+  /// how many all lower ranks have, of whatever this one has so many
+  virtual std::size_t number_before(std::size_t /* here */) const { return 0; }
+
   /// Brings the bubbles after the common ones, which are there before the growth begins, and the directions of their
   /// lattices to where they are needed.
   virtual void share_seeds(Bubbles_2&, std::vector<double>& /* directions */) {}

@@ -49,7 +49,6 @@ struct Given_mesh_2
   std::vector<std::vector<Point>> on_edge; ///< those that split an edge of the domain, from source to target
   std::vector<Point> free;                 ///< along the curve
   std::vector<Mesh_star_2> around; ///< of the free ones, if that was asked for
-  double largest_misfit = 1.25;    ///< of the free ones that stay
   /// Corners of a part's rim beside sizes too steep for any mesh, sorted: the mesh beyond is what it can be, and asks for
   /// no other sizes.
   std::vector<Point> at_jumps;

@@ -50,12 +50,6 @@ CGAL_BUBBLE_RELAXATION_2_INLINE
 Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given, Sizes_2& wanted,
                                      const Relaxation_options& options, bool may_limit);
 
-/// Takes only some vertices of a given mesh where it is far finer than sizes ask for, if its vertices are to be kept and
-/// may go at all.
-CGAL_BUBBLE_RELAXATION_2_INLINE
-void thin_out(const Domain_2& domain, const Limits_of_outline_2& limits, const Relaxation_options& options,
-              Given_mesh_2& given);
-
 /// the bubbles after placement, simulation and treatment
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubbles_2 make_nodes(const Problem_2& problem, Report& report);

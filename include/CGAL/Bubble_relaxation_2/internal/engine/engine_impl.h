@@ -87,15 +87,6 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-void thin_out(const Domain_2& domain, const Limits_of_outline_2& limits, const Relaxation_options& options,
-              Given_mesh_2& given)
-{
-  // without population control none of them go, and without rounds they only lie there
-  if (keeps_given_bubbles(options) && options.population != Bubble_population::NONE && options.number_of_rounds != 0)
-    thin_out_crowds(limits.domain != nullptr ? *limits.domain : domain, limits.sizes, given);
-}
-
-CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubbles_2 make_nodes(const Problem_2& problem, Report& report)
 {
   tell_wanted_number(problem, report);

@@ -36,17 +36,12 @@ public:
     const std::size_t n = holes.size();
     m_order = indices_below(n);
     sort_indices(m_order, [&holes](Index a, Index b) { return holes[a] < holes[b]; });
-    m_is_possible.resize(n);
+    m_states.resize(n);
     parallel_for(
-      threads, n, [&](std::size_t k) { m_is_possible[k] = is_possible(holes[k]); }, grain);
-    m_choice.start(n);
-    for (Index k : m_order)
-      if (m_is_possible[k] && static_cast<std::size_t>(k) < number_of_ours)
-        m_choice.add(k);
-    find_rivals(holes, reach, threads);
+      threads, n, [&](std::size_t k) { m_states[k] = is_possible(holes[k]) ? State::UNDECIDED : State::REFUSED; },
+      grain);
     decide_together(
-      team, [this] { return m_choice.decide([](Index) { return true; }); },
-      [&] { team.share_choice(m_choice.states()); });
+      team, [&] { return decide(holes, number_of_ours, reach); }, [&] { team.share_choice(m_states); });
   }
 
   /// calls `visit(hole)` for all that were chosen, those of other ranks too, the best first
@@ -54,38 +49,46 @@ public:
   void for_each_chosen(const Visitor& visit) const
   {
     for (Index k : m_order)
-      if (m_choice.is_chosen(k))
+      if (m_states[k] == State::CHOSEN)
         visit(k);
   }
 
 private:
+  using State = Greedy_choice::State;
+
   static constexpr std::size_t grain = 64;
 
-  void find_rivals(const std::vector<Hole_2>& holes, double reach, const Threads& threads)
+  /// Decides on all of ours that do not depend on what others have still to decide; returns whether any is left. Each is
+  /// compared with those that were chosen or are open, so with few, also in a crowd.
+  bool decide(const std::vector<Hole_2>& holes, std::size_t number_of_ours, double reach)
   {
     if (holes.empty())
-      return;
-    Bubble_buckets_2 near(reach, holes[0].d, holes[0].x, holes[0].y, holes.size());
-    for (std::size_t k = 0; k < holes.size(); ++k)
-      if (m_is_possible[k])
-        near.insert(static_cast<Index>(k), holes[k].x, holes[k].y, holes[k].d);
-    const std::vector<Index>& ours = m_choice.candidates();
-    parallel_for(
-      threads, ours.size(),
-      [&](std::size_t k) {
-        const Hole_2& hole = holes[ours[k]];
-        near.for_each_near(hole.x, hole.y, hole.d, [&](Index r, double, double) {
-          if (holes[r] < hole || (r < ours[k] && !(hole < holes[r])))
-            m_choice.rivals(k).push_back(r);
-          return true;
-        });
-      },
-      grain);
+      return false;
+    Bubble_buckets_2 better(reach, holes[0].d, holes[0].x, holes[0].y, 0);
+    bool is_open = false;
+    for (Index k : m_order) {
+      if (m_states[k] == State::UNDECIDED && static_cast<std::size_t>(k) < number_of_ours) {
+        m_states[k] = state_beside(better, holes[k]);
+        is_open = is_open || m_states[k] == State::UNDECIDED;
+      }
+      if (m_states[k] != State::REFUSED)
+        better.insert(k, holes[k].x, holes[k].y, holes[k].d);
+    }
+    return is_open;
+  }
+
+  State state_beside(const Bubble_buckets_2& better, const Hole_2& hole) const
+  {
+    State result = State::CHOSEN;
+    better.for_each_near(hole.x, hole.y, hole.d, [&](Index r, double, double) {
+      result = m_states[r] == State::CHOSEN ? State::REFUSED : State::UNDECIDED;
+      return result != State::REFUSED;
+    });
+    return result;
   }
 
   std::vector<Index> m_order; // the best first
-  std::vector<char> m_is_possible;
-  Greedy_choice m_choice;
+  std::vector<char> m_states; // of each hole
 };
 
 /// Adds bubbles in holes, the best first, none nearer to another than `reach` times the mean size, where
@@ -102,6 +105,17 @@ void fill_holes(std::vector<Hole_2>& holes, double reach, Team& team, const Thre
     if (static_cast<std::size_t>(k) < number_of_ours)
       bubbles.add(Point(h.x, h.y), h.d, Bubbles_2::FACE, h.triangle);
   });
+}
+
+/// The same where there is room beside the bubbles that are there. \pre there are some, those of other ranks near ours too
+inline void fill_holes_beside(std::vector<Hole_2>& holes, double reach, Team& team, const Threads& threads,
+                              Bubbles_2& bubbles)
+{
+  Bubble_buckets_2 there(reach, bubbles.d[0], bubbles.x[0], bubbles.y[0], bubbles.size());
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    there.insert(static_cast<Index>(i), bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+  fill_holes(
+    holes, reach, team, threads, [&](const Hole_2& h) { return there.is_free(h.x, h.y, h.d); }, bubbles);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -19,7 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/place_on_edges.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/remove_coincident.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_frontal.h>
 #include <CGAL/Bubble_relaxation_2/internal/placement/place_rhombic.h>
 
@@ -98,11 +98,12 @@ inline void share_out(const Domain_2& domain, const Sizes_2& sizing, const Bubbl
 inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& sizing, Bubbles_2& bubbles,
                            Team& team, const Threads& threads)
 {
+  constexpr double largest_misfit = 1.1; // bubbles that are a little too dense stay so
   share_out(domain, sizing, bubbles, team, threads);
   std::vector<double> directions(bubbles.size(), 0);
   const auto is_kept = [&](std::size_t k, double d) {
     const double spacing = given.around[k].spacing;
-    const bool is_fitting = !(spacing > given.largest_misfit * d || d > given.largest_misfit * spacing);
+    const bool is_fitting = !(spacing > largest_misfit * d || d > largest_misfit * spacing);
     if (is_fitting)
       directions.push_back(given.around[k].direction);
     return is_fitting;
@@ -118,35 +119,22 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
   return options.placement_is_given && options.placement == Bubble_placement::KEEP;
 }
 
-/// Thins out free vertices of an existing mesh that are far finer than d: as bubbles each of them would push hundreds
-/// of others in each step, and population control would need many rounds to get rid of them. Of smaller bubbles there
-/// may be many around a large one, so they do not count.
-inline void thin_out_crowds(const Domain_2& domain, const Sizes_2& sizing, Given_mesh_2& given)
+/// Bubbles where the free vertices of an existing mesh are, but none much nearer to another than d: they would push each
+/// other in all steps, and population control would need many rounds to get rid of them.
+inline void keep_apart_in_faces(const Problem_2& p, Bubbles_2& bubbles, Team& team)
 {
-  constexpr double near = 0.5;     // in units of d
-  constexpr std::size_t many = 25; // so near to a bubble; in the hexagonal lattice there is none but itself
-  Bubbles_2 b;
-  keep_in_faces(domain, given, sizing, b);
-  const std::size_t n = b.size();
-  Bubble_buckets_2 kept(near, n == 0 ? 1. : b.d[0], domain.bbox().xmin(), domain.bbox().ymin(), n);
-  std::vector<char> is_kept(n);
-  std::size_t step = 1, number = 0;
-  while (2 * step <= n)
-    step *= 2;
-  for (; step > 0; step /= 2) // along the curve, in the middle between those that came before: what is left is even
-    for (std::size_t k = step - 1; k < n; k += 2 * step) {
-      tick(number++);
-      std::size_t others = 0;
-      is_kept[k] = kept.for_each_near(b.x[k], b.y[k], b.d[k], [&](Index, double, double d) {
-        others += 2 * d >= b.d[k];
-        return others < many;
-      });
-      if (is_kept[k])
-        kept.insert(static_cast<Index>(k), b.x[k], b.y[k], b.d[k]);
-    }
-  given.free.clear();
-  for (Index k : marked(is_kept))
-    given.free.push_back(b.point(k));
+  constexpr double apart = 0.75; // in units of the mean d; in a packing hardly any two are nearer
+  share_out(p.domain, p.sizes, bubbles, team, p.options.threads);
+  Bubbles_2 all;
+  keep_in_faces(p.domain, p.given, p.sizes, all);
+  std::vector<Hole_2> places;
+  std::size_t number = team.number_before(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ++number; // along the curve; first come multiples of large powers of two, so that what is left is even
+    const double power = static_cast<double>(number & (~number + 1));
+    places.push_back(Hole_2{-power, all.x[i], all.y[i], all.d[i], all.host[i]});
+  }
+  fill_holes_beside(places, apart, team, p.options.threads, bubbles);
 }
 
 /// The bubbles that the user gives, whatever d asks for.
@@ -170,7 +158,9 @@ inline Bubbles_2 place_bubbles(const Problem_2& p, Team& team)
   team.note_common(bubbles);
   if (adapts)
     adapt_in_faces(p.domain, p.given, p.sizes, bubbles, team, threads);
-  else if (keeps)
+  else if (keeps && p.options.population != Bubble_population::NONE && p.options.number_of_rounds != 0)
+    keep_apart_in_faces(p, bubbles, team);
+  else if (keeps) // without population control none goes, and without rounds they only lie there
     keep_in_faces(p.domain, p.given, p.sizes, bubbles);
   else if (p.options.placement == Bubble_placement::RHOMBIC) {
     share_out(p.domain, p.sizes, bubbles, team, threads);

@@ -47,7 +47,7 @@ public:
     m_y0 = box.ymin();
 
     subdivide(Cell{0, 0, side, 0, 1, 0, Share_of_disc::SOME}, indices_below(m_bubbles.size()));
-    add_bubbles();
+    fill_holes_beside(m_centers, least_distance, m_team, Threads(), m_bubbles);
   }
 
 private:
@@ -115,18 +115,6 @@ private:
     }
     if (is_inside && m_team.owns_place(center))
       m_centers.push_back(Hole_2{cell.rank, center.x(), center.y(), d, triangle});
-  }
-
-  /// bubbles in the centres where there is room beside the outline and those that came before
-  void add_bubbles()
-  {
-    const Point origin(m_domain.bbox().xmin(), m_domain.bbox().ymin());
-    Bubble_buckets_2 outline(least_distance, m_bubbles.d[0], origin.x(), origin.y(), m_bubbles.size());
-    for (std::size_t i = 0; i < m_bubbles.size(); ++i)
-      outline.insert(static_cast<Index>(i), m_bubbles.x[i], m_bubbles.y[i], m_bubbles.d[i]);
-    fill_holes(
-      m_centers, least_distance, m_team, Threads(), [&](const Hole_2& h) { return outline.is_free(h.x, h.y, h.d); },
-      m_bubbles);
   }
 
   const Domain_2& m_domain;

@@ -153,7 +153,6 @@ private:
   {
     check_regions<Cdt>(np, marks);
     options.threads = threads_of<Concurrency<NamedParameters>>();
-    thin_out(reading.domain, limits, options, reading.given);
     if (!options.placement_is_given) // then what fits of a mesh is kept
       reading.look_around(marks);
   }
