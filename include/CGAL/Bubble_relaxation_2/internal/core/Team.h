@@ -56,8 +56,9 @@ struct Hole_2
 /// what all ranks together have to know after a step
 struct Step_sums
 {
-  std::size_t restless; ///< bubbles that moved more than the tolerance
-  std::size_t outrun;   ///< bubbles that have used up their skin
+  std::size_t restless = 0; ///< bubbles that moved more than the tolerance
+  std::size_t far = 0;      ///< bubbles that moved so far that steps may be too long
+  std::size_t outrun = 0;   ///< bubbles that have used up their skin
 };
 
 /// how much of a disc belongs to a rank

@@ -98,11 +98,12 @@ struct Step_flags
   std::vector<char> rests;     ///< moved less than the tolerance
   std::vector<char> is_moving; ///< wanted to move more than it could sleep through
   std::vector<char> returned;  ///< left its face and was put back
+  std::vector<char> goes_far;  ///< more than a tenth of its size
   std::vector<char> is_outrun; ///< has used up its skin
 
   void start_step(std::size_t n)
   {
-    for (std::vector<char>* flags : {&rests, &is_moving, &returned, &is_outrun})
+    for (std::vector<char>* flags : {&rests, &is_moving, &returned, &goes_far, &is_outrun})
       resize_in_turn(*flags, n);
   }
 };
@@ -217,7 +218,7 @@ public:
       const Phase_timer timer(seconds.renewal);
       result.renewals += build_neighbors_if_first();
     }
-    m_number_of_outrun = m_team.sum(Step_sums{0, m_bubbles.count_ours(m_outrun)}).outrun;
+    m_sums = m_team.sum(Step_sums{0, 0, m_bubbles.count_ours(m_outrun)});
     while (result.steps < m_options.number_of_iterations && !result.is_at_rest) {
       if (!m_team.goes_on(report_progress())) {
         result.is_cancelled = true;
@@ -335,8 +336,8 @@ private:
   bool renew_neighbors(std::size_t step)
   {
     const std::size_t interval = m_options.renewal_interval;
-    if (interval == 0 && m_number_of_outrun != 0) {
-      if (3 * m_number_of_outrun > m_team.number_of_all(m_bubbles))
+    if (interval == 0 && m_sums.outrun != 0) {
+      if (3 * m_sums.outrun > m_team.number_of_all(m_bubbles))
         m_neighbors.build(m_bubbles, m_options.threads);
       else
         m_neighbors.renew(m_bubbles, m_outrun, m_options.threads);
@@ -378,10 +379,11 @@ private:
     ++result.steps;
     result.moves += active.size();
     m_number_of_moves += active.size();
-    Step_sums sums{0, 0};
+    Step_sums sums;
     for (std::size_t k = 0; k < active.size(); ++k) {
       result.returns += m_flags.returned[k] != 0;
       sums.restless += m_flags.rests[k] == 0;
+      sums.far += m_flags.goes_far[k] != 0;
       if (m_flags.is_outrun[k])
         m_outrun.push_back(active[k]);
     }
@@ -395,9 +397,8 @@ private:
       m_active.advance(m_bubbles, m_neighbors, m_flags.is_moving, m_options.threads);
     } else if (!m_team.is_alone())
       m_active.forget_others(m_bubbles); // those that wait in others' parts
-    sums = m_team.sum(sums);
-    result.is_at_rest = sums.restless == 0;
-    m_number_of_outrun = sums.outrun;
+    m_sums = m_team.sum(sums);
+    result.is_at_rest = m_sums.restless == 0;
   }
 
   /// moves the active bubbles at the border to other ranks, or all others
@@ -412,17 +413,10 @@ private:
     });
   }
 
-  /// whether steps are too long for forces and mass: a third of the bubbles go more than a tenth of their size in each
+  /// whether steps are too long for forces and mass: a third of the bubbles went far in the last one
   bool is_wild() const
   {
-    if (!m_integrator->lets_bubbles_sleep())
-      return false;
-    const Bubbles_2& b = m_bubbles;
-    const double far = 0.1 / m_time_step;
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < b.size(); ++i)
-      number += b.can_move(i) && b.is_ours(i) && b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] > far * far;
-    return 3 * m_team.sum(Step_sums{number, 0}).restless > m_team.number_of_all(b);
+    return m_integrator->lets_bubbles_sleep() && 3 * m_sums.far > m_team.number_of_all(m_bubbles);
   }
 
   /// lets all bubbles start again, from standstill, with shorter steps
@@ -440,10 +434,11 @@ private:
     m_flags.returned[k] = m_boundary.move(b, i, m_displacements.x[k], m_displacements.y[k]);
     m_update_size(b, i);
     const double dx = b.x[i] - x, dy = b.y[i] - y;
-    const double little = m_tolerance * b.d[i];
-    m_flags.is_moving[k] = m_displacements.x[k] * m_displacements.x[k] +
-                             m_displacements.y[k] * m_displacements.y[k] > little * little;
+    const double little = m_tolerance * b.d[i], far = 0.1 * b.d[i];
+    const double squared = m_displacements.x[k] * m_displacements.x[k] + m_displacements.y[k] * m_displacements.y[k];
+    m_flags.is_moving[k] = squared > little * little;
     m_flags.rests[k] = dx * dx + dy * dy <= little * little;
+    m_flags.goes_far[k] = squared > far * far;
     m_flags.is_outrun[k] = m_neighbors.is_outrun_by(b, i);
   }
 
@@ -464,7 +459,7 @@ private:
   Displacements m_displacements;
   Step_flags m_flags;
   std::vector<Index> m_outrun; // waiting for their renewal
-  std::size_t m_number_of_outrun = 0; // of all ranks
+  Step_sums m_sums; // of the last step
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

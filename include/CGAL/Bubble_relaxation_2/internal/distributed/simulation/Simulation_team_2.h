@@ -238,15 +238,21 @@ protected:
   /// Adds up what the ranks say of a step, and two more `numbers`.
   Step_sums sum(const Step_sums& sums, std::array<std::int64_t, 2>& numbers)
   {
-    std::array<std::int64_t, 6> values{static_cast<std::int64_t>(sums.restless), static_cast<std::int64_t>(sums.outrun),
-                                       m_comm.has_failed(), m_awake, numbers[0], numbers[1]};
+    std::array<std::int64_t, 7> values{m_comm.has_failed(),
+                                       m_awake,
+                                       numbers[0],
+                                       numbers[1],
+                                       static_cast<std::int64_t>(sums.restless),
+                                       static_cast<std::int64_t>(sums.far),
+                                       static_cast<std::int64_t>(sums.outrun)};
     m_comm.reduce_each(values, MPI_SUM);
-    if (values[2] != 0)
+    if (values[0] != 0)
       m_comm.agree();
-    m_migration.note_step(m_awake, values[3]);
+    m_migration.note_step(m_awake, values[1]);
     m_awake = 0;
-    numbers = {values[4], values[5]};
-    return Step_sums{static_cast<std::size_t>(values[0]), static_cast<std::size_t>(values[1])};
+    numbers = {values[2], values[3]};
+    return Step_sums{static_cast<std::size_t>(values[4]), static_cast<std::size_t>(values[5]),
+                     static_cast<std::size_t>(values[6])};
   }
 
   void count_step(std::size_t awake)
