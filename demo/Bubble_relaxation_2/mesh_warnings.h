@@ -80,7 +80,7 @@ inline std::string forced_by_outline_message(const Report& report, bool is_simpl
     text << (k > 0 ? "," : "") << ' ' << in_words(Point(report.forced_places[k].x, report.forced_places[k].y));
   text << "; "
        << (is_simplified ? "larger --min-island and --min-gap take islands and narrows away"
-                         : "--tolerance 0.1 replaces it by one with longer pieces")
+                         : "--tolerance 0.1 replaces it, but for pins, by one with longer pieces")
        << (may_grow_faster ? ", a larger --size-growth makes fewer triangles, and worse ones" : "");
   return text.str();
 }
