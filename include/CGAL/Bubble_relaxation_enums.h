@@ -28,8 +28,9 @@ enum class Bubble_placement
 {
   /// the free vertices that exist, but for those in circles around sharp corners, are the bubbles: in the faces
   /// whatever d asks, on an edge if it has as many as the integral of ds/d asks, rounded; else the edge is cut anew,
-  /// also with `Bubble_population::NONE`. Otherwise of those in a face that are nearer than 0.75 d only some are taken, and
-  /// population control inserts and deletes where d has changed. The mesh that was given, treated, is the result if its
+  /// also with `Bubble_population::NONE`. Otherwise only some of those in a face are taken where they are nearer to each other
+  /// or to the outline than 0.75 times the mean of both d, unless `number_of_rounds` is 0, and population control inserts
+  /// and deletes where d has changed. The mesh that was given, treated, is the result if its
   /// smallest q is larger than that of the simulated bubbles, unless a larger share of its triangles does not fit d,
   /// since their area is more than twice that of an equilateral triangle with the side d, or less than half of it
   KEEP,

@@ -160,8 +160,8 @@ void print_what_is_forced(std::ostream& out, const Bubble_relaxation_report_2<FT
   constexpr std::size_t most_places = 3;
   for (std::size_t k = 0; k < most_places && report.forced_places[k].number_of_vertices > 0; ++k)
     out << (k == 0 ? ", most near (" : ", (") << report.forced_places[k].x << ", " << report.forced_places[k].y << ')';
-  out << ":\n  simplify_outline_2() replaces it, but for pinned vertices, by one with longer pieces; a larger size_growth makes"
-         " fewer triangles, and worse ones\n";
+  out << ":\n  simplify_outline_2() replaces it, but for pinned vertices, by one with longer pieces; a larger size_growth"
+         " makes fewer triangles, and worse ones\n";
 }
 
 } // namespace Bubble_relaxation_2::internal

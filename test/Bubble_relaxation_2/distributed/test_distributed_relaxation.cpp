@@ -283,7 +283,7 @@ TEST(Distributed_relaxation, from_given_points)
     const auto np = parameters::sizing_function([&](const Point& p) { return factor * d.d(p); });
     SCOPED_TRACE(factor);
     expect_as_one_rank(cdt, np, good);
-    // what is given is better than what comes of it
+    // with 1, what is given is better than what comes of it
     expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP), good);
     expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::FRONTAL), good);
   }

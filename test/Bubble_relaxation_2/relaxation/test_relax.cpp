@@ -271,6 +271,39 @@ TEST(Relax, a_mesh_that_is_kept_gets_coarser_in_few_moves)
   }
 }
 
+TEST(Relax, of_a_mesh_that_is_kept_no_vertex_is_left_out_that_has_room)
+{
+  namespace P = CGAL::Bubble_relaxation_parameters;
+  using Point = CDT::Point;
+  CDT fine = paper::triangulate(paper::l_shape(1));
+  CGAL::npbs_relax(fine, 0.04);
+  const auto d = [](const Point& p) { return p.x() + p.y() < 0.7 ? 0.045 : 0.13; };
+  CDT cdt = fine;
+  // bubbles are placed, and do not go far enough to be seen
+  CGAL::npbs_relax(cdt, P::sizing_function(d).initial_placement(CGAL::Bubble_placement::KEEP).defect_treatment(false)
+                          .limit_by_outline(false).number_of_rounds(1).number_of_iterations(1).time_step(1e-9));
+  const auto relative_distance = [&](const Point& p, const Point& q) {
+    return 2 * std::sqrt(CGAL::squared_distance(p, q)) / (d(p) + d(q));
+  };
+  const auto nearest_to = [&](const Point& p, bool is_itself) { // beside itself
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto v : cdt.finite_vertex_handles())
+      if (!is_itself || CGAL::squared_distance(p, v->point()) > 1e-12)
+        least = (std::min)(least, relative_distance(p, v->point()));
+    return least;
+  };
+  const auto is_free = [](const CDT& mesh, CDT::Vertex_handle v) { return !mesh.are_there_incident_constraints(v); };
+  for (const auto v : cdt.finite_vertex_handles())
+    if (is_free(cdt, v)) {
+      EXPECT_GE(nearest_to(v->point(), true), 0.75 - 1e-6) << v->point();
+    }
+  for (const auto v : fine.finite_vertex_handles())
+    if (is_free(fine, v)) {
+      EXPECT_LT(nearest_to(v->point(), false), 0.75 + 1e-6) << v->point();
+    }
+  EXPECT_LT(cdt.number_of_vertices(), fine.number_of_vertices() / 2);
+}
+
 TEST(Relax, no_rounds_give_the_initial_placement)
 {
   for (auto placement : {CGAL::Bubble_placement::RHOMBIC, CGAL::Bubble_placement::FRONTAL}) {

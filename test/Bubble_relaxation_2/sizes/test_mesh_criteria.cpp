@@ -97,12 +97,11 @@ TEST(Mesh_criteria, relaxation_improves_the_mesh_and_keeps_its_size)
     const auto report = CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(domain.d));
     validation::expect_mesh_of(outline, cdt);
     EXPECT_GT(report.quality.mean_quality(), before.mean_quality() + 0.04);
-    // the meshes of CGAL's refinement differ between its versions: in the square this is 0.9832 with 6.2, and the mean
-    // length 0.98 with 5.5, 0.964 with 6.2
+    // the meshes of CGAL's refinement differ between its versions
     EXPECT_GE(report.quality.mean_quality(), 0.983);
     EXPECT_GE(report.quality.minimum_quality(), 0.82);
     EXPECT_GT(report.quality.minimum_quality(), before.minimum_quality());
-    EXPECT_NEAR(report.quality.mean_length_ratio(), 0.974, 0.014);
+    EXPECT_NEAR(report.quality.mean_length_ratio(), 0.985, 0.014);
   }
 }
 

@@ -123,7 +123,7 @@ std::vector<Point> rim_at_jumps(const Cdt& cdt, const Is_inside& is_in_domain, c
 inline Sizes_2 no_finer_than_rim(const Domain_2& part, const Sizes_2& wanted, const std::vector<Point>& at_jumps,
                                  double growth)
 {
-  constexpr double tolerated = 1.25; // a vertex is kept if the mesh around it is as coarse as that
+  constexpr double tolerated = 1.25; // edges that are longer make needles
   const std::vector<double> length = lengths_at_rim(part);
   std::vector<Size_source_2> sources;
   double longest = 0;

@@ -57,7 +57,7 @@ struct Hole_2
 struct Step_sums
 {
   std::size_t restless = 0; ///< bubbles that moved more than the tolerance
-  std::size_t far = 0;      ///< bubbles that moved so far that steps may be too long
+  std::size_t far = 0;      ///< bubbles that wanted to move so far that steps may be too long
   std::size_t outrun = 0;   ///< bubbles that have used up their skin
 };
 
@@ -87,6 +87,9 @@ public:
   virtual double smallest(double value) const { return value; } ///< of all ranks
   virtual double largest(double value) const { return value; }  ///< of all ranks
 
+  /// how many all lower ranks have, of whatever this one has so many
+  virtual std::size_t number_before(std::size_t /* here */) const { return 0; }
+
   /// whether a bubble that comes in there belongs to this rank
   virtual bool owns_place(const Point&) const { return true; }
 
@@ -115,9 +118,6 @@ public:
 
   /// how many of so many bubbles come to this rank, about
   virtual std::size_t part_of(double number) const { return static_cast<std::size_t>(number); }
-
-  /// how many all lower ranks have, of whatever this one has so many
-  virtual std::size_t number_before(std::size_t /* here */) const { return 0; }
 
   /// Brings the bubbles after the common ones, which are there before the growth begins, and the directions of their
   /// lattices to where they are needed.

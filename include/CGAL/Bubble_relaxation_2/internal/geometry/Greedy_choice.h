@@ -19,7 +19,7 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Chooses among candidates the best first, and none that touches a better one that was chosen: the one rule for all
-/// that is inserted, deleted or operated on. What becomes of a candidate depends on better ones only, its
+/// that is deleted or operated on, and without lists of rivals also for what is inserted, see `Hole_choice_2`. What becomes of a candidate depends on better ones only, its
 /// rivals, and is decided when theirs is. So several ranks that each decide on their own candidates, and tell each
 /// other what was decided, choose what one of them alone would, see `decide_together()`.
 class Greedy_choice
@@ -108,8 +108,8 @@ private:
   std::vector<Rivals> m_rivals;     // of these, and some to be used again
 };
 
-/// Decides until nothing is open on any rank. `all`: the ranks; `decide()`: one of the above; `share()` puts in the
-/// states of candidates on which other ranks decide.
+/// Decides until nothing is open on any rank. `all`: the ranks; `decide()`: decides on what it can, and returns
+/// whether any is left; `share()` puts in the states of candidates on which other ranks decide.
 template <class Ranks, class Decide, class Share>
 void decide_together(const Ranks& all, const Decide& decide, const Share& share)
 {

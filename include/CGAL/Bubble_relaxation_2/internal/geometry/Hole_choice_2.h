@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Greedy_choice.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -35,7 +36,8 @@ public:
   {
     const std::size_t n = holes.size();
     m_order = indices_below(n);
-    sort_indices(m_order, [&holes](Index a, Index b) { return holes[a] < holes[b]; });
+    parallel_sort(threads, m_order,
+                  [&holes](Index a, Index b) { return holes[a] < holes[b] || (!(holes[b] < holes[a]) && a < b); });
     m_states.resize(n);
     parallel_for(
       threads, n, [&](std::size_t k) { m_states[k] = is_possible(holes[k]) ? State::UNDECIDED : State::REFUSED; },
@@ -62,12 +64,15 @@ private:
   /// compared with those that were chosen or are open, so with few, also in a crowd.
   bool decide(const std::vector<Hole_2>& holes, std::size_t number_of_ours, double reach)
   {
-    if (holes.empty())
+    const auto is_open_here = [&](std::size_t k) { return m_states[k] == State::UNDECIDED && k < number_of_ours; };
+    if (std::none_of(m_order.begin(), m_order.end(), is_open_here))
       return false;
     Bubble_buckets_2 better(reach, holes[0].d, holes[0].x, holes[0].y, 0);
     bool is_open = false;
+    std::size_t number = 0;
     for (Index k : m_order) {
-      if (m_states[k] == State::UNDECIDED && static_cast<std::size_t>(k) < number_of_ours) {
+      tick(number++);
+      if (is_open_here(static_cast<std::size_t>(k))) {
         m_states[k] = state_beside(better, holes[k]);
         is_open = is_open || m_states[k] == State::UNDECIDED;
       }
@@ -112,8 +117,10 @@ inline void fill_holes_beside(std::vector<Hole_2>& holes, double reach, Team& te
                               Bubbles_2& bubbles)
 {
   Bubble_buckets_2 there(reach, bubbles.d[0], bubbles.x[0], bubbles.y[0], bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
+  for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    tick(i);
     there.insert(static_cast<Index>(i), bubbles.x[i], bubbles.y[i], bubbles.d[i]);
+  }
   fill_holes(
     holes, reach, team, threads, [&](const Hole_2& h) { return there.is_free(h.x, h.y, h.d); }, bubbles);
 }

@@ -119,17 +119,18 @@ inline bool keeps_given_bubbles(const Relaxation_options& options)
   return options.placement_is_given && options.placement == Bubble_placement::KEEP;
 }
 
-/// Bubbles where the free vertices of an existing mesh are, but none much nearer to another than d: they would push each
-/// other in all steps, and population control would need many rounds to get rid of them.
+/// Bubbles where the free vertices of an existing mesh are, but none much nearer to another one, or to the outline, than
+/// d: they would push each other in all steps, and population control would need many rounds to get rid of them.
 inline void keep_apart_in_faces(const Problem_2& p, Bubbles_2& bubbles, Team& team)
 {
-  constexpr double apart = 0.75; // in units of the mean d; in a packing hardly any two are nearer
+  constexpr double apart = 0.75; // in units of the mean d; in a packing for this d hardly any two are nearer
   share_out(p.domain, p.sizes, bubbles, team, p.options.threads);
   Bubbles_2 all;
   keep_in_faces(p.domain, p.given, p.sizes, all);
   std::vector<Hole_2> places;
   std::size_t number = team.number_before(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
+    tick(i);
     ++number; // along the curve; first come multiples of large powers of two, so that what is left is even
     const double power = static_cast<double>(number & (~number + 1));
     places.push_back(Hole_2{-power, all.x[i], all.y[i], all.d[i], all.host[i]});

@@ -98,7 +98,7 @@ struct Step_flags
   std::vector<char> rests;     ///< moved less than the tolerance
   std::vector<char> is_moving; ///< wanted to move more than it could sleep through
   std::vector<char> returned;  ///< left its face and was put back
-  std::vector<char> goes_far;  ///< more than a tenth of its size
+  std::vector<char> goes_far;  ///< wanted to move more than a tenth of its size
   std::vector<char> is_outrun; ///< has used up its skin
 
   void start_step(std::size_t n)

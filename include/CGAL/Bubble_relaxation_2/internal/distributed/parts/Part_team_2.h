@@ -112,6 +112,11 @@ public:
   double smallest(double value) const override { return m_comm.smallest(value); }
   double largest(double value) const override { return m_comm.largest(value); }
 
+  std::size_t number_before(std::size_t here) const override
+  {
+    return static_cast<std::size_t>(m_comm.sum_before(static_cast<std::int64_t>(here)));
+  }
+
   void add_up(std::size_t* counts, std::size_t n) const override { m_comm.add_up(counts, n); }
   void add_up(std::uint64_t& sum) const override { sum = m_comm.sum(sum); }
 

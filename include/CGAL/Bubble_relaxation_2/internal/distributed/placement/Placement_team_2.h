@@ -69,11 +69,6 @@ public:
     m_partition = m_division.get();
   }
 
-  std::size_t number_before(std::size_t here) const override
-  {
-    return static_cast<std::size_t>(m_comm.sum_before(static_cast<std::int64_t>(here)));
-  }
-
   void share_seeds(Bubbles_2& bubbles, std::vector<double>& directions) override
   {
     Messages<Seed> out;
