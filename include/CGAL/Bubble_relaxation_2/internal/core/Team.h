@@ -110,7 +110,7 @@ public:
 
   virtual Share_of_disc share_of(const Point&, double /* radius */) const { return Share_of_disc::ALL; }
 
-  /// All ranks have these bubbles, and more will come.
+  /// All ranks have these bubbles, and more will come; those that have come are forgotten.
   virtual void note_common(const Bubbles_2&) {}
 
   /// divides the domain by bubbles that are some times as large, which all ranks have

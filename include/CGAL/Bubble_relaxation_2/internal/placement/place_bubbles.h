@@ -99,6 +99,7 @@ inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, co
                            Team& team, const Threads& threads)
 {
   constexpr double largest_misfit = 1.1; // bubbles that are a little too dense stay so
+  const Bubbles_2 outline = bubbles;
   share_out(domain, sizing, bubbles, team, threads);
   std::vector<double> directions(bubbles.size(), 0);
   const auto is_kept = [&](std::size_t k, double d) {
@@ -111,6 +112,11 @@ inline void adapt_in_faces(const Domain_2& domain, const Given_mesh_2& given, co
   keep_in_faces(domain, given, sizing, is_kept, bubbles);
   team.share_seeds(bubbles, directions);
   grow_from_all(domain, sizing, directions, bubbles, team, threads);
+  if (is_sparse(sizing, bubbles, team)) {
+    bubbles = outline;
+    team.note_common(bubbles);
+    place_frontal(domain, sizing, bubbles, team, threads);
+  }
 }
 
 /// whether the user gives all bubbles, as vertices of an existing mesh

@@ -54,7 +54,18 @@ public:
   /// of a bubble that was common or a seed
   std::int64_t number(std::size_t i) const { return m_numbers.empty() ? static_cast<std::int64_t>(i) : m_numbers[i]; }
 
-  void note_common(const Bubbles_2& bubbles) override { m_number_of_common = bubbles.size(); }
+  void note_common(const Bubbles_2& bubbles) override
+  {
+    m_number_of_common = bubbles.size();
+    m_owner.clear();
+    m_places.clear();
+    m_holders.clear();
+    m_key.clear();
+    m_seeds.clear();
+    m_numbers.clear();
+    m_grown.clear();
+    m_generation = 0;
+  }
 
   void divide(const Domain_2& domain, const Bubbles_2& large) override
   {
