@@ -289,6 +289,18 @@ TEST(Distributed_relaxation, from_given_points)
   }
 }
 
+// rows that take over the distances of the outline leave room, and a single crystal grows instead
+TEST(Distributed_relaxation, bubbles_grow_twice)
+{
+  const paper::Domain d = paper::ring(1);
+  const paper::CDT cdt = paper::triangulate(d);
+  const auto np = parameters::sizing_function([&d](const Point& p) { return 0.7 * d.d(p); });
+  EXPECT_LT(expect_as_one_rank(cdt, np).relaxation.report.number_of_vertices, 2500u);
+  paper::CDT mesh = cdt; // and where a mesh is given
+  CGAL::npbs_relax(mesh, parameters::sizing_function(d.d));
+  EXPECT_LT(expect_as_one_rank(cdt, np, free_vertices(cdt, mesh)).relaxation.report.number_of_vertices, 2500u);
+}
+
 TEST(Distributed_relaxation, ranks_stay_balanced)
 {
   const paper::Domain d = paper::square_with_hole(2);

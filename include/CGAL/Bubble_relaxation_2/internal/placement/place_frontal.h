@@ -356,12 +356,13 @@ inline double factor_of_large_bubbles(double expected_number)
 /// edges of a length that is no multiple of d: each row takes over the distances of the one before.
 inline bool is_sparse(const Sizes_2& sizing, const Bubbles_2& crystal, const Team& team)
 {
-  constexpr double least_share = 0.9; // usually it is .93 to 1
+  constexpr double few = 500;          // of which the number says less
+  constexpr double least_share = 0.87; // usually it is .93 to 1
   std::size_t number = 0;
   for (std::size_t i = 0; i < crystal.size(); ++i)
     number += team.owns(static_cast<Index>(i));
   team.add_up(&number, 1);
-  return static_cast<double>(number) < least_share * sizing.expected_number;
+  return sizing.expected_number > few && static_cast<double>(number) < least_share * sizing.expected_number;
 }
 
 /// Initial bubbles of the faces. What suits a domain is found with large bubbles if there will be many.
