@@ -241,15 +241,15 @@ TEST(Relax, steps_too_long_for_the_forces_get_shorter)
 TEST(Relax, rows_do_not_take_over_the_distances_of_the_outline)
 {
   const paper::Domain ring = paper::ring(1), square = paper::square_with_hole(1);
-  for (const auto& [domain, factor] : {std::pair(ring, 0.7), std::pair(ring, 0.43), std::pair(square, 0.6), std::pair(square, 0.43)}) {
+  for (const auto& [domain, factor] : {std::pair(ring, 0.7), std::pair(ring, 0.43), std::pair(square, 0.43)}) {
     SCOPED_TRACE(domain.name);
     CDT cdt = paper::triangulate(domain);
     const auto report =
       CGAL::npbs_relax(cdt, [&d = domain.d, f = factor](const CDT::Point& p) { return f * d(p); });
     EXPECT_NEAR(double(report.number_of_vertices), double(report.number_of_wanted_vertices),
                 0.03 * double(report.number_of_wanted_vertices)); // 24 % more in the first, if they do
-    EXPECT_LT(report.number_of_moves, 35 * report.number_of_vertices); // 132, 65, 39, 36
-    EXPECT_GE(report.quality.mean_quality(), 0.982); // 0.964, 0.985, 0.978, 0.980
+    EXPECT_LT(report.number_of_moves, 35 * report.number_of_vertices); // 132, 65, 36
+    EXPECT_GE(report.quality.mean_quality(), 0.982); // 0.964, 0.985, 0.980
   }
 }
 

@@ -352,47 +352,44 @@ inline double factor_of_large_bubbles(double expected_number)
   return factor;
 }
 
-/// Whether a crystal that grew from all has far fewer bubbles than d asks for. That comes of an outline with many short
-/// edges of a length that is no multiple of d: each row takes over the distances of the one before.
+/// Whether a crystal that grew from all has far fewer bubbles than d asks for, which are many. That comes of an outline
+/// with short edges of a length that is no multiple of d: each row takes over the distances of the one before.
 inline bool is_sparse(const Sizes_2& sizing, const Bubbles_2& crystal, const Team& team)
 {
-  constexpr double few = 500;          // of which the number says less
-  constexpr double least_share = 0.87; // usually it is .93 to 1
+  constexpr double least_share = 0.87; // usually it is .93 to 1; less where the outline takes most
+  if (factor_of_large_bubbles(sizing.expected_number) == 1)
+    return false;
   std::size_t number = 0;
   for (std::size_t i = 0; i < crystal.size(); ++i)
     number += team.owns(static_cast<Index>(i));
   team.add_up(&number, 1);
-  return sizing.expected_number > few && static_cast<double>(number) < least_share * sizing.expected_number;
+  return static_cast<double>(number) < least_share * sizing.expected_number;
 }
 
 /// Initial bubbles of the faces. What suits a domain is found with large bubbles if there will be many.
 /// `sizing`: has `expected_number`
-inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles, Team& ranks,
+inline void place_frontal(const Domain_2& domain, const Sizes_2& sizing, Bubbles_2& bubbles, Team& team,
                           const Threads& threads)
 {
-  const Bubbles_2 outline = bubbles;
   const double factor = factor_of_large_bubbles(sizing.expected_number);
-  Team alone;
-  Team& team = factor == 1 ? alone : ranks; // of few each rank grows all
-  Growth way;
-  if (factor == 1)
-    way = fill_in_better_way(domain, sizing, bubbles, threads);
-  else {
-    Bubbles_2 large = enlarge(domain, bubbles, factor);
-    way = fill_in_better_way(domain, scaled(sizing, factor), large, threads);
-    team.divide(domain, large);
-    if (way == Growth::FROM_ALL)
-      grow_from_all(domain, sizing, {}, bubbles, team, threads);
-    else
-      grow_single_crystal(domain, sizing, way, bubbles, team, threads);
-  }
-  if (way == Growth::FROM_ALL && is_sparse(sizing, bubbles, team)) {
-    bubbles = outline;
+  if (factor == 1) {
+    fill_in_better_way(domain, sizing, bubbles, threads);
     team.note_common(bubbles);
-    grow_single_crystal(domain, sizing, Growth::SINGLE_BENT, bubbles, team, threads);
+    return;
   }
-  if (factor == 1)
-    ranks.note_common(bubbles);
+  Bubbles_2 large = enlarge(domain, bubbles, factor);
+  Growth way = fill_in_better_way(domain, scaled(sizing, factor), large, threads);
+  team.divide(domain, large);
+  if (way == Growth::FROM_ALL) {
+    Bubbles_2 outline = bubbles;
+    grow_from_all(domain, sizing, {}, bubbles, team, threads);
+    if (!is_sparse(sizing, bubbles, team))
+      return;
+    way = Growth::SINGLE_BENT;
+    bubbles = std::move(outline);
+    team.note_common(bubbles);
+  }
+  grow_single_crystal(domain, sizing, way, bubbles, team, threads);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal
