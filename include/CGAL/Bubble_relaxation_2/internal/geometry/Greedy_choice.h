@@ -19,9 +19,10 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Chooses among candidates the best first, and none that touches a better one that was chosen: the one rule for all
-/// that is deleted or operated on, and without lists of rivals also for what is inserted, see `Hole_choice_2`. What becomes of a candidate depends on better ones only, its
-/// rivals, and is decided when theirs is. So several ranks that each decide on their own candidates, and tell each
-/// other what was decided, choose what one of them alone would, see `decide_together()`.
+/// that is deleted or operated on, and in `Hole_choice_2`, without lists of rivals, for all that is inserted. What becomes
+/// of a candidate depends on better ones only, its rivals, and is decided when theirs is. So several ranks that each
+/// decide on their own candidates, and tell each other what was decided, choose what one of them alone would, see
+/// `decide_together()`.
 class Greedy_choice
 {
 public:
