@@ -17,7 +17,7 @@ FRAMES = [("engine", 1, 1, 5), ("relaxation", 1.06, 1.48, 2.88)]
 SHELVES = [("corners", 0, 3.28, 1), ("sizes", 1, 3.28, 1), ("fields", 2, 3.28, 1), ("domain", 3, 3.28, 1), ("geometry", 4, 3.28, 2),
            ("core", 6, 3.28, 1)]
 RANKS = [("distributed/input", 0, 5.1, 1), ("distributed/placement", 1, 5.1, 1), ("distributed/simulation", 2, 5.1, 1.5),
-         ("distributed/treatment", 3.5, 5.1, 2), ("distributed/writing", 5.5, 5.1, 1.5),
+         ("distributed/treatment", 3.5, 5.1, 1.5), ("distributed/engine", 5, 5.1, 1), ("distributed/writing", 6, 5.1, 1),
          ("distributed/mesh", 0, 5.9, 2), ("distributed/parts", 2, 5.9, 2.5), ("distributed/mpi", 4.5, 5.9, 2.5)]
 MESHLESS = [("meshless/search", 0, 7.2, 2), ("meshless/mls", 2, 7.2, 2), ("meshless/galerkin", 4, 7.2, 3)]
 WIDTH, HEIGHT = 136, 62

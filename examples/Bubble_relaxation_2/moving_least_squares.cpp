@@ -53,7 +53,7 @@ CDT domain(double f)
 std::vector<Point> points_in_domain(std::size_t n)
 {
   std::mt19937 random(1);
-  const auto coordinate = [&random] { return 2 * (random() / 4294967296.) - 1; };
+  const auto coordinate = [&random] { return 2 * (static_cast<double>(random()) / 4294967296.) - 1; };
   std::vector<Point> points;
   while (points.size() < n) {
     const double x = coordinate(), y = coordinate();

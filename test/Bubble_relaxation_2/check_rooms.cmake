@@ -40,13 +40,13 @@ room(distributed/mesh Distributed_mesh_2.h distributed_triangulate.h)
 room(distributed/placement place_distributed.h)
 room(distributed/simulation simulate_distributed.h)
 room(distributed/treatment treat_distributed.h)
+room(distributed/engine distributed_engine.h)
 room(distributed/writing relax_by_all.h write_pvtu.h)
 
 # what several ranks do together is made of the parts of what one does alone
 set(behind_of_distributed/placement placement)
 set(behind_of_distributed/simulation simulation population)
 set(behind_of_distributed/treatment treatment)
-set(behind_of_distributed/writing quality)
 
 set(prefix CGAL/Bubble_relaxation_2/internal)
 set(errors)

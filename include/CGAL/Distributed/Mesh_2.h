@@ -107,10 +107,6 @@ public:
     Triangle_places_2 places(domain, regions, mesh);
     std::vector<Index> local(mesh.bubbles.size(), -1);
     add_points(mesh, local);
-    const auto triangles = static_cast<std::size_t>(std::count(mesh.is_final.begin(), mesh.is_final.end(), 1));
-    m_vertices.reserve(triangles);
-    m_edges.reserve(triangles);
-    m_parts.reserve(triangles);
     add_triangles(mesh, true, local, places);
     m_owned_triangles = m_vertices.size();
     add_triangles(mesh, false, local, places);
@@ -242,12 +238,6 @@ private:
             local[v] = 0; // is set when all are known
           }
     std::sort(those.begin() + static_cast<std::ptrdiff_t>(m_owned_points), those.end()); // as their ids
-    const std::size_t n = those.size();
-    m_points.reserve(n);
-    m_ids.reserve(n);
-    m_owners.reserve(n);
-    m_sizes.reserve(n);
-    m_dimensions.reserve(n);
     for (Index i : those) {
       local[i] = static_cast<Index>(m_points.size());
       m_points.push_back(Point_2(b.x[i], b.y[i]));

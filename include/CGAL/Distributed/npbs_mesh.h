@@ -88,9 +88,9 @@ auto npbs_mesh(PointSet& points, const CDT& domain, MPI_Comm comm,
     using Tags = Tags_2<CDT, std::decay_t<decltype(pack)>>;
     using Mesh = Mesh_2<Kernel, typename Tags::Marker, typename Tags::Region>;
     Relaxed_mesh_2<Kernel, typename Tags::Marker, typename Tags::Region> result{{}, Mesh(comm)};
-    const auto write = [&](const Relaxed_part_2& relaxed, const auto& reading, const auto& report) {
-      relaxed.comm.agree_after([&] {
-        result.mesh = Mesh(relaxed.mesh, reading.domain, Tags(pack, domain, reading),
+    const auto write = [&](const Relaxed_part_2& part, const auto& input, Communicator& ranks, const Report& report) {
+      ranks.agree_after([&] {
+        result.mesh = Mesh(part.mesh, input.reading.domain, Tags(pack, domain, input.reading),
                            Mesh_quality_2<double>(report.quality), comm);
       });
     };

@@ -172,10 +172,10 @@ auto npbs_relax(PointSet& points, const CDT& domain, MPI_Comm comm,
   using Result = Relaxation_2<typename CDT::Geom_traits>;
   return call_checked<CDT, Result>(np, [&](const auto& pack) {
     Result result;
-    const auto write = [&result](const Relaxed_part_2& relaxed, const auto&, const auto&) {
-      const double radius = relaxed.options.neighbor_radius;
-      const Bubbles_2 known = with_neighbors(relaxed.bubbles, relaxed.partition, radius, relaxed.comm);
-      relaxed.comm.agree_after([&] { write_neighbors(known, radius, result); });
+    const auto write = [&result](const Relaxed_part_2& part, const auto& input, Communicator& ranks, const Report&) {
+      const double radius = input.options.neighbor_radius;
+      const Bubbles_2 known = with_neighbors(part.bubbles, part.partition, radius, ranks);
+      ranks.agree_after([&] { write_neighbors(known, radius, result); });
     };
     if constexpr (check_flat<CDT>())
       result.report = relax_by_all(points, domain, comm, pack, write);

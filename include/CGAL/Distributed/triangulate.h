@@ -15,12 +15,9 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/engine/distributed_engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/parts/distribute_bubbles.h>
-#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Distributed/Mesh_2.h>
@@ -53,14 +50,12 @@ auto triangulate_by_all(const PointSet& points, const Cdt& domain, MPI_Comm comm
   Sizes_2 sizes([](double, double) { return std::numeric_limits<double>::quiet_NaN(); });
   if constexpr (has_sizes)
     sizes = *given_sizes<typename Cdt::Geom_traits::Point_2>(np);
-  Bubbles_2 own;
-  ranks.agree_after([&] { own = read_bubbles(points, reading->domain, sizes); });
-  Point_distribution_2 distribute(reading->domain, ranks);
-  own = distribute(std::move(own), points.template has_property_map<std::int64_t>("global_id"));
+  Bubbles_2 given;
+  ranks.agree_after([&] { given = read_bubbles(points, reading->domain, sizes); });
+  const bool have_numbers = points.template has_property_map<std::int64_t>("global_id");
+  Mesh_quality_2<double> quality;
   const Distributed_mesh_2 mesh =
-    distributed_triangulate(reading->domain, own, distribute.partition(), ranks);
-  Team_of_ranks team(ranks);
-  const auto quality = quality_of(mesh, has_sizes ? &sizes : nullptr, Threads(), team);
+    triangulate_part(reading->domain, std::move(given), have_numbers, has_sizes ? &sizes : nullptr, ranks, quality);
   using Tags = Tags_2<Cdt, NamedParameters>;
   Distributed::Mesh_2<typename Cdt::Geom_traits, typename Tags::Marker, typename Tags::Region> result(comm);
   ranks.agree_after([&] {

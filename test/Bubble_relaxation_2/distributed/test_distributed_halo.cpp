@@ -12,7 +12,7 @@
 #include "union_of_ranks.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Numbered_sets.h>
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,8 @@ protected:
 
   void look_after(const std::vector<Index>& those)
   {
-    Position_index_2 finder(m_here);
+    Neighbor_sets_2 finder(1);
+    finder.build(m_here);
     m_halo.look_after(
       m_here, those, finder,
       [&](Index i) { return Bubble_state_2{record(m_here, static_cast<std::size_t>(i)), {}}; },

@@ -16,6 +16,7 @@
 #include <CGAL/Distributed/triangulate.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
+#include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
 #include <CGAL/Point_set_3.h>
 
 #include <gtest/gtest.h>

@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_location_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/placement/place_bubbles.h>
 
 #include <CGAL/number_utils.h>
 

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
@@ -104,26 +105,18 @@ inline std::string true_or_false(double value) { return choose_word(value, {"fal
 /// and two of its values
 inline void check_same_values(const Communicator& comm, const std::vector<Named_value>& values)
 {
+  std::vector<double> own;
+  for (const Named_value& p : values)
+    own.push_back(p.value);
+  const std::vector<double> all = gather_records(comm, own);
   const std::size_t n = values.size();
-  std::vector<double> first(n);
   for (std::size_t k = 0; k < n; ++k)
-    first[k] = values[k].value;
-  check_mpi(MPI_Bcast(first.data(), static_cast<int>(n), MPI_DOUBLE, 0, comm.handle()));
-  std::size_t k = 0;
-  while (k < n && values[k].value == first[k])
-    ++k;
-  const std::int64_t ranks = comm.size();
-  const std::int64_t different = comm.smallest(static_cast<std::int64_t>(k) * ranks + comm.rank());
-  const std::size_t parameter = static_cast<std::size_t>(different / ranks);
-  if (parameter == n)
-    return;
-  const int rank = static_cast<int>(different % ranks);
-  double other = values[parameter].value;
-  check_mpi(MPI_Bcast(&other, 1, MPI_DOUBLE, rank, comm.handle()));
-  const Named_value& p = values[parameter];
-  comm.throw_on_all(std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + p.name + " = " +
-                                          p.text(first[parameter]) + " on rank 0, but " + p.text(other) +
-                                          " on rank " + std::to_string(rank)));
+    for (std::size_t rank = 1; rank * n < all.size(); ++rank)
+      if (all[rank * n + k] != all[k])
+        comm.throw_on_all(std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + values[k].name +
+                                                " = " + values[k].text(all[k]) + " on rank 0, but " +
+                                                values[k].text(all[rank * n + k]) + " on rank " +
+                                                std::to_string(rank)));
 }
 
 /// Collective. Callbacks need not be the same, nor be there on all ranks.
@@ -167,20 +160,6 @@ inline std::function<bool(double)> agreed_callback(const std::function<bool(doub
     comm.keep([&] { goes_on = callback(progress); });
     return goes_on;
   };
-}
-
-/// The user's d on one of several ranks. What it throws is kept until all ranks can throw it; until then d is `large`,
-/// so that little is done in vain.
-inline Sizes_2 agreed_sizes(const Sizes_2& users, Communicator& comm, double large)
-{
-  Sizes_2 result([users, &comm, large](double x, double y) {
-    double d = large;
-    if (!comm.has_failed())
-      comm.keep([&] { d = users(x, y); });
-    return d;
-  });
-  result.expected_number = users.expected_number;
-  return result;
 }
 
 /// Collective. What `Input_2` reads, the same on all ranks; the callback need not be the same, nor be there on all.

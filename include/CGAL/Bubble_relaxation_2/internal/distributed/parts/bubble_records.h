@@ -74,12 +74,7 @@ inline Bubbles_2 with_owner(const Bubbles_2& own, int rank)
 /// those of its bubbles that a rank owns and that are left, in the same order, without owners
 inline Bubbles_2 own_bubbles(Bubbles_2 bubbles)
 {
-  std::vector<Index> own;
-  own.reserve(bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    if (bubbles.is_ours(i) && !bubbles.is_gone(i))
-      own.push_back(static_cast<Index>(i));
-  bubbles.select(own);
+  bubbles.select(indices_where(bubbles.size(), [&](Index i) { return bubbles.is_ours(i) && !bubbles.is_gone(i); }));
   bubbles.owner.clear();
   return bubbles;
 }

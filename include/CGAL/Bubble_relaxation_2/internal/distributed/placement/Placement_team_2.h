@@ -52,7 +52,7 @@ public:
   }
 
   /// of a bubble that was common or a seed
-  std::int64_t number(std::size_t i) const { return m_numbers.empty() ? static_cast<std::int64_t>(i) : m_numbers[i]; }
+  std::int64_t number_of(std::size_t i) const { return m_numbers.empty() ? static_cast<std::int64_t>(i) : m_numbers[i]; }
 
   void note_common(const Bubbles_2& bubbles) override
   {

@@ -151,7 +151,7 @@ inline Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, 
   std::vector<Bubble_record_2> records;
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (team.brings(i)) // those of faces have no numbers yet
-      records.push_back(record(bubbles, i, bubbles.is_in_face(i) ? no_index : team.number(i)));
+      records.push_back(record(bubbles, i, bubbles.is_in_face(i) ? no_index : team.number_of(i)));
   bubbles = Bubbles_2();
   Placed_part_2 result = send_home_evenly(comm, hilbert_curve(problem.domain), records);
   remove_confusing_of_ours(comm, problem.domain, result.bubbles);

@@ -13,9 +13,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Ghost_updates_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
@@ -23,7 +23,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -341,23 +340,18 @@ private:
 
   void look_after(Simulation_2& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
-    std::unique_ptr<Position_index_2> here;
-    if (!simulation.keeps_references())
-      here = std::make_unique<Position_index_2>(bubbles);
-    const auto look_after_with = [&](const auto& finder) {
-      m_halo.look_after(
-        bubbles, those, finder,
-        [&](Index i) { return state(simulation, bubbles, i); },
-        [&](const Bubble_state_2& s, int owner) {
-          const Index i = add_of_other(simulation, bubbles, s, owner);
-          if (here)
-            here->add(bubbles, i);
-        });
-    };
-    if (here)
-      look_after_with(*here);
-    else
-      look_after_with(simulation.neighbors());
+    const bool by_references = simulation.keeps_references();
+    Neighbor_sets_2 now(1);
+    if (!by_references)
+      now.build(bubbles);
+    m_halo.look_after(
+      bubbles, those, by_references ? simulation.neighbors() : now,
+      [&](Index i) { return state(simulation, bubbles, i); },
+      [&](const Bubble_state_2& s, int owner) {
+        const Index i = add_of_other(simulation, bubbles, s, owner);
+        if (!by_references)
+          now.add(bubbles, i);
+      });
   }
 
   /// the same; neighbour sets that are not what references tell go with their bubbles

@@ -6,14 +6,13 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_GHOST_UPDATES_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_GHOST_UPDATES_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_NUMBERED_SETS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_NUMBERED_SETS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
 #include <cstddef>
@@ -22,36 +21,6 @@
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
-
-/// Finds bubbles as `Neighbor_sets_2` does, but where they are now and not by references.
-class Position_index_2
-{
-public:
-  explicit Position_index_2(const Bubbles_2& b)
-    : m_buckets(1., b.size() == 0 ? 1. : b.d[0], b.size() == 0 ? 0. : b.x[0], b.size() == 0 ? 0. : b.y[0], b.size())
-  {
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (!b.is_gone(i))
-        add(b, static_cast<Index>(i));
-  }
-
-  void add(const Bubbles_2& b, Index i) { m_buckets.insert(i, b.x[i], b.y[i], b.d[i]); }
-
-  template <class Visitor>
-  void find_within(double x, double y, double d, double near, const Visitor& visit) const
-  {
-    m_buckets.for_each_within(x, y, near * d, [&visit](const auto& e, double) { return visit(e.id), true; });
-  }
-
-  template <class Visitor>
-  void find_large(double x, double y, double least, double near, const Visitor& visit) const
-  {
-    m_buckets.for_each_large(x, y, least, near, [&visit](const auto& e, double) { return visit(e.id), true; });
-  }
-
-private:
-  Bubble_buckets_2 m_buckets;
-};
 
 /// Neighbour sets on their way from one rank to another, as numbers of bubbles.
 class Numbered_sets
@@ -111,4 +80,4 @@ inline void share_sets(Communicator& comm, const Halo_2& halo, const Bubbles_2& 
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_GHOST_UPDATES_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_SIMULATION_NUMBERED_SETS_H
