@@ -9,7 +9,8 @@ if(NOT TARGET Bubble_relaxation_2_MPI)
   target_link_libraries(Bubble_relaxation_2_MPI INTERFACE MPI::MPI_CXX)
   target_compile_definitions(Bubble_relaxation_2_MPI INTERFACE OMPI_SKIP_MPICXX) # MPI's own C++ classes are not used
   if(TARGET Bubble_relaxation_2_core)
-    add_library(Bubble_relaxation_2_ranks STATIC ${CMAKE_CURRENT_LIST_DIR}/../src/Bubble_relaxation_2/ranks.cpp)
+    add_library(Bubble_relaxation_2_ranks STATIC EXCLUDE_FROM_ALL
+                ${CMAKE_CURRENT_LIST_DIR}/../src/Bubble_relaxation_2/ranks.cpp)
     target_link_libraries(Bubble_relaxation_2_ranks PUBLIC Bubble_relaxation_2_core MPI::MPI_CXX)
     target_compile_definitions(Bubble_relaxation_2_ranks PRIVATE OMPI_SKIP_MPICXX
                                PUBLIC CGAL_BUBBLE_RELAXATION_2_COMPILED_RANKS)
