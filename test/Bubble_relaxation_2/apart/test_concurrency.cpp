@@ -39,7 +39,7 @@ TEST(Size_of_the_mesh, on_an_edge_does_not_depend_on_what_was_asked_before)
     cdt.insert(paper::Point(uniform(random), uniform(random)));
   using namespace CGAL::Bubble_relaxation_2::internal;
   const Domain_marks_2<paper::CDT> marks(cdt, CGAL::parameters::default_values());
-  const auto field = mean_edge_length_field(marks);
+  const auto field = mean_edge_length_field(marks, 0.5);
   for (int k = 0; k < 1000; ++k) {
     const double y = 0.01 + 0.98 * uniform(random);
     field(0.29, y); // leaves the search on the left

@@ -9,9 +9,11 @@
 // The same d for CGAL's Delaunay refinement, and its mesh as input of the relaxation.
 
 #include "../../../demo/Bubble_relaxation_2/paper_domains.h"
+#include "rough_outlines.h"
 #include "validation.h"
 
 #include <CGAL/Bubble_mesh_criteria_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/npbs_relax.h>
 
@@ -121,6 +123,28 @@ TEST(Mesh_criteria, refined_mesh_can_be_made_finer_and_coarser)
   EXPECT_GE(coarser.quality.mean_quality(), 0.971);
   EXPECT_GE(coarser.quality.minimum_quality(), 0.8);
   validation::expect_valid_mesh(cdt);
+}
+
+/// Sizes of a mesh that is refined from short pieces of a coast to large triangles double from edge to edge, and no packing
+/// follows that.
+TEST(Mesh_criteria, coast_is_relaxed_without_a_size)
+{
+  for (unsigned seed : {1u, 2u, 3u}) {
+    SCOPED_TRACE(seed);
+    CDT cdt;
+    for (const domains::Outline& outline : rough_outlines::archipelago(seed))
+      domains::insert(cdt, outline);
+    CGAL::Delaunay_mesher_2<CDT, CGAL::Delaunay_mesh_size_criteria_2<CDT>> mesher(cdt, {0.125, 1});
+    mesher.refine_mesh();
+    const auto before = CGAL::mesh_quality_2(cdt);
+    const auto report = CGAL::npbs_relax(cdt);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT(double(report.number_of_moves), 45 * double(report.number_of_vertices));
+    EXPECT_GT(report.quality.mean_quality(), before.mean_quality() + 0.12);
+    EXPECT_GT(report.quality.minimum_angle(), before.minimum_angle() + 4);
+    EXPECT_LT(report.number_of_small_angles, 60u);
+    EXPECT_LT(double(report.number_of_vertices), 1.6 * double(before.number_of_vertices()));
+  }
 }
 
 } // namespace test_mesh_criteria

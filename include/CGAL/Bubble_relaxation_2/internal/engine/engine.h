@@ -26,7 +26,11 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 // What lies between reading and writing, without the user's types: it is compiled once.
 
-/// the sizes of the edges of a mesh in its domain
+/// The most that sizes of a mesh grow per unit of length. Those of refined Delaunay triangulations double from edge to
+/// edge, and no packing follows; our own meshes grow by less than that.
+constexpr double growth_in_mesh = 0.5;
+
+/// the sizes of the edges of a mesh in its domain, which grow no faster than that
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh);
 

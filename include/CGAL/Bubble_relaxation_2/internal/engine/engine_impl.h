@@ -28,7 +28,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh)
 {
-  return Sizes_2(mean_edge_length_field(mesh));
+  return Sizes_2(mean_edge_length_field(mesh, growth_in_mesh));
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

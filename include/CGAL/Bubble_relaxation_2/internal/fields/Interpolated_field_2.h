@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_INTERPOLATED_FIELD_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
+#include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Triangle_quadtree_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -161,8 +162,9 @@ private:
   Triangle_quadtree_2 m_quadtree;
 };
 
-/// The size that a mesh with a domain has: at each vertex the mean length of its edges there.
-inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh)
+/// The size that a mesh with a domain has: at each vertex the mean length of its edges there, or less where that grows
+/// by more than `growth` per unit of length.
+inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh, double growth)
 {
   Sorted_triangulation_2 sorted(mesh); // so that it does not matter how the mesh came about
   const Flat_triangulation_2& tr = sorted.tr;
@@ -183,6 +185,7 @@ inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& m
   }
   for (std::size_t v = 0; v < sizes.size(); ++v)
     sizes[v] = count[v] > 0 ? sizes[v] / count[v] : all / static_cast<double>(edges.size());
+  Gradient_limiter_2(tr, growth).spread(sizes);
   return Interpolated_field_2(std::move(sorted.tr), std::move(sizes));
 }
 
