@@ -1,7 +1,6 @@
 # Half of the time that a program here takes to compile goes into the headers of CGAL and of the relaxation, which
 # nearly all include: these are compiled once, with the given libraries, for the programs of some folders that have the
-# same options. (That examples include what they use is seen where they are compiled for their warnings.) For a few
-# programs that would take longer than it saves.
+# same options. For a few programs that would take longer than it saves.
 #   reuse_precompiled_headers(NAME FOLDERS... LIBRARIES... HEADERS...)
 function(reuse_precompiled_headers name)
   cmake_parse_arguments(argument "" "" "FOLDERS;LIBRARIES;HEADERS" ${ARGN})

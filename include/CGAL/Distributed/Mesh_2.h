@@ -107,6 +107,8 @@ public:
     Triangle_places_2 places(domain, regions, mesh);
     std::vector<Index> local(mesh.bubbles.size(), -1);
     add_points(mesh, local);
+    const auto triangles = static_cast<std::size_t>(std::count(mesh.is_final.begin(), mesh.is_final.end(), 1));
+    reserve_each(triangles, m_vertices, m_edges, m_parts);
     add_triangles(mesh, true, local, places);
     m_owned_triangles = m_vertices.size();
     add_triangles(mesh, false, local, places);
@@ -238,6 +240,7 @@ private:
             local[v] = 0; // is set when all are known
           }
     std::sort(those.begin() + static_cast<std::ptrdiff_t>(m_owned_points), those.end()); // as their ids
+    Bubble_relaxation_2::internal::reserve_each(those.size(), m_points, m_ids, m_owners, m_sizes, m_dimensions);
     for (Index i : those) {
       local[i] = static_cast<Index>(m_points.size());
       m_points.push_back(Point_2(b.x[i], b.y[i]));

@@ -68,7 +68,7 @@ protected:
 
   void look_after(const std::vector<Index>& those)
   {
-    Neighbor_sets_2 finder(1);
+    Neighbor_sets_2 finder(Neighbor_sets_2::without_skin);
     finder.build(m_here);
     m_halo.look_after(
       m_here, those, finder,

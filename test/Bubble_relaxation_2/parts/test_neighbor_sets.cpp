@@ -18,6 +18,7 @@
 #include <CGAL/npbs_place_nodes.h>
 
 #include <functional>
+#include <set>
 
 namespace test_neighbor_sets {
 
@@ -68,6 +69,33 @@ const std::vector<std::pair<const char*, Size>> sizes{
   {"jumps", [](double x, double) { return x < 0.5 ? 0.003 : 0.09; }},
   {"noise", [](double x, double y) { return 0.002 + 0.08 * std::abs(std::sin(1e4 * x + 3e3 * y)); }},
   {"spot", [](double x, double y) { return std::hypot(x - 0.3, y - 0.7) < 0.05 ? 1e-6 : 0.07; }}};
+
+/// Sets without a skin find what is there now, and what was added: all within a radius, and all large ones.
+TEST(Neighbor_sets, find_all_that_is_near_now)
+{
+  for (const auto& size : sizes) {
+    Bubbles_2 b = random_bubbles(500, 4, size.second);
+    Neighbor_sets_2 sets(Neighbor_sets_2::without_skin);
+    sets.build(b);
+    const Bubbles_2 more = random_bubbles(100, 5, size.second);
+    for (std::size_t i = 0; i < more.size(); ++i) {
+      b.add(more.point(i), more.d[i], Bubbles_2::FACE, 0);
+      sets.add(b, static_cast<Index>(b.size()) - 1);
+    }
+    for (std::size_t i = 0; i < b.size(); i += 7)
+      for (double near : {1.5, 6.1}) {
+        std::set<Index> within, large;
+        sets.find_within(b.x[i], b.y[i], b.d[i], near, [&](Index j) { within.insert(j); });
+        sets.find_large(b.x[i], b.y[i], b.d[i], near, [&](Index j) { large.insert(j); });
+        for (std::size_t k = 0; k < b.size(); ++k) {
+          const double distance = std::hypot(b.x[i] - b.x[k], b.y[i] - b.y[k]);
+          const Index j = static_cast<Index>(k);
+          EXPECT_TRUE(distance > near * b.d[i] || within.count(j)) << size.first << ' ' << i << ' ' << j;
+          EXPECT_TRUE(b.d[k] < b.d[i] || distance > near * b.d[k] || large.count(j)) << size.first << ' ' << i << ' ' << j;
+        }
+      }
+  }
+}
 
 TEST(Neighbor_sets, equal_to_brute_force)
 {

@@ -64,6 +64,13 @@ inline std::uint64_t hash_of_place(double x, double y)
 inline int ccw(int i) { return i == 2 ? 0 : i + 1; }
 inline int cw(int i) { return i == 0 ? 2 : i - 1; }
 
+/// of several vectors
+template <class... T>
+void reserve_each(std::size_t n, std::vector<T>&... arrays)
+{
+  (arrays.reserve(n), ...);
+}
+
 /// Makes room for `n` more elements. A vector of all bubbles that takes in a few more would double its memory
 /// otherwise; this adds an eighth, or what is needed.
 template <class T>

@@ -49,6 +49,9 @@ class Neighbor_sets_2
   auto order() const { return [this](Index i, Index j) { return is_before(i, j); }; }
 
 public:
+  /// the radius of sets that miss nothing as long as nothing moves: where the force ends
+  static constexpr double without_skin = 1.5;
+
   explicit Neighbor_sets_2(double radius) : m_radius(radius) {}
 
   double radius() const { return m_radius; }
@@ -242,7 +245,7 @@ public:
   {
     if (m_sets.size() == 0)
       return;
-    m_buckets->for_each_within(x, y, (near + m_radius - 1.5) * d, visitor(visit));
+    m_buckets->for_each_within(x, y, (near + m_radius - without_skin) * d, visitor(visit));
   }
 
   /// the same for those whose distance from (x, y) is less than `near` times their size, if that is `least` or more
@@ -251,7 +254,7 @@ public:
   {
     if (m_sets.size() == 0)
       return;
-    const double most_grown = m_radius / 1.5; // from the reference, until the skin is used up
+    const double most_grown = m_radius / without_skin; // from the reference, until the skin is used up
     m_buckets->for_each_large(x, y, least / most_grown, near * most_grown, visitor(visit));
   }
 
@@ -259,7 +262,7 @@ public:
   bool is_outrun_by(const Bubbles_2& bubbles, std::size_t i) const
   {
     const double dx = bubbles.x[i] - m_x[i], dy = bubbles.y[i] - m_y[i];
-    const double left = 0.5 * (m_radius - 1.5) * m_d[i] - 0.75 * (bubbles.d[i] - m_d[i]);
+    const double left = 0.5 * (m_radius - without_skin) * m_d[i] - 0.75 * (bubbles.d[i] - m_d[i]);
     return left < 0 || dx * dx + dy * dy > left * left;
   }
 

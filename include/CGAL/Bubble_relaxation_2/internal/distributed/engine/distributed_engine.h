@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/Distributed_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Hilbert_partition_2.h>
@@ -21,9 +22,9 @@
 #include <optional>
 
 #ifdef CGAL_BUBBLE_RELAXATION_2_COMPILED_RANKS // by this project, for its own programs
-#define CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS
+#define CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 #else
-#define CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS inline
+#define CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE inline
 #endif
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -40,21 +41,21 @@ struct Relaxed_part_2
 
 /// The bubbles of all ranks after placement, simulation and treatment, and their mesh, whose statistics are in the
 /// report; nothing if a callback stops it. What sizes of `problem` throw on a rank is thrown on all. `given`: this
-/// rank's bubbles to start from
-CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS
-std::optional<Relaxed_part_2> relax_part(const Problem_2& problem, const Bubbles_2& given, Communicator& comm,
+/// rank's bubbles to start from \pre the progress of `problem` remembers stops, and `comm` keeps what callbacks throw
+CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
+std::optional<Relaxed_part_2> relax_part(Problem_2 problem, const Bubbles_2& given, Communicator& comm,
                                          Report& report);
 
 /// The bubbles of this rank, and after them those of others that are neighbours of one of them, and perhaps some more:
 /// nearer than `radius` times the mean of both sizes, so nearer than that times the larger one.
 /// \pre the numbers of `own` ascend
-CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS
+CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 Bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
                          Communicator& comm);
 
 /// This rank's part of the mesh of points on any rank, which have numbers or not, and the statistics of all of it.
 /// `sizes`: those of edges, if they are known
-CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS
+CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 Distributed_mesh_2 triangulate_part(const Domain_2& domain, Bubbles_2 points, bool have_numbers, const Sizes_2* sizes,
                                     Communicator& comm, Mesh_quality_2<double>& quality);
 

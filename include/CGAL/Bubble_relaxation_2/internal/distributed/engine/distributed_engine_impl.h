@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_ENGINE_DISTRIBUTED_ENGINE_IMPL_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_ENGINE_DISTRIBUTED_ENGINE_IMPL_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/engine/distributed_engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mesh/distributed_triangulate.h>
@@ -18,6 +20,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/simulate_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/treatment/treat_distributed.h>
 #include <CGAL/Bubble_relaxation_2/internal/quality/evaluate.h>
+
+#include <CGAL/Bubble_relaxation_enums.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -47,12 +51,12 @@ inline void add_up_counts(const Communicator& comm, Report& r)
     *count = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(*count)));
 }
 
-CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS
-std::optional<Relaxed_part_2> relax_part(const Problem_2& users, const Bubbles_2& given, Communicator& comm,
+CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
+std::optional<Relaxed_part_2> relax_part(Problem_2 problem, const Bubbles_2& given, Communicator& comm,
                                          Report& report)
 {
-  Problem_2 problem = users;
-  problem.sizes = agreed_sizes(users.sizes, comm, Hilbert_curve_2(users.whole_domain().bbox()).side());
+  const Sizes_2 users_sizes = problem.sizes;
+  problem.sizes = agreed_sizes(users_sizes, comm, Hilbert_curve_2(problem.whole_domain().bbox()).side());
   const auto is_stopped = [&] { return report.stop_reason == Bubble_stop_reason::STOPPED_BY_CALLBACK; };
   const Placed_part_2 part = simulate_distributed(comm, problem, report, given);
   comm.agree(); // the callback may have thrown, or d after the last step
@@ -72,16 +76,17 @@ std::optional<Relaxed_part_2> relax_part(const Problem_2& users, const Bubbles_2
   }
   Team_of_ranks team(comm);
   evaluate(mesh, problem, team, report);
-  const Phase_timer evaluation_time(report.seconds.evaluation);
+  problem.options.progress->start_phase(Bubble_phase::WRITING);
+  const Phase_timer writing_time(report.seconds.writing);
   Bubbles_2 own;
   comm.agree_after([&] {
-    ask_sizes(mesh, users.sizes);
+    ask_sizes(mesh, users_sizes);
     own = own_bubbles(mesh.bubbles);
   });
   return Relaxed_part_2{std::move(mesh), std::move(own), part.partition};
 }
 
-CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS
+CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 Bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
                          Communicator& comm)
 {
@@ -96,7 +101,7 @@ Bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partit
   return known;
 }
 
-CGAL_BUBBLE_RELAXATION_2_INLINE_ON_RANKS
+CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 Distributed_mesh_2 triangulate_part(const Domain_2& domain, Bubbles_2 points, bool have_numbers, const Sizes_2* sizes,
                                     Communicator& comm, Mesh_quality_2<double>& quality)
 {

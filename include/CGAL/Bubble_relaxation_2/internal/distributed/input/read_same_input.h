@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_READ_SAME_INPUT_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
@@ -108,6 +107,11 @@ inline void check_same_values(const Communicator& comm, const std::vector<Named_
   std::vector<double> own;
   for (const Named_value& p : values)
     own.push_back(p.value);
+  std::vector<double> least = own, most = own;
+  comm.reduce_each(least, MPI_MIN);
+  comm.reduce_each(most, MPI_MAX);
+  if (least == most)
+    return;
   const std::vector<double> all = gather_records(comm, own);
   const std::size_t n = values.size();
   for (std::size_t k = 0; k < n; ++k)

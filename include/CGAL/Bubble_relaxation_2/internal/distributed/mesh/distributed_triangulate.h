@@ -337,8 +337,8 @@ private:
 /// \param stray how far bubbles of any rank are from its piece at most
 /// \throws std::runtime_error on all ranks if `triangulate()` would throw
 inline Distributed_mesh_2 distributed_triangulate(const Domain_2& domain, const Bubbles_2& own,
-                                                  const Hilbert_partition_2& partition,
-                                                  Communicator& comm, double reach = 3, double stray = 0)
+                                                  const Hilbert_partition_2& partition, Communicator& comm,
+                                                  double reach = 3, double stray = 0)
 {
   return Distributed_triangulation_2(domain, own, partition, comm, reach, stray)();
 }

@@ -52,7 +52,7 @@ public:
   }
 
   /// of a bubble that was common or a seed
-  std::int64_t number_of(std::size_t i) const { return m_numbers.empty() ? static_cast<std::int64_t>(i) : m_numbers[i]; }
+  std::int64_t number_of(std::size_t i) const { return m_numbers.empty() ? std::int64_t(i) : m_numbers[i]; }
 
   void note_common(const Bubbles_2& bubbles) override
   {
@@ -123,9 +123,7 @@ public:
     const Bubbles_2& b = crystal.bubbles();
     const std::size_t all = crystal.size() + expected;
     crystal.make_room_for_births(all);
-    m_owner.reserve(all);
-    m_places.reserve(all);
-    m_key.reserve(all);
+    reserve_each(all, m_owner, m_places, m_key);
     for (std::size_t i = 0; i < b.size(); ++i)
       enter(crystal, Growth_birth_2{0, static_cast<double>(m_numbers[i]), b.x[i], b.y[i]}, b.d[i], 0, no_index);
     for (std::size_t i = 0, n = b.size(); i < n; ++i)

@@ -89,8 +89,7 @@ public:
     m_is_near_border.clear();
     m_has_gone_far = false;
     m_lists = {};
-    m_places.reserve(expected);
-    m_is_near_border.reserve(expected);
+    reserve_each(expected, m_places, m_is_near_border);
   }
 
   /// a bubble was added after the last
@@ -179,11 +178,10 @@ public:
     return !is_surely_home(b, i) && length_of(b.x[i] - p.home_x, b.y[i] - p.home_y) > farthest_from_home * b.d[i];
   }
 
-  /// Makes bubbles known to those who need them, and others to those who need them for these. `finder` is a
-  /// `Neighbor_sets_2`, or finds bubbles as that does; `state(i)` and `add(state, owner)` give away and take in a
-  /// bubble. Collective.
-  template <class Finder, class State, class Add>
-  void look_after(const Bubbles_2& b, std::vector<Index> those, const Finder& finder,
+  /// Makes bubbles known to those who need them, and others to those who need them for these. `finder` finds them;
+  /// `state(i)` and `add(state, owner)` give away and take in a bubble. Collective.
+  template <class State, class Add>
+  void look_after(const Bubbles_2& b, std::vector<Index> those, const Neighbor_sets_2& finder,
                   const State& state, const Add& add)
   {
     for (int turn = 0; turn < 2; ++turn) { // who gets to know a bubble knows what it needs
@@ -277,8 +275,8 @@ private:
   bool is_ours(Index i) const { return owner(i) == m_comm.rank(); }
 
   /// tells of a bubble of ours all ranks near it, and the owners of larger ones that reach it
-  template <class Finder, class State>
-  void tell_of(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
+  template <class State>
+  void tell_of(const Bubbles_2& b, Index i, const Neighbor_sets_2& finder, const State& state,
                Messages<Bubble_state_2>& out)
   {
     const double clearance = m_places[i].clearance;
@@ -303,8 +301,8 @@ private:
   }
 
   /// tells the owner of another's bubble of ours that this one reaches
-  template <class Finder, class State>
-  void tell_owner(const Bubbles_2& b, Index i, const Finder& finder, const State& state,
+  template <class State>
+  void tell_owner(const Bubbles_2& b, Index i, const Neighbor_sets_2& finder, const State& state,
                   Messages<Bubble_state_2>& out)
   {
     finder.find_within(b.x[i], b.y[i], b.d[i], m_reach, [&](Index j) {

@@ -304,10 +304,7 @@ protected:
   std::vector<Index> m_others; ///< that moved in this step
 
 private:
-  struct Place
-  {
-    double x, y;
-  };
+  struct Place { double x, y; };
 
   struct Move
   {
@@ -341,7 +338,7 @@ private:
   void look_after(Simulation_2& simulation, Bubbles_2& bubbles, const std::vector<Index>& those)
   {
     const bool by_references = simulation.keeps_references();
-    Neighbor_sets_2 now(1);
+    Neighbor_sets_2 now(Neighbor_sets_2::without_skin);
     if (!by_references)
       now.build(bubbles);
     m_halo.look_after(

@@ -142,8 +142,7 @@ private:
 /// Places bubbles and simulates them, all ranks together: those that `relax_bubbles()` makes on one. Their numbers are
 /// their indices there. `points`: see `place_by_all()`; `traffic`: what this rank sent and held, if it is asked for.
 /// \pre sizes of `problem` keep what they throw until ranks agree on it
-inline Placed_part_2 simulate_distributed(Communicator& comm,
-                                          const Problem_2& problem, Report& report,
+inline Placed_part_2 simulate_distributed(Communicator& comm, const Problem_2& problem, Report& report,
                                           const Bubbles_2& points = {}, Traffic_2* traffic = nullptr)
 {
   const std::unique_ptr<Simulation_team_2> team = problem.options.exchange_interval == 0

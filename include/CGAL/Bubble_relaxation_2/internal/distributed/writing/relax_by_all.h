@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/engine/distributed_engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/point_set_bubbles.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/input/read_same_input.h>
@@ -61,7 +62,6 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
   reading_time.stop();
   const std::optional<Relaxed_part_2> part = relax_part(input->problem(), given, ranks, report);
   if (part) {
-    input->options.progress->start_phase(Bubble_phase::WRITING);
     const Phase_timer writing_time(report.seconds.writing);
     write(*part, *input, ranks, report);
     ranks.agree_after([&] { input->options.progress->finish(); });
@@ -83,7 +83,6 @@ void write_neighbors(const Bubbles_2& known, double radius, Relaxation& relaxati
   neighbors.resize(offsets[n]); // without those of ghosts
   relaxation.neighbor_radius = radius;
   relaxation.neighbor_offsets.assign(offsets.begin(), offsets.begin() + n + 1);
-  relaxation.neighbors.reserve(neighbors.size());
   for (Index j : neighbors) {
     relaxation.neighbors.push_back(known.id[j]);
     if (!known.is_ours(j))
