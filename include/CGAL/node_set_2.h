@@ -60,8 +60,8 @@ struct Node_set_2
 \ingroup PkgBubbleRelaxation2Functions
 
 \brief returns the vertices of a mesh that lie in its domain as nodes for meshless methods, with their neighbour
-sets. The size of a node is the mean length of the edges in the domain that end there, or less where that grows by
-more than 0.5 per unit of length, as `npbs_relax()` has it.
+sets. The size of a node is the mean length of the edges in the domain that end there, or less, down to half of it,
+where that grows by more than 0.5 per unit of length, as `npbs_relax()` has it.
 
 So nodes of any origin become a `Node_set_2`, and the nodes of a mesh that `npbs_relax()` made can be used beside
 the mesh. The vertices may be inserted in any order.

@@ -81,7 +81,7 @@ constraints. One that comes twice counts once
     \cgalParamDescription{the wanted distance d of neighbouring vertices, in the units of the coordinates}
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{the mean length of the part's edges around each vertex, linear between vertices, and
-                      less where that grows by more than 0.5 per unit of length}
+                      less, down to half of it, where that grows by more than 0.5 per unit of length}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told which faces and vertices go and come}

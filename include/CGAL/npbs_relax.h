@@ -86,8 +86,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamDescription{the wanted distance d of neighbouring vertices, in the units of the coordinates}
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{If the domain has free vertices: the mean length of the edges around each vertex of
-                      `cdt`, linear between vertices, and less where that grows by more than 0.5 per
-                      unit of length. If there is no mesh yet: at each vertex of a constraint the length of
+                      `cdt`, linear between vertices, and less, down to half of it, where that grows by
+                      more than 0.5 per unit of length. If there is no mesh yet: at each vertex of a constraint the length of
                       the shorter constraint beside it, growing from there by `size_growth`; where the domain is narrower, `limit_by_outline` makes it smaller}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}

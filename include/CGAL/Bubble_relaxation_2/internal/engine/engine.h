@@ -30,7 +30,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// edge, and no packing follows; our own meshes grow by less than that.
 constexpr double growth_in_mesh = 0.5;
 
-/// the sizes of the edges of a mesh in its domain, which grow no faster than that
+/// the sizes of the edges of a mesh in its domain, which hardly grow faster than that
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh);
 

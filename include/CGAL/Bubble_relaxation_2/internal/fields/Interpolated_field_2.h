@@ -163,7 +163,7 @@ private:
 };
 
 /// The size that a mesh with a domain has: at each vertex the mean length of its edges there, or less where that grows
-/// by more than `growth` per unit of length.
+/// by more than `growth` per unit of length, but no less than half of it: a needle does not ask for more of its kind.
 inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& mesh, double growth)
 {
   Sorted_triangulation_2 sorted(mesh); // so that it does not matter how the mesh came about
@@ -185,7 +185,10 @@ inline Interpolated_field_2 mean_edge_length_field(const Triangulation_copy_2& m
   }
   for (std::size_t v = 0; v < sizes.size(); ++v)
     sizes[v] = count[v] > 0 ? sizes[v] / count[v] : all / static_cast<double>(edges.size());
-  Gradient_limiter_2(tr, growth).spread(sizes);
+  std::vector<double> limited = sizes;
+  Gradient_limiter_2(tr, growth).spread(limited);
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+    sizes[v] = (std::max)(limited[v], sizes[v] / 2);
   return Interpolated_field_2(std::move(sorted.tr), std::move(sizes));
 }
 
