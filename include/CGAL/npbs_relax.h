@@ -87,8 +87,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{If the domain has free vertices: the mean length of the edges around each vertex of
                       `cdt`, linear between vertices, and less, down to half of it, where that grows by
-                      more than 0.5 per unit of length. If there is no mesh yet: at each vertex of a constraint the length of
-                      the shorter constraint beside it, growing from there by `size_growth`; where the domain is narrower, `limit_by_outline` makes it smaller}
+                      more than 0.5 per unit of length. If there is no mesh yet: at each vertex of a
+                      constraint the length of the shorter constraint beside it, growing from there by
+                      `size_growth`; where the domain is narrower, `limit_by_outline` makes it smaller}
   \cgalParamNEnd
   \cgalParamNBegin{seeds}
     \cgalParamDescription{points in the holes of the domain, or in the domain; those outside of all outlines mark

@@ -64,7 +64,7 @@ inline std::uint64_t hash_of_place(double x, double y)
 inline int ccw(int i) { return i == 2 ? 0 : i + 1; }
 inline int cw(int i) { return i == 0 ? 2 : i - 1; }
 
-/// of several vectors
+/// reserves room for `n` elements in each of several vectors
 template <class... T>
 void reserve_each(std::size_t n, std::vector<T>&... arrays)
 {
