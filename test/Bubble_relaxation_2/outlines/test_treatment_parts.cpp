@@ -282,19 +282,54 @@ TEST(Defects, no_vertex_is_inserted_that_would_crowd_an_edge)
   EXPECT_GT(number, 4u);
 }
 
+/// The unit square and the bubbles on its corners.
+struct Square
+{
+  internal::Domain_2 domain;
+  internal::Bubble_mesh_2 mesh;
+
+  Square()
+  {
+    const std::vector<internal::Point> corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    std::vector<internal::Domain_edge_2> edges;
+    for (Index i = 0; i < 4; ++i) {
+      edges.push_back({i, (i + 1) % 4, true, false});
+      mesh.bubbles.add(corners[i], 1, internal::Bubbles_2::CORNER, i);
+    }
+    EXPECT_EQ(domain.build(corners, edges), internal::Marking_error::NONE);
+  }
+};
+
+/// Where bubbles of an edge are so near to each other that they are beside it by more than their distance, triangles stay
+/// as they should be when one passes another: also one that must stay, which looks like a corner in a patch.
+TEST(Defects, no_bubble_slides_past_another_one_of_its_edge)
+{
+  using internal::Bubbles_2;
+  for (const auto dimension : {Bubbles_2::EDGE, Bubbles_2::CORNER}) {
+    Square square;
+    Bubbles_2& b = square.mesh.bubbles;
+    b.add({0.4, 0}, 1, Bubbles_2::EDGE, 0, 0.4); // would best be at 0.48
+    b.add({0.5, -0.3}, 1, Bubbles_2::EDGE, 0, 0.45);
+    const Index sliding = 4, other = 5;
+    internal::triangulate(square.domain, square.mesh);
+    b.dimension[other] = dimension;
+    internal::Editable_triangulation_2 mesh(square.mesh);
+    const internal::Vertex_smoothing_2 move(square.domain, 1);
+    EXPECT_TRUE(move(mesh, b, sliding));
+    for (int k = 0; k < 10; ++k)
+      move(mesh, b, sliding);
+    EXPECT_GT(b.s[sliding], 0.4);
+    EXPECT_LT(b.s[sliding], b.s[other]);
+  }
+}
+
 /// A piece of the outline ends at a bubble that is too far inside, and leaves another one outside.
 TEST(Defects, a_bubble_that_a_bent_edge_leaves_outside_stays_a_vertex)
 {
   using internal::Bubbles_2;
-  const std::vector<internal::Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  internal::Domain_2 domain;
-  std::vector<internal::Domain_edge_2> edges;
-  internal::Bubble_mesh_2 mesh;
-  for (Index i = 0; i < 4; ++i) {
-    edges.push_back({i, (i + 1) % 4, true, false});
-    mesh.bubbles.add(square[i], 1, Bubbles_2::CORNER, i);
-  }
-  ASSERT_EQ(domain.build(square, edges), internal::Marking_error::NONE);
+  Square square;
+  const internal::Domain_2& domain = square.domain;
+  internal::Bubble_mesh_2& mesh = square.mesh;
   mesh.bubbles.add({0.5, 1e-3}, 1, Bubbles_2::EDGE, 0, 0.5);
   mesh.bubbles.add({0.5, 5e-4}, 1, Bubbles_2::FACE, 0);
   mesh.bubbles.add({0.5, 0.5}, 1, Bubbles_2::FACE, 0);

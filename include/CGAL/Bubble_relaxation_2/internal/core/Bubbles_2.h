@@ -42,7 +42,7 @@ struct Bubbles_2
   /// what the bubble belongs to: the corner, the edge, or the domain's triangle that contains it;
   /// `no_index` for a pinned vertex off the domain's edges
   std::vector<Index> host;
-  std::vector<double> s;      ///< position on its edge in (0,1); edge bubbles only
+  std::vector<double> s;      ///< position on its edge in (0,1); 0 of others
   std::vector<Index> pin;     ///< index of the user's pinned vertex; `no_index` for all others
 
   /// \name Part of All

@@ -260,7 +260,7 @@ private:
   }
 
   /// Whether a vertex would slide to, or beyond, another one of its edge or an end: triangles do not tell where they are as
-  /// near to each other as roundings.
+  /// near to each other as roundings. One on the rim of a patch looks like a corner, but has its position.
   static bool passes_another(const Editable_triangulation_2& mesh, const Bubbles_2& b, Index v, const Star_2& corners,
                              double s)
   {
@@ -268,7 +268,7 @@ private:
       return true;
     for (const Corner_2& c : corners)
       for (Index w : mesh.vertices(c.triangle))
-        if (w != v && b.is_on_edge(w) && b.host[w] == b.host[v] && !(b.s[w] < b.s[v] ? b.s[w] < s : s < b.s[w]))
+        if (w != v && b.s[w] > 0 && b.host[w] == b.host[v] && !(b.s[w] < b.s[v] ? b.s[w] < s : s < b.s[w]))
           return true;
     return false;
   }
