@@ -58,7 +58,8 @@ closed ones start, and when all lengths are scaled by a power of two.
 
 Vertices without constraints that are not pinned, such as those of a mesh, are removed. The faces of the domain are
 marked if the face base has marks, so `npbs_relax()` needs no seeds afterwards; with a rule, seeds of regions that are
-gone would mislead it.
+gone would mislead it. Without marks, a rule can leave a domain that is not that of the faces in an odd number of
+outlines, where other constraints are outside of it: then a face base with marks is needed.
 
 \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, with points in the
 plane: no terrain. Its face base may be a model of `DelaunayMeshFaceBase_2`. With an exact kernel the new

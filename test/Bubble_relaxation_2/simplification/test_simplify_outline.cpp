@@ -525,6 +525,23 @@ TEST(Simplify_outline, constraints_keep_their_identifiers)
   EXPECT_EQ(cdt.number_of_constraints(), 4u);
 }
 
+TEST(Simplify_outline, a_constraint_that_goes_there_and_back_goes_on_doing_so)
+{
+  using Ctp = CGAL::Constrained_triangulation_plus_2<CDT>;
+  Ctp cdt;
+  Outline outline = coast(0, 0, 10, 900, 1);
+  outline.insert(outline.end(), {{0, 0}, Xy(outline.back())});
+  const Ctp::Constraint_id id = insert(cdt, outline);
+  CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1.));
+  EXPECT_TRUE(cdt.is_valid());
+  EXPECT_EQ(cdt.number_of_constraints(), 1u);
+  const std::vector<Segment> segments = segments_of(cdt, id);
+  EXPECT_LT(segments.size(), 200u);
+  EXPECT_EQ(std::count_if(segments.begin(), segments.end(), [](const Segment& s) {
+              return s.first == Xy(0, 0) || s.second == Xy(0, 0);
+            }), 2);
+}
+
 TEST(Simplify_outline, pieces_tell_what_they_stand_for)
 {
   CDT cdt = make({coast(0, 0, 10, 900, 1)});

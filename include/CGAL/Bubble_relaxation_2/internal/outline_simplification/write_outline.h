@@ -245,7 +245,7 @@ private:
       lines.emplace_back(id, line(places(id), is_closed(id)));
       if (lines.back().second.empty()) {
         lines.pop_back();
-        m_cdt.remove_constraint(id);
+        remove_constraint(id);
         continue;
       }
       exchange(id, m_cdt.insert_constraint(Handles<Cdt>::vertex(m_beside[0]), Handles<Cdt>::vertex(m_beside[1])));
@@ -257,7 +257,22 @@ private:
   void exchange(Constraint_id id, Constraint_id other)
   {
     m_cdt.hierarchy_ref().swap(id, other);
-    m_cdt.remove_constraint(other);
+    remove_constraint(other);
+  }
+
+  /// As CGAL does it, but for a constraint that passes an edge twice: it is none any more the second time.
+  template <class Constraint_id>
+  void remove_constraint(Constraint_id id)
+  {
+    const std::vector<Vertex_handle> vertices(m_cdt.vertices_in_constraint_begin(id), m_cdt.vertices_in_constraint_end(id));
+    m_cdt.hierarchy_ref().remove_constraint(id);
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+      typename Cdt::Face_handle f;
+      int i = 0;
+      if (!m_cdt.is_subconstraint(vertices[k - 1], vertices[k]) && m_cdt.is_edge(vertices[k - 1], vertices[k], f, i) &&
+          f->is_constrained(i))
+        static_cast<typename Cdt::Triangulation&>(m_cdt).remove_constrained_edge(f, i);
+    }
   }
 
   /// the vertices of the new outline along places in spans; a closed line that starts within a span comes back to it
