@@ -595,6 +595,9 @@ TEST(Simplify_outline, bad_input)
   expect_refusal(good, sizing_function(1.).corner_angle(-1.), {"corner_angle = -1"});
   expect_refusal(good, sizing_function(1.).corner_angle(181.), {"corner_angle = 181", "180"});
   expect_refusal(good, sizing_function(1.).minimum_gap(5.), {"minimum_gap = 5", "nothing"});
+  CDT beside_a_constraint = good;
+  insert(beside_a_constraint, {{3, 0}, {4, 1}}, false);
+  expect_refusal(beside_a_constraint, sizing_function(1.).minimum_gap(5.), {"minimum_gap = 5", "nothing"});
   expect_refusal(good, CGAL::parameters::minimum_gap(5.), {"sizing_function", "outline_tolerance"});
   expect_refusal(good, sizing_function(1.).outline_tolerance(1e-20), {"outline_tolerance = 1e-20", "(0, 1)"});
   expect_refusal(good, sizing_function(2.).relative_outline_tolerance(1e-20),
@@ -610,6 +613,11 @@ TEST(Simplify_outline, a_tolerance_up_to_the_size_is_taken)
   CGAL::simplify_outline_2(share, sizing_function(0.2).relative_outline_tolerance(1.));
   const auto report = CGAL::simplify_outline_2(length, sizing_function(0.2).outline_tolerance(0.3)); // longer than d
   EXPECT_LE(report.hausdorff_distance, 0.3);
+  CDT coarse = make({coast(0, 0, 10, 900, 1)});
+  const auto far = CGAL::simplify_outline_2(coarse, sizing_function(0.05).outline_tolerance(2)); // forty times as long
+  EXPECT_TRUE(coarse.is_valid());
+  EXPECT_LE(far.largest_share_of_tolerance, 1);
+  EXPECT_GT(far.share_of_fitting_pieces, 0.95);
 }
 
 TEST(Simplify_outline, sizes_far_too_small)

@@ -97,6 +97,9 @@ private:
   {
     return (std::min)(m_demands.tolerance[old_vertex(segment)], m_demands.tolerance[old_vertex(end_of(segment))]);
   }
+  /// The longest step: a vertex that goes farther makes pieces too long.
+  double longest_step(std::size_t k) const { return (std::min)(tolerance_at(m_path[k].segment), size_at(m_path[k])); }
+
   Index end_of(Index segment) const
   {
     return m_span.is_ring || segment < static_cast<Index>(m_span.size()) ? segment + 1 : segment;
@@ -179,7 +182,8 @@ private:
   {
     m_near.clear();
     const Point &a = previous(k).point, &p = m_path[k].point, &b = next(k).point;
-    const double reach = clear * size_at(m_path[k]) + 2 * tolerance_at(m_path[k].segment);
+    const double way = (std::min)(2 * tolerance_at(m_path[k].segment), moves_of_a_vertex * longest_step(k));
+    const double reach = clear * size_at(m_path[k]) + way;
     const Bbox_2 box = a.bbox() + p.bbox() + b.bbox();
     m_movable.grid().for_each_near(
       Bbox_2(box.xmin() - reach, box.ymin() - reach, box.xmax() + reach, box.ymax() + reach), [&](Index id) {
@@ -199,7 +203,7 @@ private:
   {
     for (Near& near : m_near)
       near.distance = distance_to(previous(k).point, m_path[k].point, next(k).point, near);
-    const double reach = clear * size_at(m_path[k]) + tolerance_at(m_path[k].segment);
+    const double reach = clear * size_at(m_path[k]) + longest_step(k);
     const auto end = std::partition(m_near.begin(), m_near.end(), [=](const Near& x) { return x.distance < reach; });
     std::sort(m_near.begin(), end, [](const Near& x, const Near& y) { return x.distance < y.distance; });
   }
@@ -284,7 +288,7 @@ private:
     bool has_moved = false;
     double now = cost(k) + deviation_cost(m_path[k].point, m_path[k].segment), step = 1;
     for (int halving = 0, moves = 0; halving < halvings && moves < moves_of_a_vertex;) {
-      if (try_step(k, step * tolerance_at(m_path[k].segment), now)) {
+      if (try_step(k, step * longest_step(k), now)) {
         has_moved = true;
         ++moves;
       } else {

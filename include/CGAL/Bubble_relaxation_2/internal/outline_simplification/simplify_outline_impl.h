@@ -58,7 +58,8 @@ inline Outline_2 apply_rules(Outline_2 outline, const Simplification_problem_2& 
     outline = Island_rule_2(outline, problem.options.minimum_island_area)(report);
   if (problem.options.minimum_gap > 0)
     outline = Gap_rule_2(outline, problem.options.minimum_gap)(report);
-  if (outline.segments.empty())
+  if (std::none_of(outline.segments.begin(), outline.segments.end(),
+                   [](const Outline_segment_2& s) { return s.is_in_domain(); }))
     throw std::invalid_argument("Bubble_relaxation_2: parameter minimum_gap = " +
                                 in_words(problem.options.minimum_gap) + " leaves nothing of the domain");
   return outline;
