@@ -574,6 +574,21 @@ void expect_refusal(CDT cdt, const NamedParameters& np, const std::vector<std::s
   expect_invalid([&] { CGAL::simplify_outline_2(cdt, np); }, words);
 }
 
+/// Where constraints of an exact kernel cross, `double` may have the crossing on the other side of another one.
+TEST(Simplify_outline, what_an_exact_kernel_has_on_another_side_is_refused)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Exact_cdt = CGAL::Constrained_Delaunay_triangulation_2<Exact, CGAL::Default, CGAL::Exact_intersections_tag>;
+  Exact_cdt cdt;
+  insert(cdt, {{0.62288112774460191, 1.2774118970130361}, {0.62288112774460214, 1.2774118970130366},
+               {0.62288112774460191, 1.2774118970130357}, {0.6228811277446018, 1.2774118970130364},
+               {0.49324470764857098, -0.17551778246054853}});
+  const Snapshot before = validation::snapshot(cdt);
+  expect_throw<std::runtime_error>([&] { CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(0.34721)); },
+                                   {"cannot be written", "0.49324", "too coarse"});
+  EXPECT_TRUE(validation::snapshot(cdt) == before);
+}
+
 TEST(Simplify_outline, bad_input)
 {
   const CDT good = make({square(0, 0, 1)});

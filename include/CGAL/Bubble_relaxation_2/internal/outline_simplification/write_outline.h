@@ -61,8 +61,11 @@ public:
         insert_segment(s.source, s.target);
     }
     check();
-    if constexpr (Domain_marks_2<Cdt>::has_marks)
-      mark_domain(m_cdt, [this](const auto& visit) { this->for_each_side(visit); });
+    check_sides(mark_domain(m_cdt, [this](const auto& visit) {
+      this->for_each_segment([&](const auto& edge, Vertex_handle source, const Outline_segment_2& s) {
+        visit(edge, source, s.inside_left, s.inside_right);
+      });
+    }));
   }
 
   /// a vertex of the new outline, once it is written
@@ -176,14 +179,28 @@ private:
                              " the numbers of the kernel are too coarse");
   }
 
+  /// \throws std::runtime_error if the domain is on another side of a segment: old vertices are where the kernel has them,
+  /// not where they are in `double`, so others may be beyond segments at them
+  void check_sides(const Domain_faces_2<Cdt>& faces) const
+  {
+    for_each_segment([&](const auto& edge, Vertex_handle source, const Outline_segment_2& s) {
+      const auto [f, i] = edge;
+      const bool f_is_left = f->vertex(Cdt::ccw(i)) == source;
+      if (faces.contains(f) != (f_is_left ? s.inside_left : s.inside_right) ||
+          faces.contains(f->neighbor(i)) != (f_is_left ? s.inside_right : s.inside_left))
+        throw_too_coarse(s.source, s.target);
+    });
+  }
+
+  /// calls `visit(edge, source, segment)`
   template <class Visit>
-  void for_each_side(const Visit& visit) const
+  void for_each_segment(const Visit& visit) const
   {
     for (const Outline_segment_2& s : m_outline.segments) {
       Face_handle f;
       int i = 0;
       m_cdt.is_edge(vertex(s.source), vertex(s.target), f, i);
-      visit({f, i}, vertex(s.source), s.inside_left, s.inside_right);
+      visit(typename Cdt::Edge(f, i), vertex(s.source), s);
     }
   }
 
