@@ -150,7 +150,7 @@ fills all of it, or is no more than roundings of the coordinates
 \throws std::length_error if d asks for some million pieces, or if `minimum_gap` is some millions of times smaller than
 the outline is long
 \throws std::runtime_error if the new outline cannot be written with the numbers of the kernel: its vertices coincide,
-or its segments cross, when rounded to them
+its segments cross, or the domain comes to lie on another side of one, when rounded to them
 
 Exceptions of the sizing function pass through. All calls of it, of the property map and of the ranges come before the
 first change of `cdt`: after them, and after `std::invalid_argument`, it is untouched. After other exceptions `cdt` has
