@@ -97,7 +97,8 @@ private:
   {
     return (std::min)(m_demands.tolerance[old_vertex(segment)], m_demands.tolerance[old_vertex(end_of(segment))]);
   }
-  /// The longest step: a vertex that goes farther makes pieces too long.
+
+  /// the longest step: a vertex that goes farther than d makes pieces too long
   double longest_step(std::size_t k) const { return (std::min)(tolerance_at(m_path[k].segment), size_at(m_path[k])); }
 
   Index end_of(Index segment) const

@@ -179,8 +179,8 @@ private:
                              " the numbers of the kernel are too coarse");
   }
 
-  /// \throws std::runtime_error if the domain is on another side of a segment: old vertices are where the kernel has them,
-  /// not where they are in `double`, so others may be beyond segments at them
+  /// \throws std::runtime_error if the domain is on another side of a segment: old vertices are where the kernel has
+  /// them, not where they are in `double`, so others may be beyond segments at them
   void check_sides(const Domain_faces_2<Cdt>& faces) const
   {
     for_each_segment([&](const auto& edge, Vertex_handle source, const Outline_segment_2& s) {
@@ -281,7 +281,8 @@ private:
   template <class Constraint_id>
   void remove_constraint(Constraint_id id)
   {
-    const std::vector<Vertex_handle> vertices(m_cdt.vertices_in_constraint_begin(id), m_cdt.vertices_in_constraint_end(id));
+    const std::vector<Vertex_handle> vertices(m_cdt.vertices_in_constraint_begin(id),
+                                              m_cdt.vertices_in_constraint_end(id));
     m_cdt.hierarchy_ref().remove_constraint(id);
     for (std::size_t k = 1; k < vertices.size(); ++k) {
       typename Cdt::Face_handle f;
