@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -38,7 +39,7 @@ public:
   /// takes `w` out, which is between `u` and `v`; returns whether that can be done
   bool remove(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
-    for (int turn = 0; peel_around(u, w, v); ++turn)
+    for (std::size_t turn = 0; peel_around(u, w, v); ++turn)
       if (turn == most_slivers)
         return false; // of roundings that contradict each other: they would be turned to and fro for ever
     m_corners.assign(1, v);
@@ -67,7 +68,7 @@ public:
   /// puts `p` in between `u` and `v`
   void insert(Vertex_handle u, Vertex_handle p, Vertex_handle v)
   {
-    peel(m_exchange.open_side(u, v).face, Face_handle());
+    peel(m_exchange.open_side(u, v).face);
     const Side open = m_exchange.open_side(u, v);
     const Face_handle f = open.face;
     const int i = open.index;
@@ -85,13 +86,13 @@ public:
   }
 
 private:
-  static constexpr int most_slivers = 1000; // at a vertex
+  static constexpr std::size_t most_slivers = 1000; // at a vertex, or behind each other
 
   /// Opens slivers at `w`, which is between `u` and `v`; returns whether there is one.
   bool peel_around(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
     for (Face_handle f = m_exchange.open_side(w, v).face;; f = m_exchange.across(f, Cdt::ccw(f->index(w)))) {
-      if (peel(f, Face_handle()))
+      if (peel(f))
         return true;
       const int i = f->index(w);
       if (f->vertex(Cdt::cw(i)) == u || f->is_constrained(Cdt::ccw(i)))
@@ -101,21 +102,36 @@ private:
 
   /// Where vertices on an edge lie beside it by a rounding, slivers fill its dents. They have no room for others:
   /// their corners are given to the face beyond them, finite or not, which sees them all; what is not Delaunay or
-  /// convex then is made so later. Returns whether `f` is a sliver that was opened. `from`: where not to look
-  bool peel(Face_handle f, Face_handle from)
+  /// convex then is made so later. Returns whether `f` is a sliver that was opened.
+  bool peel(Face_handle f)
   {
-    if (!is_sliver(f))
+    if (!is_sliver(f) || m_in_hand.size() == most_slivers)
       return false;
-    const auto may_cross = [&](int i) { return !f->is_constrained(i) && f->neighbor(i) != from; };
-    for (int i = 0; i < 3; ++i)
+    const auto may_cross = [&](int i) {
+      return !f->is_constrained(i) &&
+             std::find(m_in_hand.begin(), m_in_hand.end(), f->neighbor(i)) == m_in_hand.end();
+    };
+    m_in_hand.push_back(f);
+    for (int i : sides_in_order(f))
       if (may_cross(i) && is_sliver(f->neighbor(i)))
-        peel(m_exchange.across(f, i), f);
-    for (int i = 0; i < 3; ++i)
+        peel(m_exchange.across(f, i));
+    m_in_hand.pop_back();
+    for (int i : sides_in_order(f))
       if (may_cross(i) && is_seen(f, i)) {
         m_exchange.flip(f, i);
         return true;
       }
     return false;
+  }
+
+  /// by what is opposite to them: the numbers of a face's vertices tell how the triangulation came about
+  std::array<int, 3> sides_in_order(Face_handle f) const
+  {
+    std::array<int, 3> sides{0, 1, 2};
+    std::sort(sides.begin(), sides.end(), [&](int i, int j) {
+      return m_cdt.compare_xy(f->vertex(i)->point(), f->vertex(j)->point()) == CGAL::SMALLER;
+    });
+    return sides;
   }
 
   /// whether the face behind the side `i` of a sliver is none, and sees all its corners
@@ -135,8 +151,10 @@ private:
     constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
     if (m_cdt.is_infinite(f))
       return false;
-    const Point p = point_in_double<Cdt>(f->vertex(0)->point()), q = point_in_double<Cdt>(f->vertex(1)->point()),
-                r = point_in_double<Cdt>(f->vertex(2)->point());
+    const std::array<int, 3> order = sides_in_order(f);
+    const Point p = point_in_double<Cdt>(f->vertex(order[0])->point()),
+                q = point_in_double<Cdt>(f->vertex(order[1])->point()),
+                r = point_in_double<Cdt>(f->vertex(order[2])->point());
     const Kernel::Vector_2 u = q - p, v = r - p;
     const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(q.x()), std::abs(q.y())}),
                  length = std::abs(u.x()) + std::abs(u.y()) + std::abs(v.x()) + std::abs(v.y());
@@ -157,9 +175,10 @@ private:
   /// corner is the first one.
   bool fill_hole()
   {
-    const auto infinite =
-      std::find_if(m_corners.begin(), m_corners.end(), [&](Vertex_handle v) { return m_cdt.is_infinite(v); });
+    const auto infinite = std::find(m_corners.begin(), m_corners.end(), m_cdt.infinite_vertex());
     if (infinite != m_corners.end()) {
+      if (std::find(infinite + 1, m_corners.end(), m_cdt.infinite_vertex()) != m_corners.end())
+        return false; // slivers meet in a corner only
       fill_from(static_cast<std::size_t>(infinite - m_corners.begin()));
       return true;
     }
@@ -225,6 +244,7 @@ private:
   Exchange& m_exchange;
   Corners m_corners;         // of a hole
   std::vector<Side> m_sides; // behind the sides of the hole
+  std::vector<Face_handle> m_in_hand; // slivers that wait for those behind them
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

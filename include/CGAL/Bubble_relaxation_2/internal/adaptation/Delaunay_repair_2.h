@@ -31,14 +31,15 @@ public:
   Delaunay_repair_2(const Cdt& cdt, Exchange& exchange) : m_cdt(cdt), m_exchange(exchange) {}
 
   /// A vertex on an edge of the convex hull may lie beside it by a rounding. What is dented is filled; faces in between
-  /// are out of the domain.
-  void make_hull_convex()
+  /// are out of the domain. Returns whether that can be done.
+  bool make_hull_convex()
   {
     std::vector<Face_handle> doubtful;
     for (Face_handle f : m_exchange.new_faces())
       if (!m_exchange.is_dropped(f) && m_cdt.is_infinite(f))
         doubtful.push_back(f);
-    while (!doubtful.empty()) {
+    const std::size_t most_flips = m_exchange.new_faces().size(); // there are fewer dents
+    for (std::size_t flips = 0; !doubtful.empty();) {
       const Face_handle f = doubtful.back();
       doubtful.pop_back();
       if (!m_cdt.is_infinite(f))
@@ -46,11 +47,14 @@ public:
       const int dent = dented_side(f);
       if (dent == -1)
         continue;
+      if (flips++ == most_flips)
+        return false;
       const Face_handle g = m_exchange.across(f, dent);
       m_exchange.flip(f, dent);
       doubtful.push_back(f);
       doubtful.push_back(g);
     }
+    return true;
   }
 
   /// finite new faces from `first` on, which are not counterclockwise

@@ -194,6 +194,19 @@ public:
     link(f, 1, Side{g, 2, false});
   }
 
+  /// Whether faces fit together: each knows the one behind a side of a new face by that side and by no other. Where
+  /// vertices lie beside an edge by a rounding, what fits at one may not fit at the next.
+  bool is_sound() const
+  {
+    for (Face_handle f : m_new) {
+      tick();
+      for (int i = 0; i < 3 && !is_dropped(f); ++i)
+        if (f->neighbor(i) != Face_handle() && !is_sound(f, i))
+          return false;
+    }
+    return true;
+  }
+
   const std::vector<Face_handle>& new_faces() const { return m_new; } ///< with dropped ones
   const std::vector<Vertex_handle>& new_vertices() const { return m_new_vertices; }
 
@@ -276,6 +289,22 @@ private:
   static int mirror_index(Face_handle f, int i)
   {
     return Cdt::cw(f->neighbor(i)->index(f->vertex(Cdt::cw(i))));
+  }
+
+  bool is_sound(Face_handle f, int i) const
+  {
+    const Face_handle n = f->neighbor(i);
+    int j = 0;
+    if (n == f->neighbor(Cdt::ccw(i)) || !n->has_vertex(f->vertex(Cdt::cw(i)), j))
+      return false;
+    j = Cdt::cw(j); // of the same side there
+    if (n->vertex(Cdt::cw(j)) != f->vertex(Cdt::ccw(i)))
+      return false;
+    if (is_new(n))
+      return !is_dropped(n) && n->neighbor(j) == f && n->is_constrained(j) == f->is_constrained(i);
+    const auto found = m_front.find(&*n);
+    return found != m_front.end() && found->second[static_cast<std::size_t>(j)].face == f &&
+           n->is_constrained(j) == f->is_constrained(i);
   }
 
   void undo() noexcept

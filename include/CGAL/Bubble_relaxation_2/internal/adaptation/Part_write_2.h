@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -46,17 +47,28 @@ public:
       m_vertices(reading, mesh.bubbles, elevations, m_exchange), m_repair(cdt, m_exchange), m_paths(reading)
   {}
 
-  /// Returns the bubbles that have to go before the mesh can be written: those that an edge of the rim cannot bear, or
-  /// which are beside a constraint by a rounding where there is no room for that. Nearly always all triangles can
-  /// become faces as they are, and to see that takes less than to make them.
-  /// \throws std::runtime_error if the triangulation is too flat beside a constraint
-  std::vector<Index> find_unwritable()
+  /// what has to change before a mesh can be written
+  struct Unwritable
   {
-    std::vector<Index> those = build_outside();
-    if (!those.empty())
-      return those;
+    /// Those have to go: an edge of the rim cannot bear them, or they are beside a constraint by a rounding where there
+    /// is no room for that.
+    std::vector<Index> bubbles;
+    /// Constraints at the border of the domain that have to stay as they are, by their vertices: what is beyond is too
+    /// flat.
+    std::vector<Path> borders;
+
+    bool is_none() const { return bubbles.empty() && borders.empty(); }
+  };
+
+  /// Nearly always all triangles can become faces as they are, and to see that takes less than to make them.
+  /// \throws std::runtime_error if the part is too flat beside a constraint
+  Unwritable find_unwritable()
+  {
+    Unwritable found = build_outside();
+    if (!found.is_none())
+      return found;
     m_is_delaunay = is_delaunay();
-    return m_is_delaunay ? those : build_inside();
+    return m_is_delaunay ? found : build_inside();
   }
 
   /// whether `find_unwritable()` saw that no edge of the triangles is to be flipped
@@ -99,34 +111,36 @@ public:
   }
 
 private:
-  /// the new faces out of the domain; returns the bubbles that have to go for them
-  std::vector<Index> build_outside()
+  /// the new faces out of the domain; returns what has to change for them
+  Unwritable build_outside()
   {
     take_part();
     m_paths.find(m_mesh.bubbles, m_vertices);
     for (std::size_t e = 0; e < m_paths.size(); ++e) {
       tick(e);
-      change_border(m_reading.graph->chains()[e], m_paths[e]);
+      if (is_changed_border(e) && !change_border(m_reading.graph->chains()[e], m_paths[e]))
+        return {{}, {m_paths[e].before}};
     }
-    m_repair.make_hull_convex();
-    std::vector<Index> those = bubbles_of(m_repair.flat_faces(0));
-    if (those.empty())
-      m_repair.flip(0, true);
+    if (!m_repair.make_hull_convex() || !m_exchange.is_sound())
+      return {{}, changed_borders()};
+    if (Unwritable flat = around(m_repair.flat_faces(0)); !flat.is_none())
+      return flat;
+    m_repair.flip(0, true);
     m_first_inside = m_exchange.new_faces().size();
-    return those;
+    return {};
   }
 
-  /// the new faces of the part; returns the bubbles that have to go for them
-  std::vector<Index> build_inside()
+  /// the new faces of the part; returns what has to change for them
+  Unwritable build_inside()
   {
     add_faces();
     link_faces();
     if (m_is_delaunay)
       return {};
-    if (std::vector<Index> those = bubbles_of(m_repair.flat_faces(m_first_inside)); !those.empty())
-      return those;
+    if (Unwritable flat = around(m_repair.flat_faces(m_first_inside)); !flat.is_none())
+      return flat;
     m_repair.flip(m_first_inside, false);
-    return unbearable();
+    return {unbearable(), {}};
   }
 
   /// Whether the triangles are counterclockwise where the user's vertices are, which may be rounded, and of a
@@ -185,11 +199,25 @@ private:
     }
   }
 
-  /// changes the faces on the other side of a constraint at the border of the domain
-  void change_border(const Chain& chain, const Path_change& paths)
+  /// whether a constraint bounds the domain, and gets other vertices
+  bool is_changed_border(std::size_t e) const
   {
-    if (paths.before == paths.after || (chain.inside_left && chain.inside_right))
-      return;
+    const Chain& chain = m_reading.graph->chains()[e];
+    return !(chain.inside_left && chain.inside_right) && m_paths[e].before != m_paths[e].after;
+  }
+
+  std::vector<Path> changed_borders() const
+  {
+    std::vector<Path> result;
+    for (std::size_t e = 0; e < m_paths.size(); ++e)
+      if (is_changed_border(e))
+        result.push_back(m_paths[e].before);
+    return result;
+  }
+
+  /// changes the faces on the other side of a constraint at the border of the domain; returns whether that can be done
+  bool change_border(const Chain& chain, const Path_change& paths)
+  {
     Path before = paths.before, after = paths.after;
     if (!chain.inside_right) { // what is out of the domain is to be on the left
       std::reverse(before.begin(), before.end());
@@ -198,17 +226,18 @@ private:
     for (std::size_t k = 0; k + 1 < before.size(); ++k)
       m_exchange.copy(beyond(before[k + 1], before[k]).face);
     Border_change_2<Cdt> change(m_cdt, m_exchange);
+    bool is_done = true;
     const auto change_stretch = [&](Vertex_handle u, const Path& old, const Path& added, Vertex_handle v) {
-      for (std::size_t k = 0; k < old.size(); ++k)
-        if (!change.remove(u, old[k], k + 1 < old.size() ? old[k + 1] : v))
-          throw_too_flat();
+      for (std::size_t k = 0; k < old.size() && is_done; ++k)
+        is_done = change.remove(u, old[k], k + 1 < old.size() ? old[k + 1] : v);
       Vertex_handle last = u;
-      for (Vertex_handle w : added) {
-        change.insert(last, w, v);
-        last = w;
+      for (std::size_t k = 0; k < added.size() && is_done; ++k) {
+        change.insert(last, added[k], v);
+        last = added[k];
       }
     };
     for_each_stretch<Vertex_handle>(before, after, change_stretch);
+    return is_done;
   }
 
   /// the face beyond the side of the part from `u` to `v`; an open side if there is none
@@ -265,8 +294,8 @@ private:
     return open;
   }
 
-  /// The vertices opposite to edges of the rim that are in the circle of the face behind it. One that cannot go has been
-  /// there before: then it is not this mesh that is not Delaunay, but what lies beyond the rim.
+  /// The vertices seen from an edge of the rim in the circle of the face behind it. One that cannot go has been there
+  /// before: then it is not this mesh that is not Delaunay, but what lies beyond the rim.
   std::vector<Index> unbearable() const
   {
     std::vector<Index> result;
@@ -275,22 +304,45 @@ private:
       const Face_handle f = m_exchange.new_faces()[k];
       for (int i = 0; i < 3; ++i)
         if (!m_exchange.is_new(f->neighbor(i)) && !f->is_constrained(i) && m_repair.is_illegal(f, i))
-          result.push_back(m_vertices.bubble(f->vertex(i)));
+          add_conflicts(f, i, result);
     }
     return only_movable(std::move(result));
   }
 
-  /// those of faces that can go
-  /// \throws std::runtime_error if there is none among them
-  std::vector<Index> bubbles_of(const std::vector<Face_handle>& flat) const
+  /// All at once: beside a needle there may be thousands behind each other.
+  void add_conflicts(Face_handle first, int side, std::vector<Index>& bubbles) const
   {
-    std::vector<Index> result;
+    const Face_handle beyond = first->neighbor(side);
+    std::vector<std::pair<Face_handle, int>> to_see{{first, side}};
+    std::set<const void*> seen{&*first};
+    while (!to_see.empty()) {
+      const auto [f, i] = to_see.back();
+      to_see.pop_back();
+      if (!is_in_circle<Cdt>(beyond->vertex(0), beyond->vertex(1), beyond->vertex(2), f->vertex(i)))
+        continue;
+      bubbles.push_back(m_vertices.bubble(f->vertex(i)));
+      for (int k : {Cdt::ccw(i), Cdt::cw(i)}) {
+        const Face_handle n = f->neighbor(k);
+        if (!f->is_constrained(k) && m_exchange.is_new(n) && seen.insert(&*n).second)
+          to_see.emplace_back(n, m_exchange.side(f, k).index);
+      }
+    }
+  }
+
+  /// What has to change since faces are flat: bubbles at them that can go, or else all that has changed at the border.
+  /// \throws std::runtime_error if there is neither
+  Unwritable around(const std::vector<Face_handle>& flat) const
+  {
+    Unwritable result;
     for (Face_handle f : flat)
       for (int i = 0; i < 3; ++i)
-        result.push_back(m_vertices.bubble(f->vertex(i)));
-    result = only_movable(std::move(result));
-    if (result.empty() && !flat.empty())
-      throw_too_flat();
+        result.bubbles.push_back(m_vertices.bubble(f->vertex(i)));
+    result.bubbles = only_movable(std::move(result.bubbles));
+    if (result.bubbles.empty() && !flat.empty())
+      result.borders = changed_borders();
+    if (result.is_none() && !flat.empty())
+      throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to change it "
+                               "there");
     return result;
   }
 
@@ -301,12 +353,6 @@ private:
                                [&](Index i) { return i == no_index || !m_mesh.bubbles.can_move(i); }),
                 those.end());
     return those;
-  }
-
-  [[noreturn]] static void throw_too_flat()
-  {
-    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to change it "
-                             "there");
   }
 
   Cdt& m_cdt;

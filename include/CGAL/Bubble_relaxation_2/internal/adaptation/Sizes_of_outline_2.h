@@ -31,9 +31,7 @@ public:
   template <class Is_inside, class NamedParameters>
   Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const NamedParameters& np, const Sizes_2& wanted,
                     const Relaxation_options& options)
-    : m_reading(cdt,
-                Marked_copy_2(cdt, faces_at_outline(cdt, is_in_domain), [](Face_handle, int) { return false; }), np),
-      m_wanted(wanted)
+    : m_reading(cdt, copy_at_outline(cdt, is_in_domain), np), m_wanted(wanted)
   {
     add_pins(cdt, is_in_domain, is_pinned<Cdt>(np));
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
@@ -54,12 +52,14 @@ public:
 private:
   /// the faces of the domain that have a constraint at a side: they know all of its outline
   template <class Is_inside>
-  static std::vector<Face_handle> faces_at_outline(const Cdt& cdt, const Is_inside& is_in_domain)
+  static Marked_copy_2 copy_at_outline(const Cdt& cdt, const Is_inside& is_in_domain)
   {
-    std::vector<Face_handle> result;
+    std::vector<Face_handle> faces;
     for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
       if (is_in_domain(f) && (f->is_constrained(0) || f->is_constrained(1) || f->is_constrained(2)))
-        result.push_back(f);
+        faces.push_back(f);
+    Marked_copy_2 result(cdt, faces, [](Face_handle, int) { return false; });
+    result.check_lengths();
     return result;
   }
 

@@ -22,12 +22,43 @@
 
 #include <CGAL/radius_ratio_2.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Edges of constraints at the border of the domain that stay as they are, like those of the rim: it turned out that what
+/// is beyond them is too flat to be changed.
+template <class Cdt>
+class Kept_edges_2
+{
+  using Vertex_handle = typename Cdt::Vertex_handle;
+
+public:
+  void add(const std::vector<Vertex_handle>& path)
+  {
+    for (std::size_t k = 1; k < path.size(); ++k)
+      m_ends.insert(ends(path[k - 1], path[k]));
+  }
+
+  bool contains(typename Cdt::Face_handle f, int i) const
+  {
+    return m_ends.count(ends(f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i)))) != 0;
+  }
+
+private:
+  static std::pair<const void*, const void*> ends(Vertex_handle u, Vertex_handle v)
+  {
+    return std::minmax<const void*>(&*u, &*v, std::less<const void*>());
+  }
+
+  std::set<std::pair<const void*, const void*>> m_ends;
+};
 
 /// What is to be done with a part of a triangulation. It refers to the user's vertices and parameters.
 template <class Cdt>
@@ -38,9 +69,9 @@ public:
 
   /// `sizes`: those that are wanted; by default those of the mesh
   template <class Is_inside, class NamedParameters>
-  Part_input_2(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain, const NamedParameters& np,
-               const Relaxation_options& options, const std::optional<Sizes_2>& sizes)
-    : Part_input_2(cdt, copy_of(cdt, part, is_in_domain), is_in_domain, np, options, sizes)
+  Part_input_2(const Cdt& cdt, const Part& part, const Kept_edges_2<Cdt>& kept, const Is_inside& is_in_domain,
+               const NamedParameters& np, const Relaxation_options& options, const std::optional<Sizes_2>& sizes)
+    : Part_input_2(cdt, copy_of(cdt, part, kept, is_in_domain), is_in_domain, np, options, sizes)
   {}
 
   const Part_reading_2<Cdt>& reading() const { return m_reading; }
@@ -65,10 +96,12 @@ private:
 
   /// the part in arrays; its rim, behind which the domain goes on, stays as it is
   template <class Is_inside>
-  static Marked_copy_2 copy_of(const Cdt& cdt, const Part& part, const Is_inside& is_in_domain)
+  static Marked_copy_2 copy_of(const Cdt& cdt, const Part& part, const Kept_edges_2<Cdt>& kept,
+                               const Is_inside& is_in_domain)
   {
-    Marked_copy_2 result(cdt, part,
-                         [&](typename Cdt::Face_handle f, int i) { return is_in_domain(f->neighbor(i)); });
+    Marked_copy_2 result(cdt, part, [&](typename Cdt::Face_handle f, int i) {
+      return is_in_domain(f->neighbor(i)) || kept.contains(f, i);
+    });
     result.check_domain();
     return result;
   }
@@ -86,52 +119,66 @@ private:
   Limits_of_outline_2 m_limits;
 };
 
-/// Nodes that cannot be written have to go, until those can be that are left. Returns the vertices that will go, and
-/// whether the triangles become faces as they are, without flips.
+/// what is known of a mesh before it is written
 template <class Cdt>
-std::pair<std::vector<typename Cdt::Vertex_handle>, bool>
-make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part, const Part_reading_2<Cdt>& reading,
-              const Problem_2& problem, Bubble_mesh_2& mesh, Report& report)
+struct Write_plan
+{
+  using Path = std::vector<typename Cdt::Vertex_handle>;
+
+  Path removed_vertices;
+  bool needs_no_flips = false;    ///< whether the triangles become faces as they are
+  std::vector<Path> kept_borders; ///< if there are some, the mesh cannot be written: they have to stay
+};
+
+/// Nodes that cannot be written have to go, until those can be that are left.
+template <class Cdt>
+Write_plan<Cdt> make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_handle>& part,
+                              const Part_input_2<Cdt>& input, Bubble_mesh_2& mesh, Report& report)
 {
   const Elevations<Cdt> none;
   for (;;) {
     std::vector<Index> those;
     {
-      Part_write_2<Cdt> attempt(cdt, part, reading, mesh, none);
-      those = attempt.find_unwritable();
-      if (those.empty())
-        return {attempt.removed_vertices(), attempt.needs_no_flips()};
+      Part_write_2<Cdt> attempt(cdt, part, input.reading(), mesh, none);
+      auto found = attempt.find_unwritable();
+      if (found.is_none() || !found.borders.empty())
+        return {attempt.removed_vertices(), attempt.needs_no_flips(), std::move(found.borders)};
+      those = std::move(found.bubbles);
     }
-    make_mesh_without(those, problem, mesh, report);
+    make_mesh_without(those, input.problem(), mesh, report);
   }
 }
 
 /// Puts the mesh of a part into the triangulation, and tells the visitor. The callback is called while the new faces
 /// are made, of which nothing is left if it stops that or throws; it is told that all is done just before they are
-/// put in.
+/// put in. Returns borders that have to stay: if there are any, nothing was done.
 template <class Cdt, class NamedParameters, class Visitor>
-void write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename Cdt::Face_handle>& part,
-                const Part_input_2<Cdt>& input, Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation,
-                Visitor& visitor, Report& report)
+std::vector<typename Write_plan<Cdt>::Path>
+write_part(Cdt& cdt, const NamedParameters& np, const std::vector<typename Cdt::Face_handle>& part,
+           const Part_input_2<Cdt>& input, Bubble_mesh_2 mesh, const Elevation_function<Cdt>& elevation,
+           Visitor& visitor, Report& report)
 {
   const Phase_timer timer(report.seconds.writing);
   Progress& progress = *input.problem().options.progress;
   progress.start_phase(Bubble_phase::WRITING);
-  const auto [removed, needs_no_flips] = make_writable(cdt, part, input.reading(), input.problem(), mesh, report);
+  const Write_plan<Cdt> plan = make_writable(cdt, part, input, mesh, report);
+  if (!plan.kept_borders.empty())
+    return plan.kept_borders;
   const Elevations<Cdt> elevations = find_elevations(cdt, input.reading(), mesh.bubbles, elevation);
   const Tags_2<Cdt, NamedParameters> tags(np, cdt, input.reading());
-  visitor.before_change(part, removed);
+  visitor.before_change(part, plan.removed_vertices);
   Part_write_2<Cdt> write(cdt, part, input.reading(), mesh, elevations);
-  write.build(needs_no_flips);
+  write.build(plan.needs_no_flips);
   const std::vector<typename Cdt::Vertex_handle> new_vertices = write.new_vertices();
   const std::vector<typename Cdt::Face_handle> new_faces = write.new_faces();
   progress.finish();
   write.exchange();
-  visitor.while_both_exist(part, removed, new_faces, new_vertices);
+  visitor.while_both_exist(part, plan.removed_vertices, new_faces, new_vertices);
   tags.forget_part(input.reading(), part);
   write.finish();
   write.write_tags(tags);
   visitor.after_change(new_faces, new_vertices);
+  return {};
 }
 
 /// The corners of a part on its rim that have a bad triangle: the treatment could not make it better, since they stay.
@@ -173,36 +220,48 @@ struct Part_task_2
   template <class Visitor>
   void remesh(const Part& part, Visitor& visitor, Report& report) const
   {
-    const Part_input_2<Cdt> input = read(part, report);
-    Bubble_mesh_2 mesh = make_mesh(input.problem(), report);
-    write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
+    remesh(part, 0, visitor, report);
   }
 
   /// The same. Where bad triangles are left at the rim, the part grows, and all is done once more.
   template <class Visitor>
-  void adapt(Part part, Visitor& visitor, Report& report) const
+  void adapt(const Part& part, Visitor& visitor, Report& report) const
   {
-    constexpr int most_tries = 4;
-    for (int tries = 1;; ++tries) {
-      const Part_input_2<Cdt> input = read(part, report);
+    remesh(part, 3, visitor, report);
+  }
+
+private:
+  /// `most_growths`: how often the part may grow. All is done once more, too, with borders that have to stay.
+  template <class Visitor>
+  void remesh(Part part, int most_growths, Visitor& visitor, Report& report) const
+  {
+    Kept_edges_2<Cdt> kept;
+    for (int growths = 0;;) {
+      const Part_input_2<Cdt> input = read(part, kept, report);
       Report of_this_try;
       of_this_try.seconds = report.seconds;
       Bubble_mesh_2 mesh = make_mesh(input.problem(), of_this_try);
       report = of_this_try;
-      Part larger = tries < most_tries && is_treated(report) ? grown(part, input.reading(), mesh) : part;
-      if (larger.size() == part.size()) {
-        write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
-        return;
+      if (growths < most_growths && is_treated(report)) {
+        Part larger = grown(part, input.reading(), mesh);
+        if (larger.size() != part.size()) {
+          part.swap(larger);
+          ++growths;
+          continue;
+        }
       }
-      part.swap(larger);
+      const auto borders = write_part(cdt, np, part, input, std::move(mesh), elevation, visitor, report);
+      if (borders.empty())
+        return;
+      for (const auto& path : borders)
+        kept.add(path);
     }
   }
 
-private:
-  Part_input_2<Cdt> read(const Part& part, Report& report) const
+  Part_input_2<Cdt> read(const Part& part, const Kept_edges_2<Cdt>& kept, Report& report) const
   {
     const Phase_timer timer(report.seconds.reading);
-    return Part_input_2<Cdt>(cdt, part, is_in_domain, np, options, sizes);
+    return Part_input_2<Cdt>(cdt, part, kept, is_in_domain, np, options, sizes);
   }
 
   bool is_treated(const Report& report) const

@@ -74,6 +74,9 @@ public:
   /// leave it, or if vertices are nearer to each other than the least length
   void check_domain() const;
 
+  /// \throws std::invalid_argument if vertices are nearer to each other than the least length
+  void check_lengths() const;
+
 protected:
   /// \throws std::invalid_argument if there are no triangles, or as `check_coordinates()` does
   template <class Cdt>
@@ -126,7 +129,7 @@ private:
   /// a place where an outline may have been meant to go on; empty if there is none
   std::string open_end_in_words() const;
 
-  void check_side(Index t, int i) const;
+  [[noreturn]] void throw_side(Index t, int i, const std::string& what) const;
 
   [[noreturn]] static void throw_dimension(int dimension, std::size_t number_of_vertices);
 

@@ -68,7 +68,24 @@ void Marked_copy_2::check_domain() const
   for (std::size_t t = 0; t < tr.inside.size(); ++t) {
     tick(t);
     for (int i = 0; i < 3 && tr.inside[t]; ++i)
-      check_side(static_cast<Index>(t), i);
+      if (!is_constrained(static_cast<Index>(t), i) && !is_inside(tr.neighbors[t][i]))
+        throw_side(static_cast<Index>(t), i, "bounds the domain and must be constrained");
+  }
+  check_lengths();
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+void Marked_copy_2::check_lengths() const
+{
+  for (std::size_t t = 0; t < tr.inside.size(); ++t) {
+    tick(t);
+    for (int i = 0; i < 3 && tr.inside[t]; ++i) {
+      const Point &p = tr.point(static_cast<Index>(t), ccw(i)), &q = tr.point(static_cast<Index>(t), cw(i));
+      // what coincides in double is told elsewhere
+      if (p != q && (std::max)(std::abs(q.x() - p.x()), std::abs(q.y() - p.y())) < smallest_length)
+        throw_side(static_cast<Index>(t), i,
+                   "is too short: x or y must differ by at least " + in_words(smallest_length));
+    }
   }
 }
 
@@ -89,18 +106,11 @@ std::string Marked_copy_2::open_end_in_words() const
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE
-void Marked_copy_2::check_side(Index t, int i) const
+void Marked_copy_2::throw_side(Index t, int i, const std::string& what) const
 {
   const Point &p = tr.point(t, ccw(i)), &q = tr.point(t, cw(i));
-  const auto throw_edge = [&](const std::string& what) {
-    throw std::invalid_argument("Bubble_relaxation_2: the edge from " + in_words(p.x(), p.y()) + " to " +
-                                in_words(q.x(), q.y()) + " " + what);
-  };
-  if (!is_constrained(t, i) && !is_inside(tr.neighbors[t][i]))
-    throw_edge("bounds the domain and must be constrained");
-  // what coincides in double is told elsewhere
-  if (p != q && (std::max)(std::abs(q.x() - p.x()), std::abs(q.y() - p.y())) < smallest_length)
-    throw_edge("is too short: x or y must differ by at least " + in_words(smallest_length));
+  throw std::invalid_argument("Bubble_relaxation_2: the edge from " + in_words(p.x(), p.y()) + " to " +
+                              in_words(q.x(), q.y()) + " " + what);
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

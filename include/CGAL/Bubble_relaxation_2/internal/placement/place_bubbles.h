@@ -46,8 +46,11 @@ inline Bubbles_2 place_on_outline(const Domain_2& domain, const Given_mesh_2& me
   for (std::size_t k = 0; k < domain.edges().size(); ++k) {
     const Index e = static_cast<Index>(k);
     const std::vector<Point>& splits = mesh.on_edge[k];
-    if (way == On_edges::KEEP || (way == On_edges::KEEP_THE_RIGHT_NUMBER &&
-                                  double(splits.size()) + 1 == integrate_edge(domain, e, sizing).parts()))
+    const auto is_right_number = [&] { // edges without bubbles may be far longer than sizes that nobody has counted
+      return domain.edges()[k].takes_bubbles &&
+             static_cast<double>(splits.size()) + 1 == integrate_edge(domain, e, sizing).parts();
+    };
+    if (way == On_edges::KEEP || (way == On_edges::KEEP_THE_RIGHT_NUMBER && is_right_number()))
       for (const Point& p : splits)
         bubbles.add(p, sizing(p), Bubbles_2::EDGE, e, position_on_edge(domain, e, p));
     else
