@@ -53,7 +53,7 @@ is a constraint that ends there, and beyond the rim nothing of it changes.
 - A vertex is never moved: it stays, or it is removed and others are new. One that comes out at its old coordinates
 stays, with its handle and what it carries.
 - Out of the domain, faces are replaced where vertices of a constraint beside them change; what their base carries may
-go to other faces there.
+go to other faces there. Where they are too flat for that, up to roundings, the constraint stays as it is, like the rim.
 - `cdt` stays a constrained Delaunay triangulation. Where a node would come into the circle of the face beyond an edge
 of the rim, it is left out. With triangles as good as usual that does not happen.
 
@@ -98,7 +98,7 @@ handle, not marked as one of the domain, or of another triangulation, or if a fa
 no constraint where the domain ends
 \throws std::length_error if more bubbles are expected in the part than `maximum_number_of_bubbles`
 \throws std::runtime_error if edges lie nearer to each other than the rounding of the bubbles on them, or if the
-triangulation beside a constraint is too flat to change it there
+part beside a constraint is too flat to change it there
 
 The callback is called while the part is written, too, until the new faces are ready; the last call, with 1, comes just
 before they take the place of the old ones. Where it returns `false` with `restore_when_stopped`, `cdt` is as it was

@@ -10,13 +10,11 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_BORDER_CHANGE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Sliver_opening_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/exact_predicates.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,12 +32,14 @@ class Border_change_2
   using Corners = std::vector<Vertex_handle>;
 
 public:
-  Border_change_2(const Cdt& cdt, Exchange& exchange) : m_cdt(cdt), m_exchange(exchange) {}
+  Border_change_2(const Cdt& cdt, Exchange& exchange)
+    : m_cdt(cdt), m_exchange(exchange), m_open_sliver(cdt, exchange)
+  {}
 
   /// takes `w` out, which is between `u` and `v`; returns whether that can be done
   bool remove(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
-    for (std::size_t turn = 0; peel_around(u, w, v); ++turn)
+    for (std::size_t turn = 0; open_slivers_around(u, w, v); ++turn)
       if (turn == most_slivers)
         return false; // of roundings that contradict each other: they would be turned to and fro for ever
     m_corners.assign(1, v);
@@ -68,7 +68,7 @@ public:
   /// puts `p` in between `u` and `v`
   void insert(Vertex_handle u, Vertex_handle p, Vertex_handle v)
   {
-    peel(m_exchange.open_side(u, v).face);
+    m_open_sliver(m_exchange.open_side(u, v).face);
     const Side open = m_exchange.open_side(u, v);
     const Face_handle f = open.face;
     const int i = open.index;
@@ -86,79 +86,18 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_slivers = 1000; // at a vertex, or behind each other
+  static constexpr std::size_t most_slivers = 1000; // at a vertex
 
   /// Opens slivers at `w`, which is between `u` and `v`; returns whether there is one.
-  bool peel_around(Vertex_handle u, Vertex_handle w, Vertex_handle v)
+  bool open_slivers_around(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
     for (Face_handle f = m_exchange.open_side(w, v).face;; f = m_exchange.across(f, Cdt::ccw(f->index(w)))) {
-      if (peel(f))
+      if (m_open_sliver(f))
         return true;
       const int i = f->index(w);
       if (f->vertex(Cdt::cw(i)) == u || f->is_constrained(Cdt::ccw(i)))
         return false;
     }
-  }
-
-  /// Where vertices on an edge lie beside it by a rounding, slivers fill its dents. They have no room for others:
-  /// their corners are given to the face beyond them, finite or not, which sees them all; what is not Delaunay or
-  /// convex then is made so later. Returns whether `f` is a sliver that was opened.
-  bool peel(Face_handle f)
-  {
-    if (!is_sliver(f) || m_in_hand.size() == most_slivers)
-      return false;
-    const auto may_cross = [&](int i) {
-      return !f->is_constrained(i) &&
-             std::find(m_in_hand.begin(), m_in_hand.end(), f->neighbor(i)) == m_in_hand.end();
-    };
-    m_in_hand.push_back(f);
-    for (int i : sides_in_order(f))
-      if (may_cross(i) && is_sliver(f->neighbor(i)))
-        peel(m_exchange.across(f, i));
-    m_in_hand.pop_back();
-    for (int i : sides_in_order(f))
-      if (may_cross(i) && is_seen(f, i)) {
-        m_exchange.flip(f, i);
-        return true;
-      }
-    return false;
-  }
-
-  /// by what is opposite to them: the numbers of a face's vertices tell how the triangulation came about
-  std::array<int, 3> sides_in_order(Face_handle f) const
-  {
-    std::array<int, 3> sides{0, 1, 2};
-    std::sort(sides.begin(), sides.end(), [&](int i, int j) {
-      return m_cdt.compare_xy(f->vertex(i)->point(), f->vertex(j)->point()) == CGAL::SMALLER;
-    });
-    return sides;
-  }
-
-  /// whether the face behind the side `i` of a sliver is none, and sees all its corners
-  bool is_seen(Face_handle sliver, int i) const
-  {
-    const Side s = m_exchange.side(sliver, i);
-    if (m_cdt.is_infinite(s.face))
-      return true;
-    const Vertex_handle p = sliver->vertex(i), q = s.face->vertex(s.index);
-    return !is_sliver(s.face) && is_counterclockwise<Cdt>(p, sliver->vertex(Cdt::ccw(i)), q) &&
-           is_counterclockwise<Cdt>(p, q, sliver->vertex(Cdt::cw(i)));
-  }
-
-  /// whether a face is finite and flat up to some roundings
-  bool is_sliver(Face_handle f) const
-  {
-    constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
-    if (m_cdt.is_infinite(f))
-      return false;
-    const std::array<int, 3> order = sides_in_order(f);
-    const Point p = point_in_double<Cdt>(f->vertex(order[0])->point()),
-                q = point_in_double<Cdt>(f->vertex(order[1])->point()),
-                r = point_in_double<Cdt>(f->vertex(order[2])->point());
-    const Kernel::Vector_2 u = q - p, v = r - p;
-    const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(q.x()), std::abs(q.y())}),
-                 length = std::abs(u.x()) + std::abs(u.y()) + std::abs(v.x()) + std::abs(v.y());
-    return std::abs(u.x() * v.y() - u.y() * v.x()) <= roundings * largest * length;
   }
 
   /// a single face had a corner there: what is behind it is now at the border
@@ -242,9 +181,9 @@ private:
 
   const Cdt& m_cdt;
   Exchange& m_exchange;
+  Sliver_opening_2<Cdt, Exchange> m_open_sliver;
   Corners m_corners;         // of a hole
   std::vector<Side> m_sides; // behind the sides of the hole
-  std::vector<Face_handle> m_in_hand; // slivers that wait for those behind them
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

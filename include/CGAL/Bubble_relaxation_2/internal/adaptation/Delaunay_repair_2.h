@@ -10,8 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_DELAUNAY_REPAIR_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/exact_predicates.h>
 
 #include <cstddef>
 #include <utility>

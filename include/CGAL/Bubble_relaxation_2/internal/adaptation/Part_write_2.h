@@ -15,8 +15,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Face_exchange_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_vertices_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/adaptation/exact_predicates.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/exact_predicates.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/mark_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Sliver_opening_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/locate_straight.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -61,6 +63,8 @@ public:
     straighten_constraints();
     split_constraints();
     make_hull_convex();
+    for (void* v : m_at_slivers)
+      restore_delaunay_around(vertex(v));
     insert_in_faces();
     Domain_faces_2<Cdt> faces = mark_domain(m_cdt, [this](const auto& visit) {
       this->for_each_piece([&](const Edge& edge, Vertex_handle source, std::size_t chain) {
@@ -184,15 +188,52 @@ private:
       add_to_path(next.second);
       next = next_towards(end_of_path(), target);
     }
+    const Cdt_point place = make_room_for(p, target, next);
     const Face_handle f = next.first.first;
-    const int i = next.first.second;
-    const bool on_hull = m_cdt.is_infinite(f) || m_cdt.is_infinite(f->neighbor(i));
-    add_to_path(insert_on_constraint(nearest_valid(p, f, i), next.first, next.second));
+    const bool on_hull = m_cdt.is_infinite(f) || m_cdt.is_infinite(f->neighbor(next.first.second));
+    add_to_path(insert_on_constraint(place, next.first, next.second));
     if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value)
       restore_delaunay_around(end_of_path());
     if (on_hull)
       m_on_hull.insert(m_on_hull.end(), {m_path->end()[-2], m_path->back(), &*next.second});
   }
+
+  /// Where the edge `next` on the way to `target` can be split for `p`. If there is no room, slivers beside it are
+  /// opened: a vertex out of the domain may lie beside the edge by a rounding.
+  /// \throws std::runtime_error if that does not help
+  Cdt_point make_room_for(const Cdt_point& p, Vertex_handle target, std::pair<Edge, Vertex_handle>& next)
+  {
+    constexpr int most_slivers = 1000;
+    Faces_in_place faces{*this};
+    Sliver_opening_2<Cdt, Faces_in_place> open_sliver(m_cdt, faces);
+    for (int opened = 0;; ++opened) {
+      const auto [f, i] = next.first;
+      if (const std::optional<Cdt_point> place = nearest_valid(p, f, i))
+        return *place;
+      if (opened == most_slivers || !(open_sliver(f) || open_sliver(f->neighbor(i))))
+        throw_too_flat();
+      next = next_towards(end_of_path(), target);
+    }
+  }
+
+  /// changes faces for the opening of slivers, and notes where
+  struct Faces_in_place
+  {
+    Write_back_2& write;
+
+    Face_handle across(Face_handle f, int i) const { return f->neighbor(i); }
+
+    void flip(Face_handle f, int i)
+    {
+      const Face_handle n = f->neighbor(i);
+      for (Vertex_handle v : {f->vertex(0), f->vertex(1), f->vertex(2), n->vertex(write.m_cdt.mirror_index(f, i))})
+        if (!write.m_cdt.is_infinite(v)) {
+          write.m_at_slivers.push_back(&*v);
+          write.m_on_hull.push_back(&*v);
+        }
+      write.m_cdt.flip(f, i);
+    }
+  };
 
   /// splits the edge from the end of the path to `next` at `p`
   Vertex_handle insert_on_constraint(const Cdt_point& p, const Edge& e, Vertex_handle next)
@@ -233,8 +274,8 @@ private:
   }
 
   /// `p`, or a point some roundings away, so that splitting the edge at it leaves all triangles
-  /// counterclockwise
-  Cdt_point nearest_valid(const Cdt_point& p, Face_handle f, int i) const
+  /// counterclockwise; none if there is no such point
+  std::optional<Cdt_point> nearest_valid(const Cdt_point& p, Face_handle f, int i) const
   {
     if (splits_validly(p, f, i))
       return p;
@@ -253,8 +294,7 @@ private:
             return near;
         }
     }
-    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to "
-                             "split it there");
+    return std::nullopt;
   }
 
   /// a point at another place; of a terrain, with the same elevation
@@ -287,30 +327,55 @@ private:
     std::vector<void*> doubtful = m_on_hull;
     while (!doubtful.empty()) {
       const Vertex_handle v = vertex(doubtful.back());
-      doubtful.pop_back();
-      auto f = m_cdt.incident_faces(v, v->face()), start = f;
-      while (!(m_cdt.is_infinite(f) &&
-               m_cdt.is_infinite(f->vertex(m_cdt.cw(f->index(v)))))) // v is followed by its successor
-        if (++f == start)
-          break;
-      Face_handle after = f;
-      const int i = after->index(v);
-      if (!m_cdt.is_infinite(after->vertex(m_cdt.cw(i))))
-        continue; // v has left the hull already
-      // counterclockwise in `after`: v, previous hull vertex or next, infinite
-      const Vertex_handle w = after->vertex(m_cdt.ccw(i));
-      const int iw = m_cdt.ccw(i);
-      const Face_handle before = after->neighbor(iw);
-      const Vertex_handle u = before->vertex(m_cdt.mirror_index(after, iw));
-      // seen from the infinite side the hull runs u, v, w clockwise; a left turn is a dent
-      if (!is_left_turn(u->point(), v->point(), w->point()))
+      Face_handle after = dent_at(v);
+      if (after == Face_handle()) {
+        doubtful.pop_back();
         continue;
-      Face_handle g = after;
-      m_cdt.flip(g, iw);
+      }
+      const int i = m_cdt.ccw(after->index(v));
+      const Vertex_handle w = after->vertex(i), u = m_cdt.mirror_vertex(after, i);
+      m_cdt.flip(after, i);
       restore_delaunay(v, u, w);
       for (Vertex_handle neighbor : {u, w})
         doubtful.push_back(&*neighbor);
     }
+    for (void* v : m_at_slivers)
+      check_hull(vertex(v));
+  }
+
+  /// the infinite face after a vertex of the hull that lies in a dent of it, if there is one
+  Face_handle dent_at(Vertex_handle v) const
+  {
+    auto f = m_cdt.incident_faces(v), first = f;
+    do {
+      const int i = f->index(v);
+      if (!m_cdt.is_infinite(f->vertex(m_cdt.cw(i))))
+        continue;
+      // counterclockwise in this face: v, the next vertex w of the hull, infinite. Seen from there the hull runs u, v, w
+      // clockwise, and a left turn is a dent.
+      const Vertex_handle u = m_cdt.mirror_vertex(f, m_cdt.ccw(i)), w = f->vertex(m_cdt.ccw(i));
+      if (is_left_turn(u->point(), v->point(), w->point()))
+        return f;
+    } while (++f != first);
+    return Face_handle();
+  }
+
+  /// Where slivers were opened, others may hang on single vertices of the hull.
+  /// \throws std::runtime_error if they do
+  void check_hull(Vertex_handle v) const
+  {
+    int infinite = 0;
+    auto f = m_cdt.incident_faces(v), first = f;
+    do
+      infinite += m_cdt.is_infinite(f) ? 1 : 0;
+    while (++f != first);
+    if (infinite > 2)
+      throw_too_flat();
+  }
+
+  [[noreturn]] static void throw_too_flat()
+  {
+    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to split it there");
   }
 
   void restore_delaunay(Vertex_handle v, Vertex_handle u, Vertex_handle w)
@@ -354,6 +419,7 @@ private:
   std::vector<void*>* m_path = nullptr;    // that of the chain that is split
   std::size_t m_done = 0;                  // vertices that have gone or come
   std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
+  std::vector<void*> m_at_slivers;         // corners of those that were opened, and of faces beyond them
 };
 
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_EXACT_PREDICATES_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_EXACT_PREDICATES_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EXACT_PREDICATES_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EXACT_PREDICATES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
@@ -46,4 +46,4 @@ bool is_in_circle(Vertex_handle a, Vertex_handle b, Vertex_handle c, Vertex_hand
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_EXACT_PREDICATES_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_EXACT_PREDICATES_H
