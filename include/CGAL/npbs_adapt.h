@@ -102,7 +102,8 @@ part beside a constraint is too flat to change it there
 
 The callback is called while the part is written, too, until the new faces are ready; the last call, with 1, comes just
 before they take the place of the old ones. Where it returns `false` with `restore_when_stopped`, `cdt` is as it was
-and all handles are valid; without, while the part is written, that changes nothing, since the mesh is complete.
+and all handles are valid; without, while the part is written, that changes nothing, since the mesh is complete; but
+where a constraint turns out to have to stay, bubbles are left then as they are placed for that.
 
 Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After
 any exception, `std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions
@@ -242,7 +243,7 @@ std::vector<typename CDT::Face_handle> npbs_misfit_faces(const CDT& cdt, const N
 
 If all fits nothing changes, and the report tells of no vertices and triangles. Where a bad triangle (q < 0.92) at the
 rim of the part is left, which could not be treated since the rim stays, more faces around it are added to the part,
-and it is meshed once more, up to four times in all. So meshes do not get worse by many changes: see \ref BR2_local.
+and it is meshed once more, up to three times. So meshes do not get worse by many changes: see \ref BR2_local.
 
 \tparam CDT as in `npbs_remesh_faces()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -46,6 +46,8 @@ public:
     m_sides.clear();
     Face_handle f = m_exchange.open_side(w, v).face;
     for (;;) { // counterclockwise around w
+      if (m_exchange.is_dropped(f))
+        return false; // of faces that do not fit together
       const int i = f->index(w);
       m_sides.push_back(m_exchange.side(f, i));
       m_corners.push_back(f->vertex(Cdt::cw(i)));
@@ -91,13 +93,17 @@ private:
   /// Opens slivers at `w`, which is between `u` and `v`; returns whether there is one.
   bool open_slivers_around(Vertex_handle u, Vertex_handle w, Vertex_handle v)
   {
-    for (Face_handle f = m_exchange.open_side(w, v).face;; f = m_exchange.across(f, Cdt::ccw(f->index(w)))) {
+    const Face_handle first = m_exchange.open_side(w, v).face;
+    Face_handle f = first;
+    do {
       if (m_open_sliver(f))
         return true;
       const int i = f->index(w);
       if (f->vertex(Cdt::cw(i)) == u || f->is_constrained(Cdt::ccw(i)))
         return false;
-    }
+      f = m_exchange.across(f, Cdt::ccw(i));
+    } while (f != first);
+    return false;
   }
 
   /// a single face had a corner there: what is behind it is now at the border

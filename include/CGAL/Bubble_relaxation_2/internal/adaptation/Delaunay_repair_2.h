@@ -13,7 +13,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/exact_predicates.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -31,15 +33,15 @@ public:
   Delaunay_repair_2(const Cdt& cdt, Exchange& exchange) : m_cdt(cdt), m_exchange(exchange) {}
 
   /// A vertex on an edge of the convex hull may lie beside it by a rounding. What is dented is filled; faces in between
-  /// are out of the domain. Returns whether that can be done.
+  /// are out of the domain. Returns whether no vertex hangs on the hull then.
+  /// \pre faces fit together
   bool make_hull_convex()
   {
     std::vector<Face_handle> doubtful;
     for (Face_handle f : m_exchange.new_faces())
       if (!m_exchange.is_dropped(f) && m_cdt.is_infinite(f))
         doubtful.push_back(f);
-    const std::size_t most_flips = m_exchange.new_faces().size(); // there are fewer dents
-    for (std::size_t flips = 0; !doubtful.empty();) {
+    while (!doubtful.empty()) {
       const Face_handle f = doubtful.back();
       doubtful.pop_back();
       if (!m_cdt.is_infinite(f))
@@ -47,14 +49,12 @@ public:
       const int dent = dented_side(f);
       if (dent == -1)
         continue;
-      if (flips++ == most_flips)
-        return false;
       const Face_handle g = m_exchange.across(f, dent);
       m_exchange.flip(f, dent);
       doubtful.push_back(f);
       doubtful.push_back(g);
     }
-    return true;
+    return is_hull_simple();
   }
 
   /// finite new faces from `first` on, which are not counterclockwise
@@ -107,6 +107,32 @@ public:
   }
 
 private:
+  /// whether each vertex of the hull has two infinite faces: others may hang on one where slivers were opened
+  bool is_hull_simple() const
+  {
+    std::map<Vertex_handle, int> number;
+    for (Face_handle f : m_exchange.new_faces())
+      if (!m_exchange.is_dropped(f) && m_cdt.is_infinite(f))
+        for (int i = 0; i < 3; ++i)
+          ++number[f->vertex(i)];
+    return std::all_of(number.begin(), number.end(), [&](const auto& at) {
+      return m_cdt.is_infinite(at.first) || at.second + number_of_old_infinite_faces(at.first) == 2;
+    });
+  }
+
+  /// those that stay
+  int number_of_old_infinite_faces(Vertex_handle v) const
+  {
+    if (v->face() == Face_handle()) // a new vertex
+      return 0;
+    int result = 0;
+    auto f = m_cdt.incident_faces(v), first = f;
+    do
+      result += m_cdt.is_infinite(f) && !m_exchange.is_taken(f) ? 1 : 0;
+    while (++f != first);
+    return result;
+  }
+
   /// the side of an infinite face behind which the hull turns to the wrong side, or -1
   int dented_side(Face_handle f) const
   {

@@ -303,7 +303,7 @@ private:
     if (is_new(n))
       return !is_dropped(n) && n->neighbor(j) == f && n->is_constrained(j) == f->is_constrained(i);
     const auto found = m_front.find(&*n);
-    return found != m_front.end() && found->second[static_cast<std::size_t>(j)].face == f &&
+    return !is_taken(n) && found != m_front.end() && found->second[static_cast<std::size_t>(j)].face == f &&
            n->is_constrained(j) == f->is_constrained(i);
   }
 

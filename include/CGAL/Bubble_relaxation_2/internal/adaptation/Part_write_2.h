@@ -53,18 +53,20 @@ public:
     /// Those have to go: an edge of the rim cannot bear them, or they are beside a constraint by a rounding where there
     /// is no room for that.
     std::vector<Index> bubbles;
-    /// Constraints at the border of the domain that have to stay as they are, by their vertices: what is beyond is too
-    /// flat.
-    std::vector<Path> borders;
+    /// Chains at the border of the domain that have to stay as they are, since what is beyond is too flat.
+    std::set<std::size_t> borders;
 
     bool is_none() const { return bubbles.empty() && borders.empty(); }
   };
 
   /// Nearly always all triangles can become faces as they are, and to see that takes less than to make them.
+  /// `borders`: chains of which it is known that they have to stay; then it is only seen whether others have, too
   /// \throws std::runtime_error if the part is too flat beside a constraint
-  Unwritable find_unwritable()
+  Unwritable find_unwritable(const std::set<std::size_t>& borders)
   {
-    Unwritable found = build_outside();
+    Unwritable found = build_outside(borders);
+    if (!borders.empty())
+      return {{}, found.borders};
     if (!found.is_none())
       return found;
     m_is_delaunay = is_delaunay();
@@ -78,10 +80,13 @@ public:
   void build(bool needs_no_flips)
   {
     m_is_delaunay = needs_no_flips;
-    build_outside();
+    build_outside({});
     build_inside();
     m_exchange.prepare();
   }
+
+  /// the vertices of a chain before
+  const Path& old_path(std::size_t chain) const { return m_paths[chain].before; }
 
   const Path& removed_vertices() const { return m_vertices.removed(); }
   const Path& new_vertices() const { return m_exchange.new_vertices(); }
@@ -112,16 +117,16 @@ public:
 
 private:
   /// the new faces out of the domain; returns what has to change for them
-  Unwritable build_outside()
+  Unwritable build_outside(const std::set<std::size_t>& borders)
   {
     take_part();
     m_paths.find(m_mesh.bubbles, m_vertices);
     for (std::size_t e = 0; e < m_paths.size(); ++e) {
       tick(e);
-      if (is_changed_border(e) && !change_border(m_reading.graph->chains()[e], m_paths[e]))
-        return {{}, {m_paths[e].before}};
+      if (is_changed_border(e) && borders.count(e) == 0 && !change_border(m_reading.graph->chains()[e], m_paths[e]))
+        return {{}, {e}};
     }
-    if (!m_repair.make_hull_convex() || !m_exchange.is_sound())
+    if (!m_exchange.is_sound() || !m_repair.make_hull_convex() || !m_exchange.is_sound())
       return {{}, changed_borders()};
     if (Unwritable flat = around(m_repair.flat_faces(0)); !flat.is_none())
       return flat;
@@ -206,12 +211,12 @@ private:
     return !(chain.inside_left && chain.inside_right) && m_paths[e].before != m_paths[e].after;
   }
 
-  std::vector<Path> changed_borders() const
+  std::set<std::size_t> changed_borders() const
   {
-    std::vector<Path> result;
+    std::set<std::size_t> result;
     for (std::size_t e = 0; e < m_paths.size(); ++e)
       if (is_changed_border(e))
-        result.push_back(m_paths[e].before);
+        result.insert(e);
     return result;
   }
 

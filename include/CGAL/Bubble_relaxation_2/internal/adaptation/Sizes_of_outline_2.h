@@ -50,7 +50,8 @@ public:
   const std::vector<Forced_place_2>& forced_places() const { return m_forced; }
 
 private:
-  /// the faces of the domain that have a constraint at a side: they know all of its outline
+  /// A copy of the faces of the domain that have a constraint at a side: they know all of its outline.
+  /// \throws std::invalid_argument if an edge of them is shorter than the least length
   template <class Is_inside>
   static Marked_copy_2 copy_at_outline(const Cdt& cdt, const Is_inside& is_in_domain)
   {

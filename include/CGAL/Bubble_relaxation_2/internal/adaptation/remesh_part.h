@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
@@ -32,8 +31,8 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Edges of constraints at the border of the domain that stay as they are, like those of the rim: it turned out that what
-/// is beyond them is too flat to be changed.
+/// Edges of constraints at the border of the domain that stay as they are, like those of the rim: it turned out that
+/// what is beyond them is too flat to be changed.
 template <class Cdt>
 class Kept_edges_2
 {
@@ -46,6 +45,8 @@ public:
       m_ends.insert(ends(path[k - 1], path[k]));
   }
 
+  bool is_empty() const { return m_ends.empty(); }
+
   bool contains(typename Cdt::Face_handle f, int i) const
   {
     return m_ends.count(ends(f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i)))) != 0;
@@ -54,7 +55,7 @@ public:
 private:
   static std::pair<const void*, const void*> ends(Vertex_handle u, Vertex_handle v)
   {
-    return std::minmax<const void*>(&*u, &*v, std::less<const void*>());
+    return std::minmax<const void*>(&*u, &*v);
   }
 
   std::set<std::pair<const void*, const void*>> m_ends;
@@ -136,16 +137,23 @@ Write_plan<Cdt> make_writable(Cdt& cdt, const std::vector<typename Cdt::Face_han
                               const Part_input_2<Cdt>& input, Bubble_mesh_2& mesh, Report& report)
 {
   const Elevations<Cdt> none;
+  std::set<std::size_t> borders;
   for (;;) {
     std::vector<Index> those;
     {
       Part_write_2<Cdt> attempt(cdt, part, input.reading(), mesh, none);
-      auto found = attempt.find_unwritable();
-      if (found.is_none() || !found.borders.empty())
-        return {attempt.removed_vertices(), attempt.needs_no_flips(), std::move(found.borders)};
-      those = std::move(found.bubbles);
+      const auto found = attempt.find_unwritable(borders);
+      borders.insert(found.borders.begin(), found.borders.end());
+      if (found.is_none()) {
+        Write_plan<Cdt> plan{attempt.removed_vertices(), attempt.needs_no_flips(), {}};
+        for (std::size_t chain : borders)
+          plan.kept_borders.push_back(attempt.old_path(chain));
+        return plan;
+      }
+      those = found.bubbles;
     }
-    make_mesh_without(those, input.problem(), mesh, report);
+    if (!those.empty())
+      make_mesh_without(those, input.problem(), mesh, report);
   }
 }
 
@@ -225,9 +233,9 @@ struct Part_task_2
 
   /// The same. Where bad triangles are left at the rim, the part grows, and all is done once more.
   template <class Visitor>
-  void adapt(const Part& part, Visitor& visitor, Report& report) const
+  void adapt(Part part, Visitor& visitor, Report& report) const
   {
-    remesh(part, 3, visitor, report);
+    remesh(std::move(part), 3, visitor, report);
   }
 
 private:
@@ -238,11 +246,11 @@ private:
     Kept_edges_2<Cdt> kept;
     for (int growths = 0;;) {
       const Part_input_2<Cdt> input = read(part, kept, report);
-      Report of_this_try;
-      of_this_try.seconds = report.seconds;
-      Bubble_mesh_2 mesh = make_mesh(input.problem(), of_this_try);
-      report = of_this_try;
-      if (growths < most_growths && is_treated(report)) {
+      const auto seconds = report.seconds;
+      report = Report();
+      report.seconds = seconds;
+      Bubble_mesh_2 mesh = make_mesh(input.problem(), report);
+      if (growths < most_growths && kept.is_empty() && is_treated(report)) {
         Part larger = grown(part, input.reading(), mesh);
         if (larger.size() != part.size()) {
           part.swap(larger);

@@ -21,12 +21,12 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Where vertices lie beside an edge by a rounding, slivers fill the dents. They have no room for other vertices on the
-/// edge, so their corners are given to the face beyond them, finite or not, which sees them all. What is not Delaunay or
-/// convex then is made so later.
+/// Where vertices lie beside an edge by a rounding, slivers fill the dents. They have no room for other vertices on
+/// the edge, so their corners are given to the face beyond them, finite or not, which sees them all. What is not
+/// Delaunay or convex then is made so later.
 ///
-/// `Faces` changes them: `across(f, i)` is the face behind the side `i`, in a state that may be changed, `flip(f, i)` turns
-/// that side.
+/// `Faces` changes them: `across(f, i)` is the face behind the side `i`, in a state that may be changed, `flip(f, i)`
+/// turns that side.
 template <class Cdt, class Faces>
 class Sliver_opening_2
 {
@@ -36,30 +36,37 @@ class Sliver_opening_2
 public:
   Sliver_opening_2(const Cdt& cdt, Faces& faces) : m_cdt(cdt), m_faces(faces) {}
 
-  /// returns whether `f` is a sliver that was opened
+  /// opens `f`, if it is a sliver, after those behind it; returns whether anything was turned
   bool operator()(Face_handle f)
   {
-    if (!is_sliver(f) || m_in_hand.size() == most_slivers)
-      return false;
-    const auto may_cross = [&](int i) {
-      return !f->is_constrained(i) &&
-             std::find(m_in_hand.begin(), m_in_hand.end(), f->neighbor(i)) == m_in_hand.end();
-    };
-    m_in_hand.push_back(f);
-    for (int i : sides_in_order(f))
-      if (may_cross(i) && is_sliver(f->neighbor(i)))
-        (*this)(m_faces.across(f, i));
-    m_in_hand.pop_back();
-    for (int i : sides_in_order(f))
-      if (may_cross(i) && is_seen(f, i)) {
-        m_faces.flip(f, i);
-        return true;
-      }
-    return false;
+    m_entered.clear();
+    return open(f);
   }
 
 private:
-  static constexpr std::size_t most_slivers = 1000; // behind each other
+  static constexpr std::size_t most_slivers = 1000;
+
+  bool open(Face_handle f)
+  {
+    if (!is_sliver(f) || m_entered.size() == most_slivers)
+      return false;
+    m_entered.push_back(f);
+    bool is_changed = false;
+    for (int i : sides_in_order(f))
+      if (may_cross(f, i) && is_sliver(f->neighbor(i)))
+        is_changed = open(m_faces.across(f, i)) || is_changed;
+    for (int i : sides_in_order(f))
+      if (may_cross(f, i) && is_seen(f, i)) {
+        m_faces.flip(f, i);
+        return true;
+      }
+    return is_changed;
+  }
+
+  bool may_cross(Face_handle f, int i) const
+  {
+    return !f->is_constrained(i) && std::find(m_entered.begin(), m_entered.end(), f->neighbor(i)) == m_entered.end();
+  }
 
   /// by what is opposite to them: the numbers of a face's vertices tell how the triangulation came about
   std::array<int, 3> sides_in_order(Face_handle f) const
@@ -93,14 +100,15 @@ private:
                 q = point_in_double<Cdt>(f->vertex(order[1])->point()),
                 r = point_in_double<Cdt>(f->vertex(order[2])->point());
     const Kernel::Vector_2 u = q - p, v = r - p;
-    const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(q.x()), std::abs(q.y())}),
+    const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(q.x()), std::abs(q.y()),
+                                       std::abs(r.x()), std::abs(r.y())}),
                  length = std::abs(u.x()) + std::abs(u.y()) + std::abs(v.x()) + std::abs(v.y());
     return std::abs(u.x() * v.y() - u.y() * v.x()) <= roundings * largest * length;
   }
 
   const Cdt& m_cdt;
   Faces& m_faces;
-  std::vector<Face_handle> m_in_hand; // slivers that wait for those behind them
+  std::vector<Face_handle> m_entered; // slivers, each once
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

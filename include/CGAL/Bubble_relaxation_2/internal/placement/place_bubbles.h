@@ -46,7 +46,7 @@ inline Bubbles_2 place_on_outline(const Domain_2& domain, const Given_mesh_2& me
   for (std::size_t k = 0; k < domain.edges().size(); ++k) {
     const Index e = static_cast<Index>(k);
     const std::vector<Point>& splits = mesh.on_edge[k];
-    const auto is_right_number = [&] { // edges without bubbles may be far longer than sizes that nobody has counted
+    const auto is_right_number = [&] { // the integral over an edge that takes none may be without end: nobody counts it
       return domain.edges()[k].takes_bubbles &&
              static_cast<double>(splits.size()) + 1 == integrate_edge(domain, e, sizing).parts();
     };

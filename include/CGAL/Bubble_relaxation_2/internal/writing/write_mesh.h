@@ -343,21 +343,27 @@ private:
       check_hull(vertex(v));
   }
 
-  /// the infinite face after a vertex of the hull that lies in a dent of it, if there is one
+  /// The infinite face after a vertex of the hull that lies in a dent of it, if there is one. While others hang on the
+  /// vertex there may be several: the one with the first vertex after it, in lexicographic order.
   Face_handle dent_at(Vertex_handle v) const
   {
+    Face_handle result;
+    Vertex_handle next;
     auto f = m_cdt.incident_faces(v), first = f;
     do {
       const int i = f->index(v);
       if (!m_cdt.is_infinite(f->vertex(m_cdt.cw(i))))
         continue;
-      // counterclockwise in this face: v, the next vertex w of the hull, infinite. Seen from there the hull runs u, v, w
-      // clockwise, and a left turn is a dent.
+      // counterclockwise in this face: v, the next vertex w of the hull, infinite. Seen from there the hull runs
+      // u, v, w clockwise, and a left turn is a dent.
       const Vertex_handle u = m_cdt.mirror_vertex(f, m_cdt.ccw(i)), w = f->vertex(m_cdt.ccw(i));
-      if (is_left_turn(u->point(), v->point(), w->point()))
-        return f;
+      if (is_left_turn(u->point(), v->point(), w->point()) &&
+          (result == Face_handle() || m_cdt.compare_xy(w->point(), next->point()) == SMALLER)) {
+        result = f;
+        next = w;
+      }
     } while (++f != first);
-    return Face_handle();
+    return result;
   }
 
   /// Where slivers were opened, others may hang on single vertices of the hull.
@@ -375,7 +381,8 @@ private:
 
   [[noreturn]] static void throw_too_flat()
   {
-    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to split it there");
+    throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to split it "
+                             "there");
   }
 
   void restore_delaunay(Vertex_handle v, Vertex_handle u, Vertex_handle w)
