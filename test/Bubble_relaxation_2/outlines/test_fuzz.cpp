@@ -14,6 +14,7 @@
 #include "random_seeds.h"
 #include "validation.h"
 
+#include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_relax.h>
 
 #include <chrono>
@@ -249,6 +250,40 @@ protected:
     EXPECT_EQ(report.number_of_triangles, number_of_triangles);
   }
 
+  static void expect_same_domain(const CDT& cdt, const validation::Snapshot& before,
+                                 const std::set<validation::Xy>& fixed)
+  {
+    EXPECT_TRUE(cdt.is_valid());
+    const validation::Snapshot after = validation::snapshot(cdt);
+    validation::expect_vertices_kept(fixed, after);
+    // pieces shorter than a rounding of long ones cannot be told apart, but all together are as long as before
+    const double largest = largest_coordinate(before);
+    const double pieces = double(before.constraints.size() + after.constraints.size());
+    EXPECT_NEAR(length(after), length(before), 1e-9 * length(before) + 1e-14 * largest * pieces);
+  }
+
+  /// The mesh gets finer around one of its vertices, and coarser again, or both are refused.
+  static void adapt(Input& in, double longest, const validation::Snapshot& before,
+                    const std::set<validation::Xy>& fixed)
+  {
+    const Point centre = in.cdt.finite_vertices_begin()->point();
+    for (double least : {0.2, 2.}) {
+      const auto d = [&](const Point& p) {
+        return least * longest + 0.3 * std::sqrt(CGAL::squared_distance(p, centre));
+      };
+      const validation::Content<CDT> content(in.cdt);
+      try {
+        CGAL::npbs_adapt(in.cdt, P::sizing_function(d).maximum_number_of_bubbles(3000).vertex_is_constrained_map(
+                                   CGAL::make_boolean_property_map(in.pins)));
+        expect_same_domain(in.cdt, before, fixed);
+      } catch (const std::exception& e) {
+        EXPECT_EQ(std::string(e.what()).rfind("Bubble_relaxation_2: ", 0), 0u) << e.what();
+        EXPECT_EQ(std::string(e.what()).find("please report"), std::string::npos) << e.what();
+        EXPECT_TRUE(validation::Content<CDT>(in.cdt) == content) << "changed by " << e.what();
+      }
+    }
+  }
+
   void try_case(unsigned seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -264,17 +299,12 @@ protected:
       const auto report = relax(c, in);
       const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
       EXPECT_LT(seconds, (std::max)(20., 4e-4 * double(report.number_of_vertices)));
-      EXPECT_TRUE(in.cdt.is_valid());
-      const validation::Snapshot after = validation::snapshot(in.cdt);
-      validation::expect_vertices_kept(fixed, after);
-      // pieces shorter than a rounding of long ones cannot be told apart, but all together are as long as before
-      const double largest = largest_coordinate(before);
-      const double pieces = double(before.constraints.size() + after.constraints.size());
-      EXPECT_NEAR(length(after), length(before), 1e-9 * length(before) + 1e-14 * largest * pieces);
+      expect_same_domain(in.cdt, before, fixed);
       expect_numbers_add_up(in.cdt, report);
       Input other(c);
       relax(c, other);
       EXPECT_TRUE(validation::triangles(other.cdt) == validation::triangles(in.cdt)) << "other bits in another run";
+      adapt(in, report.quality.longest_edge(), before, fixed);
     } catch (const std::exception& e) {
       // nothing of CGAL's own: it tells nobody what to do about it
       EXPECT_EQ(std::string(e.what()).rfind("Bubble_relaxation_2: ", 0), 0u) << e.what();

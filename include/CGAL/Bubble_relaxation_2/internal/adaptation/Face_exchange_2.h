@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <type_traits>
 #include <unordered_map>
@@ -194,9 +195,10 @@ public:
     link(f, 1, Side{g, 2, false});
   }
 
-  /// Whether faces fit together: each knows the one behind a side of a new face by that side and by no other. Where
-  /// vertices lie beside an edge by a rounding, what fits at one may not fit at the next.
-  bool is_sound() const
+  /// Whether faces fit together: each knows the one behind a side of a new face by that side and by no other, and no
+  /// vertex is without a face but those that are `removed`. Where vertices lie beside an edge by a rounding, what fits at
+  /// one may not fit at the next.
+  bool is_sound(const std::vector<Vertex_handle>& removed) const
   {
     for (Face_handle f : m_new) {
       tick();
@@ -204,7 +206,7 @@ public:
         if (f->neighbor(i) != Face_handle() && !is_sound(f, i))
           return false;
     }
-    return true;
+    return has_all_vertices(removed);
   }
 
   const std::vector<Face_handle>& new_faces() const { return m_new; } ///< with dropped ones
@@ -289,6 +291,31 @@ private:
   static int mirror_index(Face_handle f, int i)
   {
     return Cdt::cw(f->neighbor(i)->index(f->vertex(Cdt::cw(i))));
+  }
+
+  /// whether all vertices of old faces that have copies, but the removed ones, are in faces that are not to go
+  bool has_all_vertices(const std::vector<Vertex_handle>& removed) const
+  {
+    std::set<Vertex_handle> known(removed.begin(), removed.end());
+    for (Face_handle f : m_new)
+      for (int i = 0; i < 3 && !is_dropped(f); ++i)
+        known.insert(f->vertex(i));
+    for (std::size_t k = 0; k < m_old.size(); ++k)
+      for (int i = 0; i < 3 && m_copies[k] != Face_handle(); ++i)
+        if (known.count(m_old[k]->vertex(i)) == 0 && is_all_taken(m_old[k]->vertex(i)))
+          return false;
+    return true;
+  }
+
+  /// whether all faces around an old vertex are to go
+  bool is_all_taken(Vertex_handle v) const
+  {
+    auto f = m_cdt.incident_faces(v), first = f;
+    do
+      if (!is_taken(f))
+        return false;
+    while (++f != first);
+    return true;
   }
 
   bool is_sound(Face_handle f, int i) const

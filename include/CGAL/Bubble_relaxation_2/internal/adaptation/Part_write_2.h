@@ -67,6 +67,8 @@ public:
     Unwritable found = build_outside(borders);
     if (!borders.empty())
       return {{}, found.borders};
+    if (found.is_none())
+      found = around_lost();
     if (!found.is_none())
       return found;
     m_is_delaunay = is_delaunay();
@@ -126,7 +128,7 @@ private:
       if (is_changed_border(e) && borders.count(e) == 0 && !change_border(m_reading.graph->chains()[e], m_paths[e]))
         return {{}, {e}};
     }
-    if (!m_exchange.is_sound() || !m_repair.make_hull_convex() || !m_exchange.is_sound())
+    if (!m_exchange.is_sound(m_vertices.removed()) || !m_repair.make_hull_convex())
       return {{}, changed_borders()};
     if (Unwritable flat = around(m_repair.flat_faces(0)); !flat.is_none())
       return flat;
@@ -332,6 +334,25 @@ private:
           to_see.emplace_back(n, m_exchange.side(f, k).index);
       }
     }
+  }
+
+  /// What has to change since bubbles are in no triangle: a pinned vertex beside an edge by a rounding may come to lie
+  /// beyond bubbles of that.
+  Unwritable around_lost() const
+  {
+    std::vector<char> is_in_triangle(m_mesh.bubbles.size(), 0);
+    for (std::size_t t = 0; t < m_mesh.triangles.number_of_triangles(); ++t)
+      for (int i = 0; i < 3 && m_mesh.triangles.inside[t]; ++i)
+        is_in_triangle[m_mesh.triangles.vertices[t][i]] = 1;
+    Unwritable result;
+    for (std::size_t i = 0; i < is_in_triangle.size(); ++i)
+      if (!is_in_triangle[i]) {
+        if (m_mesh.bubbles.can_move(i))
+          result.bubbles.push_back(static_cast<Index>(i));
+        else
+          result.borders = changed_borders();
+      }
+    return result;
   }
 
   /// What has to change since faces are flat: bubbles at them that can go, or else all that has changed at the border.
