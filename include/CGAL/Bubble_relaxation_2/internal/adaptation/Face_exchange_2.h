@@ -196,8 +196,8 @@ public:
   }
 
   /// Whether faces fit together: each knows the one behind a side of a new face by that side and by no other, and no
-  /// vertex is without a face but those that are `removed`. Where vertices lie beside an edge by a rounding, what fits at
-  /// one may not fit at the next.
+  /// vertex is without a face but those that are `removed`. Where vertices lie beside an edge by a rounding, what fits
+  /// at one may not fit at the next.
   bool is_sound(const std::vector<Vertex_handle>& removed) const
   {
     for (Face_handle f : m_new) {

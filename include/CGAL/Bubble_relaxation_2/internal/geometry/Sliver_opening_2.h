@@ -9,8 +9,9 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_SLIVER_OPENING_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_SLIVER_OPENING_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/exact_predicates.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <algorithm>
 #include <array>
