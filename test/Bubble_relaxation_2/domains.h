@@ -90,12 +90,12 @@ Cdt square_with_inner_constraints()
   return cdt;
 }
 
-inline Outline polygon(double x, double y, double radius, int n)
+inline Outline polygon(double x, double y, double radius, int n, double turn = 0)
 {
   Outline o;
   for (int i = 0; i < n; ++i)
-    o.push_back({x + radius * std::cos(2 * 3.14159265358979 * i / n),
-                 y + radius * std::sin(2 * 3.14159265358979 * i / n)});
+    o.push_back({x + radius * std::cos(turn + 2 * 3.14159265358979 * i / n),
+                 y + radius * std::sin(turn + 2 * 3.14159265358979 * i / n)});
   return o;
 }
 

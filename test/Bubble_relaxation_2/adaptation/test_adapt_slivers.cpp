@@ -26,15 +26,8 @@ namespace test_adapt_slivers {
 using adaptation::size;
 using domains::CDT;
 using domains::Outline;
+using domains::polygon;
 using validation::Xy;
-
-Outline polygon(double x, double y, double radius, int n, double turn)
-{
-  Outline o;
-  for (int i = 0; i < n; ++i)
-    o.push_back({x + radius * std::cos(turn + 2 * CGAL_PI * i / n), y + radius * std::sin(turn + 2 * CGAL_PI * i / n)});
-  return o;
-}
 
 /// Inserts vertices on the edges of an outline, which lie beside them by a rounding. Returns those outside.
 std::set<Xy> insert_on_edges(CDT& cdt, const Outline& o, int parts)
@@ -78,11 +71,11 @@ TEST(Adapt_slivers, vertices_beside_the_outline_by_a_rounding_stay)
 TEST(Adapt_slivers, outlines_in_outlines_down_to_roundings)
 {
   const double x = 0.35486061957442, y = 0.10228123970337;
-  std::vector<Outline> outlines{domains::polygon(0, 0, 1, 29), polygon(x, y, 0.15, 4, 0)};
+  std::vector<Outline> outlines{polygon(0, 0, 1, 29), polygon(x, y, 0.15, 4)};
   const std::vector<std::pair<double, int>> rings{{0.00517, 5}, {2.5e-5, 6}, {4.4e-6, 10}, {1.2e-8, 10}, {5.2e-11, 3},
                                                   {7.4e-12, 4}, {1.34e-12, 7}, {1.62e-14, 7}, {5.6e-15, 6}};
   for (const auto& [radius, n] : rings)
-    outlines.push_back(polygon(x, y, radius, n, 0));
+    outlines.push_back(polygon(x, y, radius, n));
   CDT cdt = domains::make(outlines);
   const validation::Snapshot before = validation::snapshot(cdt);
   const auto cone = [](const CDT::Point& p) { return 0.738 + 3.2357 * std::hypot(p.x() - 0.532, p.y() - 0.0275); };

@@ -262,6 +262,13 @@ protected:
     EXPECT_NEAR(length(after), length(before), 1e-9 * length(before) + 1e-14 * largest * pieces);
   }
 
+  /// nothing of CGAL's own: it tells nobody what to do about it
+  static void expect_own_words(const std::exception& e)
+  {
+    EXPECT_EQ(std::string(e.what()).rfind("Bubble_relaxation_2: ", 0), 0u) << e.what();
+    EXPECT_EQ(std::string(e.what()).find("please report"), std::string::npos) << e.what();
+  }
+
   /// The mesh gets finer around one of its vertices, and coarser again, or both are refused.
   static void adapt(Input& in, double longest, const validation::Snapshot& before,
                     const std::set<validation::Xy>& fixed)
@@ -277,8 +284,7 @@ protected:
                                    CGAL::make_boolean_property_map(in.pins)));
         expect_same_domain(in.cdt, before, fixed);
       } catch (const std::exception& e) {
-        EXPECT_EQ(std::string(e.what()).rfind("Bubble_relaxation_2: ", 0), 0u) << e.what();
-        EXPECT_EQ(std::string(e.what()).find("please report"), std::string::npos) << e.what();
+        expect_own_words(e);
         EXPECT_TRUE(validation::Content<CDT>(in.cdt) == content) << "changed by " << e.what();
       }
     }
@@ -306,9 +312,7 @@ protected:
       EXPECT_TRUE(validation::triangles(other.cdt) == validation::triangles(in.cdt)) << "other bits in another run";
       adapt(in, report.quality.longest_edge(), before, fixed);
     } catch (const std::exception& e) {
-      // nothing of CGAL's own: it tells nobody what to do about it
-      EXPECT_EQ(std::string(e.what()).rfind("Bubble_relaxation_2: ", 0), 0u) << e.what();
-      EXPECT_EQ(std::string(e.what()).find("please report"), std::string::npos) << e.what();
+      expect_own_words(e);
       EXPECT_TRUE(validation::snapshot(in.cdt) == before) << "changed by " << e.what();
       ++m_number_of_refusals;
     }
