@@ -37,7 +37,8 @@ public:
       parser.Eval();
       number_of_values = parser.GetNumResults();
     } catch (const mu::Parser::exception_type& e) {
-      throw std::runtime_error(option + ": " + e.GetMsg());
+      throw std::runtime_error(option + ": '" + text + "': " + e.GetMsg() +
+                               " (a formula of x, y, region and raster; with conditions as x < 1 ? 2 : 3)");
     }
     // muParser takes the last of several values, and so a decimal comma for another number
     if (number_of_values != 1)

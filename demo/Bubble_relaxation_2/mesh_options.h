@@ -19,10 +19,12 @@
 
 #include <boost/program_options.hpp>
 
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -170,6 +172,18 @@ try {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }
 
+/// where the outline is finer than a tolerance can follow, or lengths are of another unit
+inline void warn_of_lost_area(Domain& domain, const CGAL::Outline_simplification_report_2& report)
+{
+  constexpr double most = 0.2; // of the area
+  if (std::abs(report.area - report.old_area) <= most * report.old_area)
+    return;
+  std::ostringstream text;
+  text << "--tolerance and the rules change the area of the domain from " << report.old_area << " to " << report.area
+       << "; is --size in the unit of the coordinates?";
+  domain.warnings.push_back(text.str());
+}
+
 /// Replaces the outline by one within --tolerance. `tells`: whether it says and writes what it was replaced by
 inline void simplify(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
                      bool tells)
@@ -178,7 +192,9 @@ inline void simplify(Domain& domain, const po::variables_map& arguments, const s
   const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
                                                 .relative_outline_tolerance(arguments["tolerance"].as<double>())
                                                 .minimum_island_area(arguments["min-island"].as<double>())
-                                                .minimum_gap(arguments["min-gap"].as<double>()));
+                                                .minimum_gap(arguments["min-gap"].as<double>())
+                                                .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>()));
+  warn_of_lost_area(domain, report);
   if (!report.filled_gaps.empty() && arguments.count("largest-part") == 0) {
     const std::vector<Connected_part> parts = connected_parts(domain.cdt);
     if (parts.size() > 1)

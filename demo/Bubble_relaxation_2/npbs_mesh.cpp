@@ -104,7 +104,11 @@ po::variables_map read_arguments(int argc, char** argv)
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map arguments;
-  po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), arguments);
+  using Style = po::command_line_style::style_t;
+  po::store(po::command_line_parser(argc, argv).options(options).positional(positional)
+              .style(Style::default_style & ~Style::allow_guessing) // no abbreviations: an option may get a longer name
+              .run(),
+            arguments);
   if (arguments.count("help") > 0) {
     std::cout << options;
     std::exit(0);

@@ -113,6 +113,12 @@ alone, a number or a function of points, which is `sizing_function`
     \cgalParamType{a number between 0 and 180}
     \cgalParamDefault{100}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_bubbles}
+    \cgalParamDescription{the most vertices that d alone may ask of a mesh, as for `npbs_relax()`: pieces of an outline are
+                          found one by one, so a size that is far too small would take long to be refused by that}
+    \cgalParamType{an integer, positive, at most 2<sup>31</sup> - 1}
+    \cgalParamDefault{100 000 000}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{the pinned vertices}
     \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
@@ -120,9 +126,9 @@ alone, a number or a function of points, which is `sizing_function`
   \cgalParamNEnd
   \cgalParamNBegin{edge_marker_map}
     \cgalParamDescription{the markers of constraints. Vertices at which they change stay, unless a rule takes their
-                          constraints away. Each piece gets the marker of the segment that it stands for; what a rule
-                          made has none, a `Marker()`. The map is asked, and old edges are taken out of it, before `cdt`
-                          is changed}
+                          constraints away. Each piece gets the marker of the segment that it stands for, and what a
+                          rule made that of the nearest one along the boundary. The map is asked, and old edges are
+                          taken out of it, before `cdt` is changed}
     \cgalParamType{a model of `ReadWritePropertyMap` as for `npbs_relax()`, such as `Constraint_marker_map_2`}
     \cgalParamDefault{constraints have no markers}
   \cgalParamNEnd
@@ -147,8 +153,8 @@ alone, a number or a function of points, which is `sizing_function`
 tolerance is no more than roundings of the coordinates, if two vertices are in one place when rounded to `double`, if
 there is no domain with constraints all around it (the message names an edge where it is open), or if `minimum_gap`
 fills all of it, or is no more than roundings of the coordinates
-\throws std::length_error if d asks for some million pieces, or if `minimum_gap` is some millions of times smaller than
-the outline is long
+\throws std::length_error if d asks for some million pieces, or for more vertices than `maximum_number_of_bubbles`, or if
+`minimum_gap` is some millions of times smaller than the narrow parts of the domain are long
 \throws std::runtime_error if the new outline cannot be written with the numbers of the kernel: its vertices coincide,
 its segments cross, or the domain comes to lie on another side of one, when rounded to them
 

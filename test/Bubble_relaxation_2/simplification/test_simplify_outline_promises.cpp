@@ -343,11 +343,11 @@ TEST(Simplify_outline_promises, scaling_by_a_power_of_two_changes_no_bit)
 
 TEST(Simplify_outline_promises, gaps_that_are_roundings)
 {
-  // where numbers are 1/524288 apart
-  CDT cdt = make({square(1e10, 1e10, 0.0078125)});
+  constexpr double step = 1. / 524288; // of numbers there
+  CDT cdt = make({square(1e10, 1e10, 0.0078125), square(1e10 + 2 * step, 1e10 + 0.00390625, 0.001953125)});
   const Snapshot before = validation::snapshot(cdt);
-  expect_invalid([&] { CGAL::simplify_outline_2(cdt, sizing_function(1.).minimum_gap(2e-6)); },
-                 {"minimum_gap = 2e-06", "roundings"});
+  expect_invalid([&] { CGAL::simplify_outline_2(cdt, sizing_function(1.).minimum_gap(4e-6)); },
+                 {"minimum_gap = 4e-06", "roundings"});
   EXPECT_TRUE(validation::snapshot(cdt) == before);
 }
 

@@ -216,24 +216,30 @@ TEST(Tags_of_outlines, with_sharp_corners_and_narrows)
     EXPECT_NEAR(found[k], expected[k], 1e-12) << k;
 }
 
+/// inserts a ring whose segment k gets `marker(k)`; returns its vertices
+template <class Marker_of>
+std::vector<domains::CDT::Vertex_handle> insert(domains::CDT& cdt, CGAL::Constraint_marker_map_2<domains::CDT>& markers,
+                                                const Outline& ring, const Marker_of& marker)
+{
+  std::vector<domains::CDT::Vertex_handle> v;
+  for (const domains::Point& p : domains::points_of(ring))
+    v.push_back(cdt.insert(p));
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    cdt.insert_constraint(v[k], v[(k + 1) % v.size()]);
+    markers.set(cdt, v[k], v[(k + 1) % v.size()], marker(k));
+  }
+  return v;
+}
+
 // pieces have the markers of what they stand for, and a vertex stays where these change
 TEST(Tags_of_outlines, go_to_simplified_ones)
 {
   domains::CDT cdt;
   CGAL::Constraint_marker_map_2<domains::CDT> markers;
-  const auto insert = [&](const Outline& ring, const auto& marker) {
-    std::vector<domains::CDT::Vertex_handle> v;
-    for (const domains::Point& p : domains::points_of(ring))
-      v.push_back(cdt.insert(p));
-    for (std::size_t k = 0; k < v.size(); ++k) {
-      cdt.insert_constraint(v[k], v[(k + 1) % v.size()]);
-      markers.set(cdt, v[k], v[(k + 1) % v.size()], marker(k));
-    }
-    return v;
-  };
-  const auto shore = insert(rough_outlines::coast(0, 0, 1, 300, 1), [](std::size_t k) { return k < 100 ? 1 : 2; });
-  insert(rough_outlines::coast(0.4, 0.1, 0.2, 90, 2), [](std::size_t) { return 3; });
-  insert(rough_outlines::coast(-0.3, 0.1, 0.02, 30, 3), [](std::size_t) { return 4; });
+  const auto shore =
+    insert(cdt, markers, rough_outlines::coast(0, 0, 1, 300, 1), [](std::size_t k) { return k < 100 ? 1 : 2; });
+  insert(cdt, markers, rough_outlines::coast(0.4, 0.1, 0.2, 90, 2), [](std::size_t) { return 3; });
+  insert(cdt, markers, rough_outlines::coast(-0.3, 0.1, 0.02, 30, 3), [](std::size_t) { return 4; });
   const domains::Point first = shore[0]->point(), second = shore[100]->point();
   const auto report = CGAL::simplify_outline_2(
     cdt, P::sizing_function(0.1).minimum_island_area(0.01).edge_marker_map(markers));
@@ -252,6 +258,25 @@ TEST(Tags_of_outlines, go_to_simplified_ones)
   EXPECT_EQ(pieces[1].count(first) + pieces[1].count(second), 2u);
   for (const auto& [point, number] : pieces.at(3))
     EXPECT_LT(std::hypot(point.x() - 0.4, point.y() - 0.1), 0.3) << number;
+}
+
+TEST(Tags_of_outlines, where_a_gap_is_filled_are_those_beside_it)
+{
+  domains::CDT cdt;
+  CGAL::Constraint_marker_map_2<domains::CDT> markers;
+  const Outline bay{{0, 0}, {10, 0}, {10, 5}, {13, 5}, {13, 5.5}, {10, 5.5}, {10, 10}, {0, 10}}; // open to the west
+  insert(cdt, markers, bay, [](std::size_t k) { return k == 7 ? 1 : 2; });
+  for (double x : {2., 4.3}) // islands with a narrow between them
+    insert(cdt, markers, domains::square(x, 4, 2), [](std::size_t) { return 3; });
+  const auto report = CGAL::simplify_outline_2(cdt, P::sizing_function(1.).minimum_gap(0.8).edge_marker_map(markers));
+  EXPECT_EQ(report.filled_gaps.size(), 2u);
+  EXPECT_TRUE(std::any_of(report.pieces.begin(), report.pieces.end(), [](const auto& p) { return p.is_new; }));
+  for (const auto& e : cdt.constrained_edges()) {
+    const auto u = e.first->vertex(cdt.ccw(e.second)), v = e.first->vertex(cdt.cw(e.second));
+    const domains::Point p = CGAL::midpoint(u->point(), v->point());
+    const bool is_of_islands = p.x() > 1 && p.x() < 9 && p.y() > 1 && p.y() < 9;
+    EXPECT_EQ(markers(u, v), is_of_islands ? 3 : p.x() < 0.1 ? 1 : 2) << p;
+  }
 }
 
 TEST(Tags_of_nodes, a_node_stays_where_the_marker_changes)

@@ -67,6 +67,13 @@ void take_count(const NamedParameters& np, Tag tag, const char* name, std::size_
     value = read_count(name, parameters::get_parameter(np, tag), least, largest);
 }
 
+template <class NamedParameters>
+void take_maximum_number_of_bubbles(const NamedParameters& np, std::size_t& value)
+{
+  take_count(np, internal_np::maximum_number_of_bubbles, "maximum_number_of_bubbles", value, 1,
+             static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
+}
+
 /// Checks the coefficients of eq. 3. The default integrator has them in units of the size, where none beyond has a
 /// sense; but their products with lengths could overflow in one unit of length and not in another.
 inline void check_motion(const Relaxation_options& o)
@@ -137,8 +144,7 @@ Relaxation_options read_options(const NamedParameters& np)
   take(np, internal_np::size_growth, o.size_growth);
   take(np, internal_np::minimum_angle, o.minimum_angle);
   take(np, internal_np::displacement_tolerance, o.displacement_tolerance);
-  take_count(np, internal_np::maximum_number_of_bubbles, "maximum_number_of_bubbles", o.maximum_number_of_bubbles,
-             1, static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
+  take_maximum_number_of_bubbles(np, o.maximum_number_of_bubbles);
   take(np, internal_np::restore_when_stopped, o.restore_when_stopped);
   take_count(np, internal_np::exchange_interval, "exchange_interval", o.exchange_interval, 0);
   check_options(o);

@@ -45,6 +45,16 @@ public:
     add_narrows();
   }
 
+  /// \throws std::length_error if the wanted size alone asks for more than `most` vertices
+  void check_wanted(std::size_t most) const
+  {
+    if (!m_is_measured)
+      return;
+    Expected_number_of_bubbles count(m_domain, m_wanted, static_cast<double>(most));
+    if (const double number = count.integral_over_faces(); number > static_cast<double>(most))
+      throw_too_many_bubbles(most, "the sizing function", number, count);
+  }
+
   /// how many vertices the wanted size alone asks for; they, and those that are forced, are without half of the ones on
   /// the outline; 0 where that is not found
   double wanted() const { return m_is_measured ? integral(m_wanted) : 0; }

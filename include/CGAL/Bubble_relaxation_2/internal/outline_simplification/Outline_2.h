@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -42,6 +43,16 @@ struct Outline_2
   std::vector<char> is_fixed; ///< of each vertex whether it is to stay, whatever the rules do
   std::vector<Index> given;   ///< the number that each vertex has in the user's outline, `no_index` if it is not of it
   std::vector<Outline_segment_2> segments;
+
+  /// a segment whose ends are in any order
+  void add(Outline_segment_2 s)
+  {
+    if (s.target < s.source) {
+      std::swap(s.source, s.target);
+      std::swap(s.inside_left, s.inside_right);
+    }
+    segments.push_back(s);
+  }
 
   void sort_segments()
   {

@@ -17,6 +17,7 @@
 
 #include <CGAL/utility.h>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -56,17 +57,46 @@ public:
                            CGAL::make_sorted_pair(reading.vertex(s.source), reading.vertex(s.target)));
   }
 
-  /// gives each piece that of the segment that it stands for, or none if a rule made it
+  /// gives each piece that of the segment that it stands for, or of the nearest one if a rule made it
   void write([[maybe_unused]] const Simplified_outline_2& outline,
              [[maybe_unused]] const Outline_writing_2<Cdt>& written) const
   {
-    if constexpr (Maps::has_markers)
-      for (const Outline_segment_2& s : outline.segments)
+    if constexpr (Maps::has_markers) {
+      const std::vector<Index> origins = nearest_origins(outline);
+      for (std::size_t k = 0; k < origins.size(); ++k) {
+        const Outline_segment_2& s = outline.segments[k];
         put(m_maps.markers(), CGAL::make_sorted_pair(written.vertex(s.source), written.vertex(s.target)),
-            s.origin == no_index ? Marker() : m_markers[s.origin]);
+            origins[k] == no_index ? Marker() : m_markers[origins[k]]);
+      }
+    }
   }
 
 private:
+  /// Of each piece the old segment that it stands for, or the nearest one that does along the boundary, in pieces.
+  static std::vector<Index> nearest_origins(const Simplified_outline_2& outline)
+  {
+    const std::vector<Outline_segment_2>& pieces = outline.segments;
+    std::vector<std::vector<Index>> at(outline.points.size()); // boundary pieces
+    std::vector<Index> origins, queue;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      origins.push_back(pieces[k].origin);
+      if (pieces[k].inside_left == pieces[k].inside_right)
+        continue; // rules make no such ones
+      if (pieces[k].origin != no_index)
+        queue.push_back(static_cast<Index>(k));
+      for (Index v : {pieces[k].source, pieces[k].target})
+        at[v].push_back(static_cast<Index>(k));
+    }
+    for (std::size_t first = 0; first < queue.size(); ++first)
+      for (Index v : {pieces[queue[first]].source, pieces[queue[first]].target})
+        for (Index k : at[v])
+          if (origins[k] == no_index) {
+            origins[k] = origins[queue[first]];
+            queue.push_back(k);
+          }
+    return origins;
+  }
+
   Maps m_maps;
   std::vector<Marker> m_markers; // of the old segments
 };

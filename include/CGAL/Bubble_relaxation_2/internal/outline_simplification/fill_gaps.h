@@ -13,6 +13,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/cut_segments.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,51 +27,10 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The outline with its segments cut in parts no longer than a length.
-inline Outline_2 with_cut_segments(const Outline_2& outline, double length)
-{
-  std::vector<std::pair<Point, Index>> points; // and the vertex, or behind these the new one
-  for (std::size_t v = 0; v < outline.points.size(); ++v)
-    points.emplace_back(outline.points[v], static_cast<Index>(v));
-  Outline_2 cut;
-  for (Outline_segment_2 s : outline.segments) {
-    const Point &a = outline.points[s.source], &b = outline.points[s.target];
-    const double n = std::ceil(distance(a, b) / length);
-    const Index target = s.target;
-    for (double i = 1; i < n && s.is_in_domain(); ++i) {
-      s.target = static_cast<Index>(points.size());
-      points.emplace_back(Point(a.x() + i / n * (b.x() - a.x()), a.y() + i / n * (b.y() - a.y())), s.target);
-      cut.segments.push_back(s);
-      s.source = s.target;
-    }
-    s.target = target;
-    cut.segments.push_back(s);
-  }
-  std::sort(points.begin(), points.end());
-  std::vector<Index> number(points.size());
-  for (const auto& p : points) {
-    number[p.second] = static_cast<Index>(cut.points.size());
-    const bool is_old = static_cast<std::size_t>(p.second) < outline.points.size();
-    cut.points.push_back(p.first);
-    cut.is_fixed.push_back(is_old && outline.is_fixed[p.second]);
-    cut.given.push_back(is_old ? outline.given[p.second] : no_index);
-  }
-  for (Outline_segment_2& s : cut.segments) {
-    s.source = number[s.source];
-    s.target = number[s.target];
-    if (s.target < s.source) {
-      std::swap(s.source, s.target);
-      std::swap(s.inside_left, s.inside_right);
-    }
-  }
-  cut.sort_segments();
-  return cut;
-}
-
 /// The rule `minimum_gap`: takes out of the domain what no disc of that diameter within it reaches: channels and the
-/// room between islands. These are triangles between densely cut segments whose circumscribed circles are smaller, as
-/// in an alpha shape. Open corners are no gaps, nor is what is wider than deep. What is beside a vertex that stays, or
-/// beside a constraint with the domain on both sides, is left alone.
+/// room between islands. These are triangles between segments, densely cut where others are near, whose circumscribed
+/// circles are smaller, as in an alpha shape. Open corners are no gaps, nor is what is wider than deep. What is beside a
+/// vertex that stays, or beside a constraint with the domain on both sides, is left alone.
 class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
@@ -81,12 +43,15 @@ class Gap_rule_2
 public:
   /// \throws std::length_error if the width is so small that there would be far more parts than can be wanted
   Gap_rule_2(const Outline_2& outline, double width)
-    : m_outline(with_cut_segments(checked(outline, width), cut * width)), m_triangulation(m_outline, width),
-      m_is_within(m_outline.points.size(), 1), m_width(width)
+    : m_outline(cut_where_narrow(outline, width)), m_triangulation(m_outline, width),
+      m_is_within(m_outline.points.size(), 1), m_next(m_outline.points.size()), m_width(width)
   {
-    for (const Outline_segment_2& s : m_outline.segments)
+    for (const Outline_segment_2& s : m_outline.segments) {
       if (!is_inner(s))
         m_is_within[s.source] = m_is_within[s.target] = 0;
+      m_next[s.source].push_back(s.target);
+      m_next[s.target].push_back(s.source);
+    }
   }
 
   Outline_2 operator()(Outline_simplification_report_2& report)
@@ -96,22 +61,28 @@ public:
       fill_basins();
     while (fill_pinches());
     tell(report);
-    return m_triangulation.new_outline();
+    return with_joined_parts(m_triangulation.new_outline());
   }
 
 private:
   using Region = std::vector<Index>;
+  using Vertices = boost::container::small_vector<Index, 2>;
 
-  static const Outline_2& checked(const Outline_2& outline, double width)
+  /// What is beyond the mouth of a gap is seen as it is: so twice the width counts as near.
+  static Outline_2 cut_where_narrow(const Outline_2& outline, double width)
   {
+    std::vector<char> is_cut = segments_near_others(outline, 2 * width);
     double n = 0;
-    for (const Outline_segment_2& s : outline.segments)
-      if (s.is_in_domain())
+    for (std::size_t e = 0; e < is_cut.size(); ++e) {
+      const Outline_segment_2& s = outline.segments[e];
+      is_cut[e] = is_cut[e] && s.is_in_domain();
+      if (is_cut[e])
         n += std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width));
+    }
     if (!(n < most_parts))
       throw std::length_error("Bubble_relaxation_2: parameter minimum_gap = " + in_words(width) +
                               " cuts the outline into about " + in_words(n) + " parts");
-    return outline;
+    return with_cut_segments(outline, is_cut, cut * width);
   }
 
   const Flat_triangulation_2& tr() const { return m_triangulation.tr(); }
@@ -165,10 +136,11 @@ private:
     double squares[3];
     for (int i = 0; i < 3; ++i)
       squares[i] = CGAL::squared_distance(tr().point(t, ccw(i)), tr().point(t, cw(i)));
-    for (int i = 0; i < 3; ++i) // a vertex very near to a part of a segment
-      if (m_triangulation.segment(t, i) != no_index && 2 * squares[i] > squares[0] + squares[1] + squares[2])
-        return true;
     const double twice = 2 * m_triangulation.area(t);
+    for (int i = 0; i < 3; ++i) // a vertex very near to a part of a segment
+      if (m_triangulation.segment(t, i) != no_index && 2 * squares[i] > squares[0] + squares[1] + squares[2] &&
+          twice * twice < m_width * m_width * squares[i])
+        return true;
     return squares[0] * squares[1] * squares[2] < m_width * m_width * twice * twice; // diameter < width
   }
 
@@ -176,24 +148,41 @@ private:
   /// leads to nothing but a pin or a constraint within the domain, without which it might not be narrow.
   bool is_open(const Region& region, const std::vector<char>& is_narrow) const
   {
-    std::vector<std::pair<Point, Point>> mouths;
+    std::vector<std::pair<Index, Index>> mouths; // their ends
     bool leads_on = false;
     for (Index t : region)
       for (int i = 0; i < 3; ++i) {
         const Index n = m_triangulation.neighbor(t, i);
         if (m_triangulation.segment(t, i) != no_index || !m_triangulation.is_inside(n) || is_narrow[n])
           continue;
-        mouths.emplace_back(tr().point(t, ccw(i)), tr().point(t, cw(i)));
+        mouths.emplace_back(tr().vertices[t][ccw(i)], tr().vertices[t][cw(i)]);
         leads_on |= !is_beside_inner(n);
       }
     if (!leads_on || mouths.size() != 1)
       return !mouths.empty() && !leads_on;
-    const double width = distance(mouths[0].first, mouths[0].second);
+    const auto [a, b] = mouths[0];
+    const Point &p = m_outline.points[a], &q = m_outline.points[b];
+    const double width = distance(p, q);
     double depth = 0;
+    Point deepest = p;
     for (Index t : region)
       for (int i = 0; i < 3; ++i)
-        depth = (std::max)(depth, distance_to_segment(tr().point(t, i), mouths[0].first, mouths[0].second));
-    return depth < shallow * m_width || (width > open_mouth * m_width && depth < open_depth * width);
+        if (const double d = distance_to_segment(tr().point(t, i), p, q); d > depth) {
+          depth = d;
+          deepest = tr().point(t, i);
+        }
+    return depth < shallow * m_width ||
+           (depth < open_depth * width &&
+            (width > open_mouth * m_width || (goes_straight_on(deepest, a) && goes_straight_on(deepest, b))));
+  }
+
+  /// whether a wall from a corner to the end of a mouth goes on behind it: the mouth is where the wall happens to be cut
+  bool goes_straight_on(const Point& corner, Index end) const
+  {
+    const double rounding = 1e-6 * m_width;
+    return std::any_of(m_next[end].begin(), m_next[end].end(), [&](Index next) {
+      return distance_to_segment(m_outline.points[end], corner, m_outline.points[next]) < rounding;
+    });
   }
 
   /// fills what was cut off and has no more room than for few triangles
@@ -333,6 +322,7 @@ private:
   Outline_2 m_outline;
   Outline_triangulation_2 m_triangulation;
   std::vector<char> m_is_within; // of each vertex whether it is not on the boundary
+  std::vector<Vertices> m_next;  // to each vertex, over segments
   double m_width;
 };
 

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_READ_OUTLINE_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
@@ -59,6 +60,7 @@ Simplification_options read_simplification_options(const NamedParameters& np)
   take_number(internal_np::corner_angle, "corner_angle", o.corner_angle);
   if (o.corner_angle > 180)
     throw_invalid_parameter("corner_angle", o.corner_angle, "at most 180");
+  take_maximum_number_of_bubbles(np, o.maximum_number_of_bubbles);
   return o;
 }
 

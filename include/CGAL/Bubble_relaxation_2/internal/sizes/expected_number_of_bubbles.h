@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -64,6 +65,17 @@ public:
     return m_sum;
   }
 
+  /// the same from a few thousand places, whatever the limit
+  double rough_integral_over_faces() const
+  {
+    double sum = 0;
+    const Flat_triangulation_2& tr = m_domain.triangulation();
+    for (Index t = 0; static_cast<std::size_t>(t) < tr.number_of_triangles(); ++t)
+      if (m_domain.is_inside(t))
+        add_roughly(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), sum);
+    return sum;
+  }
+
   /// the integral of 1/d along an edge
   double integral_over_edge(Index e)
   {
@@ -80,12 +92,7 @@ private:
   {
     if (m_sum > m_limit)
       return;
-    const Point c = CGAL::centroid(p, q, r);
-    const double d = m_sizing(c);
-    const double pq = CGAL::squared_distance(p, q), qr = CGAL::squared_distance(q, r),
-                 rp = CGAL::squared_distance(r, p), longest = std::sqrt((std::max)({pq, qr, rp}));
-    const double area =
-      0.5 * std::abs((q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
+    const double d = m_sizing(CGAL::centroid(p, q, r)), longest = longest_side(p, q, r), area = area_of(p, q, r);
     const double number = 2 / std::sqrt(3.) * area / (d * d);
     // the parts of a needle are needles: without an end for those that are thinner than 1e-6 d there would be millions
     if (longest <= 4 * d || number < 1e-6 || depth == deepest) {
@@ -96,20 +103,45 @@ private:
       m_sum += 2 / std::sqrt(3.) * area * m_mean_density;
       return;
     }
-    // the longest edge, so that parts get no thinner
-    if (pq >= qr && pq >= rp)
-      cut(p, q, r, depth);
-    else if (qr >= rp)
-      cut(q, r, p, depth);
-    else
-      cut(r, p, q, depth);
+    in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add(u, v, w, depth + 1); });
   }
 
-  void cut(const Point& p, const Point& q, const Point& r, int depth)
+  void add_roughly(const Point& p, const Point& q, const Point& r, double& sum) const
   {
-    const Point m = CGAL::midpoint(p, q);
-    add(p, m, r, depth + 1);
-    add(m, q, r, depth + 1);
+    if (longest_side(p, q, r) > m_coarsest / 4) {
+      in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add_roughly(u, v, w, sum); });
+      return;
+    }
+    const double d = m_sizing(CGAL::centroid(p, q, r));
+    sum += 2 / std::sqrt(3.) * area_of(p, q, r) / (d * d);
+  }
+
+  static double area_of(const Point& p, const Point& q, const Point& r)
+  {
+    return 0.5 * std::abs((q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
+  }
+
+  static double longest_side(const Point& p, const Point& q, const Point& r)
+  {
+    return std::sqrt((std::max)({CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)}));
+  }
+
+  /// calls `visit` with both parts of a triangle, cut at its longest side, so that parts get no thinner
+  template <class Visitor>
+  static void in_halves(const Point& p, const Point& q, const Point& r, const Visitor& visit)
+  {
+    const double pq = CGAL::squared_distance(p, q), qr = CGAL::squared_distance(q, r), rp = CGAL::squared_distance(r, p);
+    const auto cut = [&visit](const Point& u, const Point& v, const Point& w) {
+      const Point m = CGAL::midpoint(u, v);
+      visit(u, m, w);
+      visit(m, v, w);
+    };
+    if (pq >= qr && pq >= rp)
+      cut(p, q, r);
+    else if (qr >= rp)
+      cut(q, r, p);
+    else
+      cut(r, p, q);
   }
 
   void add(const Point& p, const Point& q, int depth)
@@ -152,11 +184,15 @@ private:
   double m_mean_density = 0; // of the last smooth triangle
 };
 
-[[noreturn]] inline void throw_too_many_bubbles(std::size_t maximum, const char* asking, double expected)
+/// `count`: what ended when it had found `expected`
+[[noreturn]] inline void throw_too_many_bubbles(std::size_t maximum, const char* asking, double expected,
+                                                const Expected_number_of_bubbles& count)
 {
   std::ostringstream message;
   message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum << ": " << asking
           << " ask for more, at least " << std::ceil(expected);
+  if (const double all = count.rough_integral_over_faces(); all > 2 * expected)
+    message << ", about " << std::setprecision(2) << all;
   throw std::length_error(message.str());
 }
 
@@ -171,7 +207,7 @@ inline void count_bubbles_on_edges(const Domain_2& domain, std::size_t maximum, 
   for (std::size_t e = 0; e < domain.edges().size() && sum <= most; ++e)
     sum += count.integral_over_edge(static_cast<Index>(e));
   if (sum > most)
-    throw_too_many_bubbles(maximum, sizes_and_outline, sum);
+    throw_too_many_bubbles(maximum, sizes_and_outline, sum, count);
 }
 
 /// Counts how many bubbles sizes ask for in the domain: that costs calls of d, so it is done once. `asking`: what asks
@@ -182,7 +218,7 @@ inline void count_bubbles(const Domain_2& domain, std::size_t maximum, const cha
   Expected_number_of_bubbles count(domain, sizes, static_cast<double>(maximum));
   const double expected = count();
   if (expected > static_cast<double>(maximum))
-    throw_too_many_bubbles(maximum, asking, expected);
+    throw_too_many_bubbles(maximum, asking, expected, count);
   sizes.expected_number = expected;
   sizes.number_without_corners = count.without_corners();
 }

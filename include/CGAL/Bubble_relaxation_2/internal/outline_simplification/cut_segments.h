@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Bubble_relaxation_2 authors.
+//
+// This file is part of Bubble_relaxation_2, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Bubble_relaxation_2 authors
+
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_CUT_SEGMENTS_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_CUT_SEGMENTS_H
+
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Segment_grid_2.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Kernel/global_functions_2.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bubble_relaxation_2::internal {
+
+/// Which segments have another one nearer than `reach`: the domain can be narrow beside these only. One that they meet in a
+/// vertex counts where the angle is acute.
+inline std::vector<char> segments_near_others(const Outline_2& outline, double reach)
+{
+  const std::vector<Outline_segment_2>& segments = outline.segments;
+  const auto point = [&outline](Index v) -> const Point& { return outline.points[v]; };
+  const auto are_near = [&](const Outline_segment_2& s, const Outline_segment_2& t) {
+    for (Index u : {s.source, s.target})
+      for (Index v : {t.source, t.target})
+        if (u == v)
+          return CGAL::angle(point(s.source + s.target - u), point(u), point(t.source + t.target - u)) == ACUTE;
+    const auto is_near = [&](Index v, const Outline_segment_2& to) {
+      return distance_to_segment(point(v), point(to.source), point(to.target)) < reach;
+    };
+    return is_near(s.source, t) || is_near(s.target, t) || is_near(t.source, s) || is_near(t.target, s);
+  };
+  Segment_grid_2 grid;
+  for (const Outline_segment_2& s : segments)
+    grid.insert(point(s.source), point(s.target), reach);
+  std::vector<char> result(segments.size(), 0);
+  for (std::size_t e = 0; e < segments.size(); ++e) {
+    const Bbox_2 b = grid.box(static_cast<Index>(e));
+    grid.for_each_near(Bbox_2(b.xmin() - reach, b.ymin() - reach, b.xmax() + reach, b.ymax() + reach), [&](Index other) {
+      result[e] = result[e] || (other != static_cast<Index>(e) && are_near(segments[e], segments[other]));
+    });
+  }
+  return result;
+}
+
+/// The outline with some of its segments cut in parts no longer than a length.
+inline Outline_2 with_cut_segments(const Outline_2& outline, const std::vector<char>& is_cut, double length)
+{
+  std::vector<std::pair<Point, Index>> points; // and the vertex, or behind these the new one
+  for (std::size_t v = 0; v < outline.points.size(); ++v)
+    points.emplace_back(outline.points[v], static_cast<Index>(v));
+  Outline_2 cut;
+  for (std::size_t e = 0; e < outline.segments.size(); ++e) {
+    Outline_segment_2 s = outline.segments[e];
+    const Point &a = outline.points[s.source], &b = outline.points[s.target];
+    const double n = std::ceil(distance(a, b) / length);
+    const Index target = s.target;
+    for (double i = 1; i < n && is_cut[e]; ++i) {
+      s.target = static_cast<Index>(points.size());
+      points.emplace_back(Point(a.x() + i / n * (b.x() - a.x()), a.y() + i / n * (b.y() - a.y())), s.target);
+      cut.segments.push_back(s);
+      s.source = s.target;
+    }
+    s.target = target;
+    cut.segments.push_back(s);
+  }
+  std::sort(points.begin(), points.end());
+  std::vector<Index> number(points.size());
+  for (const auto& p : points) {
+    number[p.second] = static_cast<Index>(cut.points.size());
+    const bool is_old = static_cast<std::size_t>(p.second) < outline.points.size();
+    cut.points.push_back(p.first);
+    cut.is_fixed.push_back(is_old && outline.is_fixed[p.second]);
+    cut.given.push_back(is_old ? outline.given[p.second] : no_index);
+  }
+  for (Outline_segment_2 s : std::exchange(cut.segments, {})) {
+    s.source = number[s.source];
+    s.target = number[s.target];
+    cut.add(s);
+  }
+  cut.sort_segments();
+  return cut;
+}
+
+/// Joins parts of a segment between which nothing else ends: what follows takes time for each vertex.
+inline Outline_2 with_joined_parts(const Outline_2& cut)
+{
+  std::vector<boost::container::small_vector<Index, 2>> at(cut.points.size()); // segments
+  for (std::size_t e = 0; e < cut.segments.size(); ++e)
+    for (Index v : {cut.segments[e].source, cut.segments[e].target})
+      at[v].push_back(static_cast<Index>(e));
+  const auto origin = [&cut](Index e) { return cut.segments[e].origin; };
+  const auto joins_parts = [&](Index v) {
+    return cut.given[v] == no_index && !cut.is_fixed[v] && at[v].size() == 2 && origin(at[v][0]) != no_index &&
+           origin(at[v][0]) == origin(at[v][1]);
+  };
+  std::vector<char> is_done(cut.segments.size(), 0);
+  const auto end_of_parts = [&](Index e, Index v) { // from a part on over its end `v`
+    while (joins_parts(v)) {
+      e = at[v][0] == e ? at[v][1] : at[v][0];
+      is_done[e] = 1;
+      v = cut.segments[e].source == v ? cut.segments[e].target : cut.segments[e].source;
+    }
+    return v;
+  };
+  Outline_2 joined = cut;
+  joined.segments.clear();
+  for (std::size_t e = 0; e < cut.segments.size(); ++e) {
+    if (is_done[e])
+      continue;
+    Outline_segment_2 s = cut.segments[e];
+    s.source = end_of_parts(static_cast<Index>(e), s.source);
+    s.target = end_of_parts(static_cast<Index>(e), s.target);
+    joined.add(s);
+  }
+  joined.sort_segments();
+  return without_idle_vertices(joined);
+}
+
+} // namespace CGAL::Bubble_relaxation_2::internal
+
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_CUT_SEGMENTS_H
