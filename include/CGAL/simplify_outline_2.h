@@ -117,7 +117,7 @@ alone, a number or a function of points, which is `sizing_function`
     \cgalParamDescription{the most vertices that d alone may ask of a mesh, as for `npbs_relax()`: pieces of an outline are
                           found one by one, so a size that is far too small would take long to be refused by that}
     \cgalParamType{an integer, positive, at most 2<sup>31</sup> - 1}
-    \cgalParamDefault{100 000 000}
+    \cgalParamDefault{no limit}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{the pinned vertices}

@@ -15,6 +15,9 @@
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace test_bad_input {
@@ -393,6 +396,37 @@ TEST(Callback, may_throw_at_the_last_call)
   EXPECT_THROW(CGAL::npbs_relax(cdt, P::sizing_function(0.1).callback(callback)), My_error);
   EXPECT_TRUE(validation::snapshot(cdt) == before); // with other vertices, since all was written
   EXPECT_TRUE(cdt.is_valid());
+}
+
+TEST(Bad_constraints, corners_beside_an_edge_by_a_rounding_are_named)
+{
+  int number_of_refusals = 0;
+  for (int k = 0; k < 50; ++k) { // a plate, turned, and an inclusion with two corners on one of its sides
+    const double angle = 0.01 + 0.007 * k, c = std::cos(angle), s = std::sin(angle);
+    const auto turned = [&](const Point& p) { return Point(c * p.x() - s * p.y(), s * p.x() + c * p.y()); };
+    const Point corners[] = {turned({1, 0}), turned({1.8, 0})};
+    CDT cdt;
+    const std::vector<Point> plate{turned({0, 0}), turned({4, 0}), turned({4, 2}), turned({0, 2})},
+      inclusion{corners[0], corners[1], turned({2.1, 0.5}), turned({1.3, 0.5})};
+    try {
+      cdt.insert_constraint(plate.begin(), plate.end(), true);
+      cdt.insert_constraint(inclusion.begin(), inclusion.end(), true);
+    } catch (const CDT::Intersection_of_constraints_exception&) { // they lie on the other side
+      continue;
+    }
+    const std::vector<Point> hole{turned({50, 50})};
+    try {
+      CGAL::npbs_relax(cdt, CGAL::Bubble_relaxation_parameters::sizing_function(0.1).seeds(hole));
+    } catch (const std::runtime_error& e) {
+      ++number_of_refusals;
+      double x = 0, y = 0;
+      const std::string text = e.what();
+      ASSERT_EQ(std::sscanf(text.substr(text.find("the vertex (") + 12).c_str(), "%lf, %lf", &x, &y), 2) << text;
+      EXPECT_LT((std::min)(CGAL::squared_distance(Point(x, y), corners[0]), CGAL::squared_distance(Point(x, y), corners[1])),
+                1e-8) << text;
+    }
+  }
+  EXPECT_GT(number_of_refusals, 0);
 }
 
 } // namespace test_bad_input

@@ -668,6 +668,9 @@ TEST(Simplify_outline, sizes_far_too_small)
   CDT cdt = make({square(0, 0, 1)});
   expect_throw<std::length_error>([&] { CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1e-8)); },
                                   {"sizing_function", "pieces"});
+  const auto np = CGAL::parameters::sizing_function(1e-3).maximum_number_of_bubbles(100000);
+  expect_throw<std::length_error>([&] { CGAL::simplify_outline_2(cdt, np); },
+                                  {"maximum_number_of_bubbles = 100000", "sizing function", "about 1.2e+06"});
 }
 
 TEST(Simplify_outline, gaps_far_too_small)

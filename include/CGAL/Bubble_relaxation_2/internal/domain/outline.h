@@ -12,12 +12,17 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hilbert_curve_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 
+#include <CGAL/Kernel/global_functions_2.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -121,11 +126,36 @@ inline bool try_to_triangulate(const std::vector<Domain_edge_2>& edges, Bubble_m
   return mark_triangulation(points_of(mesh.bubbles), edges, mesh.triangles) == Marking_error::NONE;
 }
 
+/// where a corner of the domain is nearest to an edge across a triangle
+inline Point narrowest_place(const Domain_2& domain)
+{
+  const Flat_triangulation_2& tr = domain.triangulation();
+  double least = (std::numeric_limits<double>::infinity)();
+  Point place = domain.corners().front();
+  for (std::size_t k = 0; k < tr.number_of_triangles(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      const Index t = static_cast<Index>(k), e = domain.edge(t, i);
+      if (e == no_index || CGAL::angle(tr.point(t, i), tr.point(t, ccw(i)), tr.point(t, cw(i))) == OBTUSE ||
+          CGAL::angle(tr.point(t, i), tr.point(t, cw(i)), tr.point(t, ccw(i))) == OBTUSE)
+        continue;
+      const double height = 2 * std::abs(CGAL::area(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2))) / domain.length(e);
+      if (height < least) {
+        least = height;
+        place = tr.point(t, i);
+      }
+    }
+  return place;
+}
+
 struct Edges_too_near : std::runtime_error
 {
-  Edges_too_near()
+  explicit Edges_too_near(const Domain_2& domain) : Edges_too_near(narrowest_place(domain)) {}
+
+private:
+  explicit Edges_too_near(const Point& place)
     : std::runtime_error("Bubble_relaxation_2: edges of the domain lie nearer to each other than the rounding of "
-                         "bubbles on them")
+                         "bubbles on them; nearest to another edge is the vertex " +
+                         in_words(place.x(), place.y()) + ": if it is to lie on that edge, make it an end of it")
   {}
 };
 
@@ -134,7 +164,7 @@ struct Edges_too_near : std::runtime_error
 inline void triangulate(const Domain_2& domain, Bubble_mesh_2& mesh)
 {
   if (!try_to_triangulate(cut_edges(domain, mesh.bubbles), mesh))
-    throw Edges_too_near();
+    throw Edges_too_near(domain);
 }
 
 /// Numbers the bubbles along the Hilbert curve: neighbours in space are near in memory.

@@ -52,7 +52,7 @@ public:
       return;
     Expected_number_of_bubbles count(m_domain, m_wanted, static_cast<double>(most));
     if (const double number = count.integral_over_faces(); number > static_cast<double>(most))
-      throw_too_many_bubbles(most, "the sizing function", number, count);
+      throw_too_many_bubbles(most, "the domain and the sizing function", number, count);
   }
 
   /// how many vertices the wanted size alone asks for; they, and those that are forced, are without half of the ones on

@@ -9,7 +9,6 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFIED_OUTLINE_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SIMPLIFIED_OUTLINE_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 
@@ -27,7 +26,7 @@ struct Simplification_options
   double relative_tolerance = 0.1;                              ///< a share of d; the smaller one counts
   double minimum_island_area = 0, minimum_gap = 0;              ///< 0: these rules are off
   double corner_angle = 100;                                    ///< degrees
-  std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles; ///< of a mesh with d
+  std::size_t maximum_number_of_bubbles = 0; ///< of a mesh with d; 0: as many as it asks for
 
   bool has_rules() const { return minimum_island_area > 0 || minimum_gap > 0; }
 };

@@ -114,7 +114,8 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
   fix_ends(outline, problem.is_end);
   check_number_of_places(outline, demands);
   const Forced_vertices_2 forced(outline, demands, problem.sizes);
-  forced.check_wanted(problem.options.maximum_number_of_bubbles);
+  if (problem.options.maximum_number_of_bubbles > 0)
+    forced.check_wanted(problem.options.maximum_number_of_bubbles);
   report.wanted_vertices = forced.wanted();
   report.forced_vertices = forced.forced(report.wanted_vertices);
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);

@@ -140,7 +140,7 @@ template <class Treatment>
 void check_before_leaving(const Treatment& treatment, typename Treatment::Mesh& mesh, const Outline_care& care)
 {
   if (care.has_changed_outline && !treatment.closes_outline(mesh))
-    throw Edges_too_near();
+    throw Edges_too_near(treatment.problem().domain);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -205,7 +205,7 @@ private:
   void get_all_of_outline()
   {
     if (m_answers.note_outline_known())
-      m_comm.throw_on_all(Edges_too_near());
+      m_comm.throw_on_all(Edges_too_near(m_domain));
     get_outline(true);
     m_is_new = true;
     m_mesh.bubbles.sort_by_id();
