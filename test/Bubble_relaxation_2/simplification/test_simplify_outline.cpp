@@ -399,6 +399,22 @@ TEST(Simplify_outline, corners_of_finely_sampled_walls_are_not_gaps)
     }
 }
 
+TEST(Simplify_outline, long_walls_stay_straight)
+{
+  // an island beside a wall, where the domain would widen
+  CDT cdt = make({square(0, 0, 50), {{2, 20}, {3, 19}, {4, 20}, {3, 22}}});
+  const Report report = CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(5.));
+  std::size_t on_wall = 0;
+  for (const Report::Piece& piece : report.pieces)
+    if (piece.source[0] < 1 && piece.target[0] < 1) {
+      ++on_wall;
+      EXPECT_EQ(piece.source[0], 0);
+      EXPECT_EQ(piece.target[0], 0);
+    }
+  EXPECT_EQ(on_wall, 10u);
+  EXPECT_GT(report.hausdorff_distance, 0.2); // the island gives way
+}
+
 TEST(Simplify_outline, islands_and_narrows_force_vertices)
 {
   const auto forced = [](const std::vector<Outline>& outlines, double d) {

@@ -25,7 +25,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 /// Moves the vertices of a path within the tolerance, off the old outline too, and drops some, where pieces are short,
 /// corners are such that no good triangles fit, or the domain is narrow: a small island grows, and a channel widens, as
-/// far as that is allowed.
+/// far as that is allowed. Long straight walls stay as they are.
 class Path_improvement_2
 {
   static constexpr double good_enough = 0.2, least_gain = 0.01; // costs
@@ -33,6 +33,7 @@ class Path_improvement_2
   static constexpr double deviation_weight = 0.1;  // less than where pieces are chosen: only what costs something moves
   static constexpr double clear = 0.8; // what is farther away than this part of d does not count
   static constexpr int halvings = 3, moves_of_a_vertex = 4;
+  static constexpr double long_wall = 10, straight = 1e-9; // in units of d, and of the wall's length
 
 public:
   /// \param path of the span; \param ids of its pieces in the movable outline
@@ -44,6 +45,8 @@ public:
   /// one sweep; returns whether something changed
   bool operator()()
   {
+    if (is_wall())
+      return false;
     bool has_changed = false;
     for (std::size_t k = m_span.is_ring ? 0 : 1; k + 1 < m_path.size(); ++k) {
       if (m_path[k].is_settled)
@@ -61,6 +64,19 @@ public:
   }
 
 private:
+  /// whether the span is a side of a box or the like: what lies beside it gives way
+  bool is_wall() const
+  {
+    const Point &a = old_point(0), &b = old_point(static_cast<Index>(m_span.size()));
+    const double length = distance(a, b);
+    if (m_span.is_ring || !(length >= long_wall * size_at(m_path.front())))
+      return false;
+    for (Index m = 1; m < static_cast<Index>(m_span.size()); ++m)
+      if (!(distance_to_segment(old_point(m), a, b) <= straight * length))
+        return false;
+    return true;
+  }
+
   void unsettle(std::size_t k)
   {
     if (k < m_path.size())
