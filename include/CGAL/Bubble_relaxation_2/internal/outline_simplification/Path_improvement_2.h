@@ -11,6 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Movable_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/piece_cost.h>
 
 #include <algorithm>
@@ -33,23 +34,21 @@ class Path_improvement_2
   static constexpr double deviation_weight = 0.1;  // less than where pieces are chosen: only what costs something moves
   static constexpr double clear = 0.8; // what is farther away than this part of d does not count
   static constexpr int halvings = 3, moves_of_a_vertex = 4;
-  static constexpr double long_wall = 10, straight = 1e-9; // in units of d, and of the wall's length
 
 public:
   /// \param path of the span; \param ids of its pieces in the movable outline
   Path_improvement_2(const Outline_2& outline, const Outline_span_2& span, const Outline_demands_2& demands,
                      Movable_outline_2& movable, Fitted_path_2& path, std::vector<Index>& ids)
-    : m_outline(outline), m_span(span), m_demands(demands), m_movable(movable), m_path(path), m_ids(ids)
+    : m_outline(outline), m_span(span), m_demands(demands), m_movable(movable), m_path(path), m_ids(ids),
+      m_is_wall(walls_of(outline, span, demands.size))
   {}
 
   /// one sweep; returns whether something changed
   bool operator()()
   {
-    if (is_wall())
-      return false;
     bool has_changed = false;
     for (std::size_t k = m_span.is_ring ? 0 : 1; k + 1 < m_path.size(); ++k) {
-      if (m_path[k].is_settled)
+      if (m_path[k].is_settled || is_on_wall(m_path[k]))
         continue;
       look_around(k);
       const bool is_done = cost(k) < good_enough || !(drop(k) || move(k));
@@ -64,17 +63,10 @@ public:
   }
 
 private:
-  /// whether the span is a side of a box or the like: what lies beside it gives way
-  bool is_wall() const
+  bool is_on_wall(const Fitted_vertex_2& v) const
   {
-    const Point &a = old_point(0), &b = old_point(static_cast<Index>(m_span.size()));
-    const double length = distance(a, b);
-    if (m_span.is_ring || !(length >= long_wall * size_at(m_path.front())))
-      return false;
-    for (Index m = 1; m < static_cast<Index>(m_span.size()); ++m)
-      if (!(distance_to_segment(old_point(m), a, b) <= straight * length))
-        return false;
-    return true;
+    return m_is_wall[m_span.place(v.segment)] &&
+           (v.point != old_point(v.segment) || m_is_wall[m_span.place(v.segment - 1)]);
   }
 
   void unsettle(std::size_t k)
@@ -406,6 +398,7 @@ private:
   Fitted_path_2& m_path;
   std::vector<Index>& m_ids;
   std::vector<Near> m_near; // to the vertex that is moved
+  const std::vector<char> m_is_wall; // of each segment of the span
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
