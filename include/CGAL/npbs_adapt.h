@@ -191,7 +191,7 @@ which this is the beginning; and
   \cgalParamNEnd
   \cgalParamNBegin{misfit_quality}
     \cgalParamDescription{the smallest radius ratio q of a face that fits. It finds what is not good enough where the
-    caller has inserted and removed vertices and constraints}
+    caller has inserted and removed vertices and constraints, and does not promise it of what comes of that}
     \cgalParamType{a number, 0 to 0.9}
     \cgalParamDefault{0}
   \cgalParamNEnd

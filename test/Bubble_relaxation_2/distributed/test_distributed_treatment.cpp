@@ -429,7 +429,7 @@ struct Treatment_that_throws : Distributed_treatment_2
   void operate(Piece& piece, Treatment_state& state) const
   {
     if (!state.care.is_careful)
-      m_comm.throw_on_all(Edges_too_near());
+      m_comm.throw_on_all(Edges_too_near(this->problem().domain));
     Distributed_treatment_2::operate(piece, state);
   }
 

@@ -360,7 +360,7 @@ struct Treatment_that_throws : internal::Whole_treatment_2
   void operate(Mesh& mesh, internal::Treatment_state& state) const
   {
     if (!state.care.is_careful)
-      throw internal::Edges_too_near();
+      throw internal::Edges_too_near(problem().domain);
     Whole_treatment_2::operate(mesh, state);
   }
 };
@@ -405,6 +405,7 @@ struct Counting_treatment
 {
   using Mesh = std::size_t;
 
+  const internal::Problem_2& problem() const { throw std::logic_error("only a broken outline asks for it"); }
   bool is_to_be_refined(Mesh) const { return true; }
   bool is_stop_wanted() const { return false; }
   Mesh triangulated_anew(Mesh mesh) const { return mesh; }
