@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace test_treatment_parts {
