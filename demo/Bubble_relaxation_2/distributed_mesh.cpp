@@ -122,7 +122,8 @@ int run(const Mpi_session& session, int argc, char** argv)
       return;
     std::optional<Size_formula> formula;
     if (arguments.count("size") > 0)
-      formula.emplace(arguments["size"].as<std::string>());
+      formula.emplace(arguments["size"].as<std::string>(),
+                      markers("--distance-to", arguments["distance-to"].as<std::string>()));
     tags.emplace(arguments);
     domain.reset(new Domain(read_domain(arguments, "")));
     tags->check(*domain);

@@ -20,7 +20,7 @@
 /// the values of a raster at places, if there is one
 using Raster_values = std::function<double(double x, double y)>;
 
-/// A formula in x, y, the attribute `region` and the value `raster`, as muParser reads it. Each thread has a parser of
+/// A formula in x, y, the attribute `region`, the value `raster` and the `distance` to the outline, as muParser reads it. Each thread has a parser of
 /// its own, which holds the place that it is at.
 class Formula
 {
@@ -38,7 +38,7 @@ public:
       number_of_values = parser.GetNumResults();
     } catch (const mu::Parser::exception_type& e) {
       throw std::runtime_error(option + ": '" + text + "': " + e.GetMsg() +
-                               " (a formula of x, y, region and raster; with conditions as x < 1 ? 2 : 3)");
+                               " (a formula of x, y, region, raster and distance; with conditions as x < 1 ? 2 : 3)");
     }
     // muParser takes the last of several values, and so a decimal comma for another number
     if (number_of_values != 1)
@@ -59,11 +59,16 @@ public:
     m_raster = raster;
   }
 
+  /// sets where the variable `distance` comes from, before it is asked for
+  void set_distance(const std::function<double(double x, double y)>& distance) { m_distance = distance; }
+
   double operator()(double x, double y, double region = 0) const
   {
     State& s = state();
     if (m_raster)
       s.raster = m_raster(x, y);
+    if (m_distance)
+      s.distance = m_distance(x, y);
     s.x = x;
     s.y = y;
     s.region = region;
@@ -79,12 +84,13 @@ private:
       parser.DefineVar("y", &y);
       parser.DefineVar("region", &region);
       parser.DefineVar("raster", &raster);
+      parser.DefineVar("distance", &distance);
       parser.SetExpr(*text);
     }
 
     std::shared_ptr<const std::string> text;
     mu::Parser parser;
-    double x = 0, y = 0, region = 0, raster = 0;
+    double x = 0, y = 0, region = 0, raster = 0, distance = 0;
   };
 
   State& state() const
@@ -110,6 +116,7 @@ private:
   std::string m_option;
   std::shared_ptr<const std::string> m_text;
   Raster_values m_raster;
+  std::function<double(double x, double y)> m_distance;
 };
 
 #endif // BUBBLE_RELAXATION_2_DEMO_FORMULA_H

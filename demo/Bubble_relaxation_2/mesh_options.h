@@ -11,6 +11,7 @@
 
 #include "files/domain.h"
 #include "files/simplify_domain.h"
+#include "marker_list.h"
 #include "size_formula.h"
 
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -41,9 +42,11 @@ inline po::options_description mesh_options()
   namespace defaults = CGAL::Bubble_relaxation_2::internal;
   po::options_description options;
   options.add_options()
-    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y, raster and region, the attribute "
-                                         "of a region of the domain; default: by the areas of regions in a .poly, else "
-                                         "that of the domain's own edges")
+    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y, raster, distance, that to the "
+                                         "outline, and region, the attribute of a region of the domain; default: by the "
+                                         "areas of regions in a .poly, else that of the domain's own edges")
+    ("distance-to", po::value<std::string>()->default_value(""),
+     "the markers of the segments to which the distance of --size is measured, such as 1,2; default: all")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
     ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),

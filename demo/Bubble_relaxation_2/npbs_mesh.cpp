@@ -236,7 +236,8 @@ try {
   check_arguments(arguments);
   std::optional<Size_formula> formula;
   if (arguments.count("size") > 0)
-    formula.emplace(arguments["size"].as<std::string>());
+    formula.emplace(arguments["size"].as<std::string>(),
+                      markers("--distance-to", arguments["distance-to"].as<std::string>()));
   Output_tags tags(arguments);
   Domain domain = read_domain(arguments, arguments["format"].as<std::string>());
   const auto warn = [&](const std::string& text) {

@@ -12,6 +12,7 @@
 #include "files/domain.h"
 #include "files/mesh_file.h"
 #include "formula.h"
+#include "marker_list.h"
 
 #include <CGAL/Mesh_arrays_2.h>
 
@@ -57,12 +58,12 @@ public:
     if (arguments.count("open") > 0) {
       if (arguments.count("output") == 0 || !is_of_adcirc(arguments["output"].as<std::string>()))
         throw std::runtime_error("--open needs --output with the ending .14, .grd or .gr3");
-      std::istringstream list(arguments["open"].as<std::string>());
-      for (std::string marker; std::getline(list, marker, ',');)
-        m_open.insert(integer("--open", marker));
+      m_open = markers("--open", arguments["open"].as<std::string>());
     }
     if (arguments.count("depth") > 0)
       m_depth.emplace("--depth", arguments["depth"].as<std::string>());
+    if (m_depth && m_depth->uses("distance"))
+      throw std::runtime_error("--depth: only --size knows the distance to the outline");
     if (m_depth && m_depth->uses("region"))
       throw std::runtime_error("--depth: a node may lie in several regions; a formula in x and y is needed");
   }
@@ -124,23 +125,6 @@ private:
       m_region_names[number("--name", text.substr(region.size(), at - region.size()))] = text.substr(at + 1);
     else
       m_marker_names[integer("--name", text.substr(0, at))] = text.substr(at + 1);
-  }
-
-  static double number(const std::string& option, const std::string& text)
-  {
-    std::istringstream in(text);
-    double value = 0;
-    if (!(in >> value) || !(in >> std::ws).eof())
-      throw std::runtime_error(option + ": '" + text + "' is not a number");
-    return value;
-  }
-
-  static int integer(const std::string& option, const std::string& text)
-  {
-    const double value = number(option, text);
-    if (value != std::floor(value) || std::abs(value) > 2e9)
-      throw std::runtime_error(option + ": the marker '" + text + "' must be an integer");
-    return static_cast<int>(value);
   }
 
   std::map<int, std::string> m_marker_names;

@@ -11,21 +11,35 @@
 
 #include "files/domain.h"
 #include "formula.h"
+#include "outline_distance.h"
 
 #include <CGAL/Region_sizing_field_2.h>
 
 #include <cmath>
 #include <functional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 /// d as a formula
 class Size_formula
 {
 public:
+  /// \param shore the markers of the segments to which the variable `distance` is measured; none: all segments
   /// \throws std::runtime_error with one line if `text` is not one formula
-  explicit Size_formula(const std::string& text) : m_formula("--size", text) {}
+  explicit Size_formula(const std::string& text, std::set<int> shore = {})
+    : m_formula("--size", text), m_shore(std::move(shore))
+  {}
+
+  /// sets what the variable `distance` is in a domain, if it is used
+  /// \throws std::runtime_error if no segment has one of the markers
+  void set_distance(const Domain& domain)
+  {
+    if (m_formula.uses("distance"))
+      m_formula.set_distance(Outline_distance(domain, m_shore));
+  }
 
   /// whether it depends on the region
   bool has_region() const { return m_formula.uses("region"); }
@@ -50,11 +64,13 @@ public:
 
 private:
   Formula m_formula;
+  std::set<int> m_shore;
 };
 
 /// the sizes that a formula asks for in a domain as it is now
-inline std::function<double(const Point&)> size_in_domain(const Size_formula& formula, const Domain& domain)
+inline std::function<double(const Point&)> size_in_domain(Size_formula formula, const Domain& domain)
 {
+  formula.set_distance(domain);
   if (!formula.has_region())
     return formula;
   return CGAL::Region_sizing_field_2<CDT>(domain.cdt, region_attributes(domain),
