@@ -44,7 +44,8 @@ mesh shall have asks for many small triangles. This function, called before, giv
   and form an angle under `corner_angle`.
 - Pieces are between 0.6 and 1.5 d long where the tolerance and the topology allow it. Vertices leave the old outline,
   within the tolerance, where this makes pieces longer or narrow parts of the domain wider: small islands grow, channels
-  widen. What is straight over 10 d or more stays where it is: the sides of a box, where data of a larger model are given.
+  widen. What is straight over 10 d or more stays where it is: the sides of a box, where data of a larger model are
+  given.
 - Two rules, off by default, change the domain, and the report tells where: `minimum_island_area` and `minimum_gap`.
   They come first, in this order; the tolerance and the distance refer to what they leave. So afterwards an island, or a
   gap, may be smaller than the rule says by what the tolerance allows.
@@ -114,8 +115,8 @@ alone, a number or a function of points, which is `sizing_function`
     \cgalParamDefault{100}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_bubbles}
-    \cgalParamDescription{the most vertices that d alone may ask of a mesh, as for `npbs_relax()`: pieces of an outline are
-                          found one by one, so a size that is far too small would take long to be refused by that}
+    \cgalParamDescription{the most vertices that d alone may ask of a mesh, as for `npbs_relax()`: pieces of an outline
+                          are found one by one, so a size that is far too small would take long to be refused by that}
     \cgalParamType{an integer, positive, at most 2<sup>31</sup> - 1}
     \cgalParamDefault{no limit}
   \cgalParamNEnd
@@ -153,8 +154,8 @@ alone, a number or a function of points, which is `sizing_function`
 tolerance is no more than roundings of the coordinates, if two vertices are in one place when rounded to `double`, if
 there is no domain with constraints all around it (the message names an edge where it is open), or if `minimum_gap`
 fills all of it, or is no more than roundings of the coordinates
-\throws std::length_error if d asks for some million pieces, or for more vertices than `maximum_number_of_bubbles`, or if
-`minimum_gap` is some millions of times smaller than the narrow parts of the domain are long
+\throws std::length_error if d asks for some million pieces, or for more vertices than `maximum_number_of_bubbles`, or
+if `minimum_gap` is some millions of times smaller than the narrow parts of the domain are long
 \throws std::runtime_error if the new outline cannot be written with the numbers of the kernel: its vertices coincide,
 its segments cross, or the domain comes to lie on another side of one, when rounded to them
 

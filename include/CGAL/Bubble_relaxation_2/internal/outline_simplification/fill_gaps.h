@@ -29,8 +29,8 @@ namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The rule `minimum_gap`: takes out of the domain what no disc of that diameter within it reaches: channels and the
 /// room between islands. These are triangles between segments, densely cut where others are near, whose circumscribed
-/// circles are smaller, as in an alpha shape. Open corners are no gaps, nor is what is wider than deep. What is beside a
-/// vertex that stays, or beside a constraint with the domain on both sides, is left alone.
+/// circles are smaller, as in an alpha shape. Open corners are no gaps, nor is what is wider than deep. What is beside
+/// a vertex that stays, or beside a constraint with the domain on both sides, is left alone.
 class Gap_rule_2
 {
   static constexpr double cut = 0.25;          // segments are cut in parts of this many widths
@@ -176,7 +176,8 @@ private:
             (width > open_mouth * m_width || (goes_straight_on(deepest, a) && goes_straight_on(deepest, b))));
   }
 
-  /// whether a wall from a corner to the end of a mouth goes on behind it: the mouth is where the wall happens to be cut
+  /// whether a wall from a corner to the end of a mouth goes on behind it: the mouth is where the wall happens to be
+  /// cut
   bool goes_straight_on(const Point& corner, Index end) const
   {
     const double rounding = 1e-6 * m_width;

@@ -232,9 +232,10 @@ inline std::size_t fix_corners(Outline_2& outline, const Outline_demands_2& dema
   return corners.size();
 }
 
-/// Which segments of a span are of walls, straight over at least ten pieces as long as `sizes` tells for each vertex: sides
-/// of a box or the like, that give way to nothing.
-inline std::vector<char> walls_of(const Outline_2& outline, const Outline_span_2& span, const std::vector<double>& sizes)
+/// Which segments of a span are of walls, straight over at least ten pieces as long as `sizes` tells for each vertex:
+/// sides of a box or the like, that give way to nothing.
+inline std::vector<char> walls_of(const Outline_2& outline, const Outline_span_2& span,
+                                  const std::vector<double>& sizes)
 {
   constexpr double long_wall = 10, straight = 1e-9; // in units of a size, and of a length
   const Index n = static_cast<Index>(span.size());

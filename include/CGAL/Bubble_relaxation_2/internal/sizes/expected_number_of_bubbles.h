@@ -123,14 +123,16 @@ private:
 
   static double longest_side(const Point& p, const Point& q, const Point& r)
   {
-    return std::sqrt((std::max)({CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)}));
+    return std::sqrt(
+      (std::max)({CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)}));
   }
 
   /// calls `visit` with both parts of a triangle, cut at its longest side, so that parts get no thinner
   template <class Visitor>
   static void in_halves(const Point& p, const Point& q, const Point& r, const Visitor& visit)
   {
-    const double pq = CGAL::squared_distance(p, q), qr = CGAL::squared_distance(q, r), rp = CGAL::squared_distance(r, p);
+    const double pq = CGAL::squared_distance(p, q), qr = CGAL::squared_distance(q, r),
+                 rp = CGAL::squared_distance(r, p);
     const auto cut = [&visit](const Point& u, const Point& v, const Point& w) {
       const Point m = CGAL::midpoint(u, v);
       visit(u, m, w);
