@@ -54,10 +54,7 @@ std::vector<std::string> files_of_first(const std::string& output)
 
 po::variables_map read_arguments(const Mpi_session& session, int argc, char** argv)
 {
-  po::positional_options_description positional;
-  positional.add("input", 1);
-  po::variables_map arguments;
-  po::store(po::command_line_parser(argc, argv).options(all_options()).positional(positional).run(), arguments);
+  const po::variables_map arguments = parse_arguments(argc, argv, all_options());
   if (arguments.count("help") > 0)
     return arguments;
   if (arguments.count("input") == 0)
@@ -120,10 +117,7 @@ int run(const Mpi_session& session, int argc, char** argv)
     arguments = read_arguments(session, argc, argv);
     if (arguments.count("help") > 0)
       return;
-    std::optional<Size_formula> formula;
-    if (arguments.count("size") > 0)
-      formula.emplace(arguments["size"].as<std::string>(),
-                      markers("--distance-to", arguments["distance-to"].as<std::string>()));
+    std::optional<Size_formula> formula = size_formula(arguments);
     tags.emplace(arguments);
     domain.reset(new Domain(read_domain(arguments, "")));
     tags->check(*domain);

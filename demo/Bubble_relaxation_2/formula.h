@@ -20,8 +20,8 @@
 /// the values of a raster at places, if there is one
 using Raster_values = std::function<double(double x, double y)>;
 
-/// A formula in x, y, the attribute `region`, the value `raster` and the `distance` to the outline, as muParser reads it. Each thread has a parser of
-/// its own, which holds the place that it is at.
+/// A formula in x, y, the attribute `region`, the value `raster` and the `distance` to the outline, as muParser reads it.
+/// Each thread has a parser of its own, which holds the place that it is at.
 class Formula
 {
 public:

@@ -39,6 +39,23 @@ inline po::options_description input_options()
   return options;
 }
 
+/// The arguments, of which one without an option is the input. Options are not abbreviated: one with a longer name may
+/// come.
+inline po::variables_map parse_arguments(int argc, char** argv, const po::options_description& options)
+{
+  using Style = po::command_line_style::style_t;
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::variables_map arguments;
+  po::store(po::command_line_parser(argc, argv)
+              .options(options)
+              .positional(positional)
+              .style(Style::default_style & ~Style::allow_guessing)
+              .run(),
+            arguments);
+  return arguments;
+}
+
 /// \param format that is asked for, empty if the ending tells it
 inline Domain read_domain(const po::variables_map& arguments, const std::string& format)
 {

@@ -147,6 +147,16 @@ inline std::string input_name(const po::variables_map& arguments)
   return input == "-" ? "standard input" : input;
 }
 
+/// what --size asks for, if it is given
+/// \throws std::runtime_error if that is not one formula, or --distance-to no list of markers
+inline std::optional<Size_formula> size_formula(const po::variables_map& arguments)
+{
+  if (arguments.count("size") == 0)
+    return {};
+  return Size_formula(arguments["size"].as<std::string>(),
+                      markers("--distance-to", arguments["distance-to"].as<std::string>()));
+}
+
 /// The size, limited as --gradation asks, and one by areas as --size-growth does at least: it jumps between regions.
 /// \throws std::runtime_error with the name of the input
 inline Size limited_size(Domain& domain, const po::variables_map& arguments, const Size& size)

@@ -101,14 +101,7 @@ void print_version()
 po::variables_map read_arguments(int argc, char** argv)
 {
   const po::options_description options = all_options();
-  po::positional_options_description positional;
-  positional.add("input", 1);
-  po::variables_map arguments;
-  using Style = po::command_line_style::style_t;
-  po::store(po::command_line_parser(argc, argv).options(options).positional(positional)
-              .style(Style::default_style & ~Style::allow_guessing) // no abbreviations: an option may get a longer name
-              .run(),
-            arguments);
+  const po::variables_map arguments = parse_arguments(argc, argv, options);
   if (arguments.count("help") > 0) {
     std::cout << options;
     std::exit(0);
@@ -234,10 +227,7 @@ int main(int argc, char** argv)
 try {
   const po::variables_map arguments = read_arguments(argc, argv);
   check_arguments(arguments);
-  std::optional<Size_formula> formula;
-  if (arguments.count("size") > 0)
-    formula.emplace(arguments["size"].as<std::string>(),
-                      markers("--distance-to", arguments["distance-to"].as<std::string>()));
+  std::optional<Size_formula> formula = size_formula(arguments);
   Output_tags tags(arguments);
   Domain domain = read_domain(arguments, arguments["format"].as<std::string>());
   const auto warn = [&](const std::string& text) {

@@ -154,6 +154,13 @@ TEST(Bad_size, too_many_bubbles)
   EXPECT_NEAR(double(least), 511, 30) << "it is about the number of vertices that the mesh has";
 }
 
+TEST(Bad_size, too_small_where_coordinates_are_coarse)
+{
+  // a few roundings wide: parts of it that are counted get no shorter than one
+  CDT cdt = domains::make({domains::square(1024, 1024, 8 * 0x1p-42)});
+  expect_throw<std::length_error>(cdt, P::sizing_function(1e-18), {"maximum_number_of_bubbles", "at least"});
+}
+
 TEST(Bad_size, too_many_bubbles_on_edges)
 {
   // the area would hold 46 bubbles

@@ -78,18 +78,17 @@ public:
   /// What bounds the domain now, and the segments within it and outside of it that are no boundary.
   Outline_2 new_outline() const
   {
-    std::vector<Outline_segment_2> segments;
+    Outline_2 result = m_outline;
+    result.segments.clear();
     for (std::size_t k = 0; k < size(); ++k)
       for (int i = 0; i < 3; ++i)
-        add_side(static_cast<Index>(k), i, segments);
-    Outline_2 result = m_outline;
-    result.segments = std::move(segments);
+        add_side(static_cast<Index>(k), i, result);
     result.sort_segments();
     return without_idle_vertices(result);
   }
 
 private:
-  void add_side(Index t, int i, std::vector<Outline_segment_2>& segments) const
+  void add_side(Index t, int i, Outline_2& outline) const
   {
     const Index n = neighbor(t, i), e = segment(t, i);
     if (n != no_index && n < t)
@@ -98,10 +97,8 @@ private:
     const bool is_kept = e != no_index && ((left && right) || !(was_inside(t) || was_inside(n)));
     if (left == right && !is_kept)
       return;
-    const Index a = tr().vertices[t][ccw(i)], b = tr().vertices[t][cw(i)],
-                origin = e == no_index ? no_index : m_outline.segments[e].origin;
-    segments.push_back(a < b ? Outline_segment_2{a, b, left, right, origin}
-                             : Outline_segment_2{b, a, right, left, origin});
+    const Index origin = e == no_index ? no_index : m_outline.segments[e].origin;
+    outline.add({tr().vertices[t][ccw(i)], tr().vertices[t][cw(i)], left, right, origin});
   }
 
   const Outline_2& m_outline;

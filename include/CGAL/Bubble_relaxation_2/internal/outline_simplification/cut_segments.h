@@ -25,9 +25,9 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Which segments have another one nearer than `reach`: the domain can be narrow beside these only. One that they meet
-/// in a vertex counts where the angle is acute.
-inline std::vector<char> segments_near_others(const Outline_2& outline, double reach)
+/// Which segments of the domain that are longer than `length` have another one nearer than `reach`: the domain can be
+/// narrow beside these only. One that they meet in a vertex counts where the angle is acute.
+inline std::vector<char> segments_near_others(const Outline_2& outline, double reach, double length)
 {
   const std::vector<Outline_segment_2>& segments = outline.segments;
   const auto point = [&outline](Index v) -> const Point& { return outline.points[v]; };
@@ -46,10 +46,13 @@ inline std::vector<char> segments_near_others(const Outline_2& outline, double r
     grid.insert(point(s.source), point(s.target), reach);
   std::vector<char> result(segments.size(), 0);
   for (std::size_t e = 0; e < segments.size(); ++e) {
+    const Outline_segment_2& s = segments[e];
+    if (!s.is_in_domain() || distance(point(s.source), point(s.target)) <= length)
+      continue;
     const Bbox_2 b = grid.box(static_cast<Index>(e)),
                  around(b.xmin() - reach, b.ymin() - reach, b.xmax() + reach, b.ymax() + reach);
     grid.for_each_near(around, [&](Index other) {
-      result[e] = result[e] || (other != static_cast<Index>(e) && are_near(segments[e], segments[other]));
+      result[e] = result[e] || (other != static_cast<Index>(e) && are_near(s, segments[other]));
     });
   }
   return result;

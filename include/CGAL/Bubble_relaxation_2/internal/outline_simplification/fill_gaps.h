@@ -71,13 +71,11 @@ private:
   /// What is beyond the mouth of a gap is seen as it is: so twice the width counts as near.
   static Outline_2 cut_where_narrow(const Outline_2& outline, double width)
   {
-    std::vector<char> is_cut = segments_near_others(outline, 2 * width);
+    const std::vector<char> is_cut = segments_near_others(outline, 2 * width, cut * width);
     double n = 0;
-    for (std::size_t e = 0; e < is_cut.size(); ++e) {
+    for (Index e : marked(is_cut)) {
       const Outline_segment_2& s = outline.segments[e];
-      is_cut[e] = is_cut[e] && s.is_in_domain();
-      if (is_cut[e])
-        n += std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width));
+      n += std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width));
     }
     if (!(n < most_parts))
       throw std::length_error("Bubble_relaxation_2: parameter minimum_gap = " + in_words(width) +

@@ -65,14 +65,14 @@ public:
     return m_sum;
   }
 
-  /// the same from a few thousand places, whatever the limit
+  /// the same, roughly, from some thousand places, whatever the limit
   double rough_integral_over_faces() const
   {
     double sum = 0;
     const Flat_triangulation_2& tr = m_domain.triangulation();
     for (Index t = 0; static_cast<std::size_t>(t) < tr.number_of_triangles(); ++t)
       if (m_domain.is_inside(t))
-        add_roughly(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), sum);
+        add_roughly(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), 0, sum);
     return sum;
   }
 
@@ -93,7 +93,7 @@ private:
     if (m_sum > m_limit)
       return;
     const double d = m_sizing(CGAL::centroid(p, q, r)), longest = longest_side(p, q, r), area = area_of(p, q, r);
-    const double number = 2 / std::sqrt(3.) * area / (d * d);
+    const double number = number_in(area, d);
     // the parts of a needle are needles: without an end for those that are thinner than 1e-6 d there would be millions
     if (longest <= 4 * d || number < 1e-6 || depth == deepest) {
       m_sum += number;
@@ -106,15 +106,18 @@ private:
     in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add(u, v, w, depth + 1); });
   }
 
-  void add_roughly(const Point& p, const Point& q, const Point& r, double& sum) const
+  void add_roughly(const Point& p, const Point& q, const Point& r, int depth, double& sum) const
   {
-    if (longest_side(p, q, r) > m_coarsest / 4) {
-      in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add_roughly(u, v, w, sum); });
+    constexpr int most = 12; // two for each halving of the box; where coordinates are coarse parts get no shorter
+    if (longest_side(p, q, r) > m_coarsest / 4 && depth < most) {
+      in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add_roughly(u, v, w, depth + 1, sum); });
       return;
     }
-    const double d = m_sizing(CGAL::centroid(p, q, r));
-    sum += 2 / std::sqrt(3.) * area_of(p, q, r) / (d * d);
+    sum += number_in(area_of(p, q, r), m_sizing(CGAL::centroid(p, q, r)));
   }
+
+  /// of the hexagonal lattice
+  static double number_in(double area, double d) { return 2 / std::sqrt(3.) * area / (d * d); }
 
   static double area_of(const Point& p, const Point& q, const Point& r)
   {
