@@ -124,20 +124,32 @@ private:
       insert_line({a, b}, [&] { m_cdt.insert_constraint(vertex(a), vertex(b)); });
   }
 
+  /// Each between two that are there: in the order of the outline the points of one straight side would pass those of
+  /// another from triangle to triangle, which takes the square of their number.
   /// \throws std::runtime_error if two of them become one
   void insert_vertices()
   {
-    Vertex_handle near = m_cdt.finite_vertices_begin(); // vertices follow each other along the outline
-    for (std::size_t v = 0; v < m_outline.points.size(); ++v) {
-      const Index old = m_outline.old_vertices[v];
-      const Point& p = m_outline.points[v];
-      const Vertex_handle handle =
-        old != no_index ? m_reading.vertex(old) : insert_straight(m_cdt, Cdt_point(p.x(), p.y()), near);
-      near = handle;
-      m_vertices.push_back(&*handle);
-      if (!m_taken.insert(m_vertices.back()).second)
-        throw_too_coarse(static_cast<Index>(v), static_cast<Index>(v));
-    }
+    const std::size_t n = m_outline.points.size();
+    m_vertices.resize(n);
+    if (n > 0)
+      insert_vertex(0, m_cdt.finite_vertices_begin());
+    std::size_t step = 1;
+    while (step < n)
+      step *= 2;
+    for (step /= 2; step > 0; step /= 2)
+      for (std::size_t v = step; v < n; v += 2 * step)
+        insert_vertex(v, vertex(static_cast<Index>(v - step)));
+  }
+
+  void insert_vertex(std::size_t v, Vertex_handle near)
+  {
+    const Index old = m_outline.old_vertices[v];
+    const Point& p = m_outline.points[v];
+    const Vertex_handle handle =
+      old != no_index ? m_reading.vertex(old) : insert_straight(m_cdt, Cdt_point(p.x(), p.y()), near);
+    m_vertices[v] = &*handle;
+    if (!m_taken.insert(m_vertices[v]).second)
+      throw_too_coarse(static_cast<Index>(v), static_cast<Index>(v));
   }
 
   /// what was only of the old outline; not where a new vertex has come into the place of one that a rule took away
