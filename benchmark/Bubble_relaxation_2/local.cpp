@@ -12,6 +12,8 @@
 //
 //   local [number of vertices ...]
 //
+// Then the same in a domain with many holes, whose outline `adapt` reads as a whole, and `given` near the part only.
+//
 // And whether meshes get worse by many changes: random places are refined and given back again, pinned vertices and a
 // hole are moved, and on the way and at the end the mesh is compared with one that is made at once for the same sizes,
 // outline and pins.
@@ -141,6 +143,40 @@ void measure(double number_of_vertices, double lengths)
   const Cost adapt = cost(coarsen, [&] { CGAL::npbs_adapt(cdt, refine); });
   const Cost given = cost(coarsen, [&] { CGAL::npbs_adapt(cdt, refine.faces_to_check(std::cref(faces))); });
   print(number_of_vertices, vertices, of_faces, alone, sweep, adapt, given);
+}
+
+/// a square with `n` times `n` octagons, in whose middle some hundred faces get half as large
+void measure_among_holes(int n)
+{
+  const double d = 0.15, middle = 0.5 * n;
+  std::vector<paper::Outline> outlines{{{0, 0}, {1. * n, 0}, {1. * n, 1. * n}, {0, 1. * n}}};
+  for (int k = 0; k < n * n; ++k) {
+    outlines.emplace_back();
+    for (double angle : {0., 0.25, 0.5, 0.75, 1., 1.25, 1.5, 1.75})
+      outlines.back().push_back(Point(k % n + 0.5 + 0.2 * std::cos(angle * CGAL_PI),
+                                      k / n + 0.5 + 0.2 * std::sin(angle * CGAL_PI)));
+  }
+  CDT cdt = paper::triangulate(outlines);
+  CGAL::npbs_relax(cdt, P::sizing_function(d));
+  const std::size_t whole = cdt.number_of_vertices();
+  const auto fine = [=](const Point& p) {
+    return (std::max)(0.5 * d, (std::min)(d, 0.5 * d + 0.1 * (paper::distance(p, middle, middle) - 1)));
+  };
+  const auto refine = P::sizing_function(fine);
+  std::vector<CDT::Face_handle> faces;
+  const auto coarsen = [&] {
+    faces.clear();
+    CGAL::npbs_adapt(cdt, P::sizing_function(d));
+    for (CDT::Face_handle f : cdt.finite_face_handles())
+      if (f->is_in_domain() && fine(CGAL::centroid(cdt.triangle(f))) < d)
+        faces.push_back(f);
+  };
+  std::size_t vertices = 0;
+  const Cost adapt = cost(coarsen, [&] { vertices = CGAL::npbs_adapt(cdt, refine).number_of_vertices; });
+  const Cost given = cost(coarsen, [&] { CGAL::npbs_adapt(cdt, refine.faces_to_check(std::cref(faces))); });
+  std::cout << std::setw(9) << n * n << std::setw(9) << whole << std::setw(9) << vertices << std::fixed
+            << std::setprecision(2) << std::setw(9) << 1e3 * adapt.seconds << std::setw(9) << 1e3 * given.seconds
+            << std::setw(9) << adapt.megabytes << std::setw(9) << given.megabytes << std::defaultfloat << std::endl;
 }
 
 /// A size, and places where it is smaller.
@@ -382,4 +418,8 @@ int main(int argc, char** argv)
   for (double lengths : {11., 22.})
     for (double n : numbers)
       measure(n, lengths);
+  std::cout << "                             milliseconds       megabytes\n"
+               "    holes    whole     part    adapt    given    adapt    given\n";
+  for (int n : {10, 30, 100})
+    measure_among_holes(n);
 }

@@ -158,10 +158,10 @@ more than a factor of 2.5; now and then a defect is found. From misfits the part
 together with them and are off by the cube root of these factors, so that nothing is left where a change fades out,
 and then by `number_of_rings`.
 
-It takes a sweep over the faces, with a call of the sizing function for each, and sweeps over faces and vertices that
-read the outline, without such calls; and the memory for what is found, and for the outline. A caller who knows where
-sizes have changed gives the faces there, `faces_to_check`, and then the sizing function is called for these only,
-beside misfits, and along the outline. If faces have no marks, all of them are copied to find the domain as
+It takes a sweep over the faces, with a call of the sizing function for each, and memory for the outline and for what is
+found. A caller who knows where sizes have changed gives the faces there, `faces_to_check`. Then the sizing function is
+called near these and near misfits only, the outline is read there only, and neither time nor memory grow with the mesh,
+or with its outline. If faces have no marks, all of them are copied to find the domain as
 `npbs_relax()` does.
 
 \tparam CDT as in `npbs_remesh_faces()`
@@ -197,7 +197,9 @@ which this is the beginning; and
   \cgalParamNEnd
   \cgalParamNBegin{faces_to_check}
     \cgalParamDescription{where misfits are looked for: faces of the domain, at best all in which the size is, or was,
-    another one. The part grows from those that are found, to others too. If there are none, all fits}
+    another one. The part grows from those that are found, to others too. If there are none, all fits. The outline is
+    read where it counts: near these, as far as sizes grow to d, but at least 5 d. Where the part grows beyond that, it
+    is read once more, near all that was found, and at last as a whole}
     \cgalParamType{a range of `CDT::Face_handle`, which is copied, or a `std::reference_wrapper` of one; a face that
     comes twice counts once}
     \cgalParamDefault{all faces of the domain}

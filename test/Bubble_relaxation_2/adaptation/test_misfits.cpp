@@ -16,6 +16,7 @@
 #include <CGAL/Mesh_quality_2.h>
 #include <CGAL/npbs_adapt.h>
 #include <CGAL/npbs_relax.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
@@ -189,15 +190,14 @@ TEST(Misfits, are_looked_for_where_the_caller_says)
   CDT cdt = at_once(d);
   d.smaller = {{0.2, 0.3, 0.3}, {0.85, 0.75, 0.3}};
   EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, np.faces_to_check(Faces())).empty());
-  const std::size_t along_outline = calls;
-  calls = 0;
+  EXPECT_EQ(calls, 0u);
   const Faces everywhere = CGAL::npbs_misfit_faces(cdt, np);
-  const std::size_t calls_of_all = calls - along_outline;
+  const std::size_t calls_of_all = calls;
   Faces near = faces_near(cdt, 0.2, 0.3, 0.015);
   near.insert(near.end(), near.begin(), near.begin() + 3);
   calls = 0;
   const Faces found = CGAL::npbs_misfit_faces(cdt, np.faces_to_check(near));
-  EXPECT_LT(8 * (calls - along_outline), calls_of_all);
+  EXPECT_LT(3 * calls, calls_of_all);
   Faces expected;
   std::copy_if(everywhere.begin(), everywhere.end(), std::back_inserter(expected),
                [](CDT::Face_handle f) { return f->vertex(0)->point().x() < 0.5; });
@@ -216,6 +216,50 @@ TEST(Misfits, are_looked_for_where_the_caller_says)
   EXPECT_FALSE(left.empty());
   for (CDT::Face_handle f : left)
     EXPECT_GT(f->vertex(0)->point().x(), 0.5);
+}
+
+/// Then the outline is read near these faces only, whatever there is farther away, and asks for the same sizes.
+TEST(Misfits, outlines_are_read_near_the_faces_to_check)
+{
+  std::vector<Outline> outlines{Outline{{0, 0}, {12, 0}, {14, 0.9}, {12, 12}, {0, 12}}}; // a sharp corner, too
+  for (int i = 0; i < 10; ++i)
+    for (int j = 1; j < 11; ++j)
+      outlines.push_back(domains::polygon(i + 1., j + 0.5, 0.25, 8 + i + j));
+  CDT cdt = domains::mesh(outlines, 0.2);
+  std::set<CDT::Vertex_handle> pinned;
+  std::mt19937 random(1);
+  for (CDT::Vertex_handle v : cdt.finite_vertex_handles())
+    if (random() % 8 == 0)
+      pinned.insert(v);
+  for (int k = 0; k < 20; ++k) {
+    const double x = 0.5 + static_cast<double>(random() % 120) / 10, y = static_cast<double>(random() % 120) / 10;
+    SCOPED_TRACE(testing::Message() << x << ' ' << y);
+    double reach = 1e9;
+    const auto near = [&](const Point& p) {
+      const double distance = std::hypot(p.x() - x, p.y() - y);
+      if (distance > reach)
+        throw std::runtime_error("asked far away");
+      return (std::min)(0.2, 0.1 + 0.1 * distance);
+    };
+    const auto np = size(std::cref(near)).vertex_is_constrained_map(CGAL::make_boolean_property_map(pinned));
+    const Faces faces = faces_near(cdt, x, y, 0.9), by_whole_outline = CGAL::npbs_misfit_faces(cdt, np);
+    reach = 6.5;
+    const Faces found = CGAL::npbs_misfit_faces(cdt, np.faces_to_check(faces));
+    EXPECT_TRUE(std::set<CDT::Face_handle>(found.begin(), found.end()) ==
+                std::set<CDT::Face_handle>(by_whole_outline.begin(), by_whole_outline.end()));
+    EXPECT_TRUE(
+      CGAL::npbs_misfit_faces(cdt, size(0.2).vertex_is_constrained_map(CGAL::make_boolean_property_map(pinned)).faces_to_check(faces)).empty());
+  }
+}
+
+/// A part may grow far beyond them; then all of the outline counts.
+TEST(Misfits, grow_far_beyond_the_faces_to_check)
+{
+  const std::vector<Outline> outlines{domains::square(0, 0, 6), domains::polygon(4.5, 4.5, 0.5, 40)};
+  const CDT cdt = domains::mesh(outlines, 0.2);
+  const Faces all = CGAL::npbs_misfit_faces(cdt, size(0.1)),
+              found = CGAL::npbs_misfit_faces(cdt, size(0.1).faces_to_check(faces_near(cdt, 1, 1, 0.2)));
+  EXPECT_EQ(std::set<CDT::Face_handle>(found.begin(), found.end()), std::set<CDT::Face_handle>(all.begin(), all.end()));
 }
 
 TEST(Misfits, bad_faces_to_check_are_told)

@@ -112,7 +112,7 @@ private:
 
   static Corners corners_of(Face_handle f)
   {
-    Corners c{{point_of(f->vertex(0)), point_of(f->vertex(1)), point_of(f->vertex(2))}, 0};
+    Corners c{corners_in_double<Cdt>(f), 0};
     const auto least = std::min_element(c.points.begin(), c.points.end());
     c.first = static_cast<int>(least - c.points.begin());
     std::rotate(c.points.begin(), least, c.points.end());

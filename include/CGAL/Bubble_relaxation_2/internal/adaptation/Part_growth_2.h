@@ -18,7 +18,7 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Adds faces of the domain to a part of it.
+/// Adds faces to a part of a triangulation.
 template <class Cdt, class Is_inside>
 class Part_growth_2
 {
@@ -62,7 +62,6 @@ public:
     while (++f != start);
   }
 
-  /// \pre it is in the domain
   void add(Face_handle f)
   {
     if (contains(f))

@@ -10,7 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_SIZES_OF_OUTLINE_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_growth_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_reading_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/rim_sizes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
@@ -22,18 +24,22 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 /// The sizes that a relaxation of the whole domain would follow, found from its outline alone.
-template <class Cdt>
+template <class Cdt, class Is_inside>
 class Sizes_of_outline_2
 {
   using Face_handle = typename Cdt::Face_handle;
+  using Vertex_handle = typename Cdt::Vertex_handle;
 
 public:
-  template <class Is_inside, class NamedParameters>
+  /// `where`: the faces that are read; all if null. Where the domain goes on beyond them, what was read of it has a rim,
+  /// which asks for no sizes.
+  template <class NamedParameters>
   Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const NamedParameters& np, const Sizes_2& wanted,
-                    const Relaxation_options& options)
-    : m_reading(cdt, copy_at_outline(cdt, is_in_domain), np), m_wanted(wanted)
+                    const Relaxation_options& options, const Part_growth_2<Cdt, Is_inside>* where)
+    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_where(where), m_reading(cdt, copy_at_outline(), np), m_wanted(wanted)
   {
-    add_pins(cdt, is_in_domain, is_pinned<Cdt>(np));
+    add_pins(is_pinned<Cdt>(np));
+    m_reading.given.silent_corners = corners_on_rim(m_reading.domain);
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
     for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth)) {
       const Point& p = m_reading.domain.corners()[c.corner];
@@ -50,31 +56,75 @@ public:
   const std::vector<Forced_place_2>& forced_places() const { return m_forced; }
 
 private:
-  /// A copy of the faces of the domain that have a constraint at a side: they know all of its outline.
+  /// whether a face of the domain is read
+  bool is_read(Face_handle f) const
+  {
+    return !m_cdt.is_infinite(f) && m_is_in_domain(f) && (m_where == nullptr || m_where->contains(f));
+  }
+
+  template <class Visitor>
+  void for_each_face(const Visitor& visit) const
+  {
+    if (m_where != nullptr)
+      std::for_each(m_where->faces().begin(), m_where->faces().end(), visit);
+    else
+      for (Face_handle f : m_cdt.finite_face_handles())
+        visit(f);
+  }
+
+  bool is_rim(Face_handle f, int i) const
+  {
+    const Face_handle n = f->neighbor(i);
+    return !m_cdt.is_infinite(n) && m_is_in_domain(n) && !is_read(n);
+  }
+
+  /// A copy of the faces of the domain that have a constraint, or the rim, at a side: they know all of its outline.
   /// \throws std::invalid_argument if an edge of them is shorter than the least length
-  template <class Is_inside>
-  static Marked_copy_2 copy_at_outline(const Cdt& cdt, const Is_inside& is_in_domain)
+  Marked_copy_2 copy_at_outline() const
   {
     std::vector<Face_handle> faces;
-    for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
-      if (is_in_domain(f) && (f->is_constrained(0) || f->is_constrained(1) || f->is_constrained(2)))
+    for_each_face([&](Face_handle f) {
+      bool has_side = false;
+      if (m_is_in_domain(f))
+        for (int i = 0; i < 3; ++i)
+          has_side = has_side || f->is_constrained(i) || is_rim(f, i);
+      if (has_side)
         faces.push_back(f);
-    Marked_copy_2 result(cdt, faces, [](Face_handle, int) { return false; });
+    });
+    Marked_copy_2 result(m_cdt, faces, [this](Face_handle f, int i) { return is_rim(f, i); });
     result.check_lengths();
     return result;
   }
 
-  template <class Is_inside, class Is_pinned>
-  void add_pins(const Cdt& cdt, const Is_inside& is_in_domain, const Is_pinned& is_pinned)
+  template <class Is_pinned>
+  void add_pins(const Is_pinned& is_pinned)
   {
     std::vector<Point>& pins = m_reading.given.pinned;
     pins.clear();
-    for (auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v)
-      if (is_pinned(v) && !cdt.are_there_incident_constraints(v) && is_in_domain(v->face()))
-        pins.push_back(point_in_double<Cdt>(v->point()));
-    std::sort(pins.begin(), pins.end());
+    for_each_face([&](Face_handle f) {
+      for (int i = 0; i < 3; ++i) {
+        const Vertex_handle v = f->vertex(i);
+        if (is_pinned(v) && !m_cdt.are_there_incident_constraints(v) && is_surrounded(v))
+          pins.push_back(point_in_double<Cdt>(v->point()));
+      }
+    });
+    sort_each_once(pins);
   }
 
+  /// whether all faces around a vertex are read
+  bool is_surrounded(Vertex_handle v) const
+  {
+    auto f = m_cdt.incident_faces(v), first = f;
+    do
+      if (!is_read(f))
+        return false;
+    while (++f != first);
+    return true;
+  }
+
+  const Cdt& m_cdt;
+  const Is_inside& m_is_in_domain;
+  const Part_growth_2<Cdt, Is_inside>* m_where;
   Part_reading_2<Cdt> m_reading;
   Sizes_2 m_wanted;
   Limits_of_outline_2 m_limits{m_wanted, nullptr, nullptr, m_wanted};

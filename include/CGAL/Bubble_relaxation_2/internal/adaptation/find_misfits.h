@@ -10,13 +10,17 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_FIND_MISFITS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Misfit_search_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/adaptation/Neighborhood_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_check_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Sizes_of_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/read_adaptation.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -46,13 +50,34 @@ auto faces_to_check(const Cdt& cdt, [[maybe_unused]] const Is_inside& is_in_doma
     return cdt.finite_face_handles();
 }
 
+/// Squares around faces in which sizes are known if the outline in squares next to them is: where the size is d, none
+/// farther than d / g counts; and a part that is found begins at these faces, and has some rings more.
+template <class Cdt>
+Grid_squares_2 squares_around(const std::vector<typename Cdt::Face_handle>& faces, const Sizes_2& wanted, double growth)
+{
+  constexpr double rings = 5;
+  double largest = 0, longest = 0;
+  std::vector<Bbox_2> boxes;
+  for (typename Cdt::Face_handle f : faces) {
+    tick(); // asking for a size may take long
+    const std::array<Point, 3> p = corners_in_double<Cdt>(f);
+    boxes.push_back(box_of<Cdt>(f));
+    longest = (std::max)({longest, boxes.back().x_span(), boxes.back().y_span()});
+    largest = (std::max)(largest, wanted(*std::min_element(p.begin(), p.end())));
+  }
+  return Grid_squares_2(boxes, (std::max)(longest, (std::max)(rings, 1 + 1 / growth) * largest)).with_neighbors();
+}
+
+/// faces of a triangulation, and sizes by which a part with them is to be meshed
+template <class Cdt>
+using Faces_and_sizes = std::pair<std::vector<typename Cdt::Face_handle>, std::optional<Sizes_2>>;
+
 /// The faces of a triangulation that do not fit sizes, and the sizes by which a relaxation of the whole would cut its
 /// corners off.
 /// \throws std::invalid_argument if no face is of the domain
 template <class Cdt, class Is_inside, class NamedParameters>
-std::pair<std::vector<typename Cdt::Face_handle>, std::optional<Sizes_2>>
-find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_options& options,
-             const NamedParameters& np)
+Faces_and_sizes<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_options& options,
+                                  const NamedParameters& np)
 {
   static_assert(Is_given<NamedParameters, internal_np::sizing_function_t>::value,
                 "sizing_function is needed to find out where a mesh does not fit it");
@@ -62,9 +87,26 @@ find_misfits(const Cdt& cdt, const Is_inside& is_in_domain, const Relaxation_opt
     throw std::invalid_argument("Bubble_relaxation_2: no face of the triangulation is marked as one of the domain; "
                                 "npbs_relax() marks them");
   const auto faces = faces_to_check(cdt, is_in_domain, np);
-  const Sizes_of_outline_2<Cdt> outline(cdt, is_in_domain, np, *given_sizes<Place_2<Cdt>>(np), options);
-  Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
-  return {search(faces), outline.sizes_of_parts()};
+  const Sizes_2 wanted = *given_sizes<Place_2<Cdt>>(np);
+  const auto search_by_outline = [&](const Part_growth_2<Cdt, Is_inside>* where) -> Faces_and_sizes<Cdt> {
+    const Sizes_of_outline_2<Cdt, Is_inside> outline(cdt, is_in_domain, np, wanted, options, where);
+    Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
+    return {search(faces), outline.sizes_of_parts()};
+  };
+  if constexpr (Is_given<NamedParameters, internal_np::faces_to_check_t>::value) {
+    if (faces.empty())
+      return {};
+    auto around = faces;
+    for (int attempt = 0; attempt < 2; ++attempt) { // a part may go on beyond them
+      const Grid_squares_2 known = squares_around<Cdt>(around, wanted, options.size_growth);
+      const auto near = neighborhood(cdt, is_in_domain, around, known.with_neighbors());
+      const Faces_and_sizes<Cdt> found = search_by_outline(&near);
+      if (std::all_of(found.first.begin(), found.first.end(), [&](auto f) { return known.cover(box_of<Cdt>(f)); }))
+        return found;
+      around.insert(around.end(), found.first.begin(), found.first.end());
+    }
+  }
+  return search_by_outline(nullptr);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -110,8 +110,8 @@ private:
   template <class Is_inside>
   Sizes_2 sizes_from_rim(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes)
   {
-    m_reading.given.at_jumps = rim_at_jumps(cdt, is_in_domain, m_reading, sizes);
-    return no_finer_than_rim(m_reading.domain, sizes, m_reading.given.at_jumps, m_options.size_growth);
+    m_reading.given.silent_corners = rim_at_jumps(cdt, is_in_domain, m_reading, sizes);
+    return no_finer_than_rim(m_reading.domain, sizes, m_reading.given.silent_corners, m_options.size_growth);
   }
 
   Relaxation_options m_options;

@@ -38,6 +38,18 @@ inline std::vector<double> lengths_at_rim(const Domain_2& part)
   return length;
 }
 
+/// those that the rim of a part has, sorted
+inline std::vector<Point> corners_on_rim(const Domain_2& part)
+{
+  const std::vector<double> length = lengths_at_rim(part);
+  std::vector<Point> result;
+  for (std::size_t c = 0; c < length.size(); ++c)
+    if (!std::isinf(length[c]))
+      result.push_back(part.corners()[c]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 /// Tells where sizes are too steep for any mesh of the domain.
 template <class Cdt, class Is_inside>
 class Jump_search_2

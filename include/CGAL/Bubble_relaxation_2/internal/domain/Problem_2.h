@@ -49,9 +49,8 @@ struct Given_mesh_2
   std::vector<std::vector<Point>> on_edge; ///< those that split an edge of the domain, from source to target
   std::vector<Point> free;                 ///< along the curve
   std::vector<Mesh_star_2> around; ///< of the free ones, if that was asked for
-  /// Corners of a part's rim beside sizes too steep for any mesh, sorted: the mesh beyond is what it can be, and asks for
-  /// no other sizes.
-  std::vector<Point> at_jumps;
+  /// Corners of a part's rim that ask for no sizes, sorted: the mesh beyond goes on there as it is.
+  std::vector<Point> silent_corners;
 };
 
 class Cut_domain_2;

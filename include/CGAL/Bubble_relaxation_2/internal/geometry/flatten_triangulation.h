@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -127,6 +128,21 @@ Point point_in_double(const User_point& p)
   using Plane = Plane_2<Triangulation>;
   evaluate_lazy(p, 0);
   return Point(CGAL::to_double(Plane::x(p)), CGAL::to_double(Plane::y(p)));
+}
+
+/// the same of the corners of a face
+template <class Triangulation>
+std::array<Point, 3> corners_in_double(typename Triangulation::Face_handle f)
+{
+  return {point_in_double<Triangulation>(f->vertex(0)->point()), point_in_double<Triangulation>(f->vertex(1)->point()),
+          point_in_double<Triangulation>(f->vertex(2)->point())};
+}
+
+template <class Triangulation>
+Bbox_2 box_of(typename Triangulation::Face_handle f)
+{
+  const std::array<Point, 3> corners = corners_in_double<Triangulation>(f);
+  return CGAL::bbox_2(corners.begin(), corners.end());
 }
 
 /// A user's triangulation in arrays: its finite vertices and faces in the order in which it lists them.

@@ -140,7 +140,7 @@ public:
   void operator()(int turns)
   {
     for (const Size_source_2& s : sizes_of_pieces(m_domain))
-      if (!is_at_jump(s.point))
+      if (!is_silent(s.point))
         limit(s.point, s.d);
     bool is_found = true;
     for (int turn = 0; turn < turns && is_found; ++turn) {
@@ -161,9 +161,9 @@ private:
   /// Sizes that differ by less are left alone: else each turn would find many that are a little smaller.
   static constexpr double notable = 0.9;
 
-  bool is_at_jump(const Point& p) const
+  bool is_silent(const Point& p) const
   {
-    return std::binary_search(m_given.at_jumps.begin(), m_given.at_jumps.end(), p);
+    return std::binary_search(m_given.silent_corners.begin(), m_given.silent_corners.end(), p);
   }
 
   void limit(const Point& p, double distance)
@@ -243,7 +243,7 @@ private:
     // along a constraint there is no width
     if ((s <= 0 && mesh.edges[t][cw(i)] != no_index) || (s >= 1 && mesh.edges[t][ccw(i)] != no_index))
       return;
-    if (is_at_jump(p) || is_at_jump(a) || is_at_jump(b))
+    if (is_silent(p) || is_silent(a) || is_silent(b))
       return;
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
     const double width = std::sqrt(CGAL::squared_distance(p, foot));
