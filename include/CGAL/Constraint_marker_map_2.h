@@ -14,11 +14,16 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Address_map.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/property_map.h>
 
 #include <functional>
+#include <iterator>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -64,13 +69,34 @@ public:
 
   /// sets the marker of all edges of `cdt` on the straight line between two vertices, as `insert_constraint(u, v)` has
   /// left them: vertices on the line cut it.
+  /// \throws std::invalid_argument if they do not lead to `v`, as where a crossing of constraints was rounded.
+  /// Then no marker is set. A `Constrained_triangulation_plus_2` knows where its constraints go, and
+  /// has the next function
   void set(const CDT& cdt, Vertex_handle u, Vertex_handle v, const Marker& marker) const
   {
+    std::vector<Vertex_handle> line{u};
     typename CDT::Face_handle f;
     int i = 0;
-    Vertex_handle next;
-    for (; u != v && cdt.includes_edge(u, v, next, f, i); u = next)
-      set(u, next, marker);
+    for (Vertex_handle next; line.back() != v; line.push_back(next))
+      if (!cdt.includes_edge(line.back(), v, next, f, i)) {
+        using Bubble_relaxation_2::internal::in_words;
+        using Bubble_relaxation_2::internal::point_in_double;
+        const auto end = point_in_double<CDT>(line.back()->point()), aim = point_in_double<CDT>(v->point());
+        throw std::invalid_argument("Bubble_relaxation_2: no edge leads straight on from " +
+                                    in_words(end.x(), end.y()) + " to " + in_words(aim.x(), aim.y()) + ": a crossing was rounded, or there is none");
+      }
+    for (std::size_t k = 1; k < line.size(); ++k)
+      set(line[k - 1], line[k], marker);
+  }
+
+  /// sets the marker of all edges of a constraint of a `Constrained_triangulation_plus_2`, `CDT::Constraint_id`.
+  template <class Constraint_id>
+  void set(const CDT& cdt, Constraint_id constraint, const Marker& marker) const
+  {
+    const auto end = cdt.vertices_in_constraint_end(constraint);
+    auto u = cdt.vertices_in_constraint_begin(constraint);
+    for (auto v = std::next(u); v != end; u = v++)
+      set(*u, *v, marker);
   }
 
   friend const Marker& get(const Constraint_marker_map_2& map, const key_type& edge)

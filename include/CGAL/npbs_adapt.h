@@ -64,7 +64,8 @@ to d. `npbs_misfit_faces()` finds parts with rims that fit.
 The result is the same to the last bit for the same triangulation and the same part: in every run, with any number of
 threads, and in whatever order the faces are given.
 
-\tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one. Its face base
+\tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, of a
+`Triangulation_hierarchy_2`, too, whose upper levels get no new vertices here. Its face base
 should be a model of `DelaunayMeshFaceBase_2`: without marks all finite faces count as the domain, and so constraints
 between the part and others stay as they are
 \tparam FaceRange a range of `CDT::Face_handle`
@@ -108,8 +109,8 @@ where a constraint turns out to have to stay, bubbles are left then as they are 
 Exceptions of the sizing function, of the elevation function, of the callback and of the visitor pass through. After
 any exception, `std::bad_alloc` included, `cdt` is as it was, and all handles are valid. There are two exceptions
 from that: `after_change()` of the visitor is called when all is done, as is `put()` of the maps of tags before it;
-and where memory ends while a `Constrained_triangulation_plus_2` enters new vertices into its constraints, these are
-not restored.
+and where memory ends while a `Constrained_triangulation_plus_2` enters new vertices into its constraints, or a
+`Triangulation_hierarchy_2` takes old ones out of its levels, these are not restored.
 
 \sa `npbs_adapt()`
 \sa `npbs_relax()`

@@ -18,7 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
-#include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/change_or_restore.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/write_mesh.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -256,8 +256,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNBegin{restore_when_stopped}
     \cgalParamDescription{whether `cdt` stays as it is whenever the callback returns `false`. Then that takes effect at
                           once, else the bubbles are still triangulated and the mesh is written. In the phase `WRITING`,
-                          of which a `visitor` is told, `cdt` gets the content back that it had, as after an exception
-                          of `put()`: handles and identifiers of constraints are invalid}
+                          of which a `visitor` is told, `cdt` gets the content back that it had, with its tags in
+                          `edge_marker_map` and `face_region_map`, as after an exception of `put()`: handles and
+                          identifiers of constraints are invalid}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -290,8 +291,8 @@ Exceptions of the sizing function, of the elevation function, of the callback an
 calls of them and of the ranges, but for `put()` and the callback in the phase `WRITING`, come before the first change of
 `cdt`: after their exceptions, and after those listed above but for errors while the mesh is written, `cdt` is untouched,
 with all its handles and the identifiers of its constraints. After `std::bad_alloc`, an exception of CGAL, of `put()` or
-of the callback, or a `std::runtime_error`, while the mesh is written, `cdt` has the content that it had, but all handles
-and identifiers of constraints are invalid.
+of the callback, or a `std::runtime_error`, while the mesh is written, `cdt` has the content that it had, and the maps
+have its tags, but all handles and identifiers of constraints are invalid.
 
 \sa `npbs_place_nodes()`
 \sa `refine_Delaunay_mesh_2()`
@@ -314,12 +315,17 @@ auto npbs_relax(CDT& cdt, const NamedParameters& np = parameters::default_values
       const Bubble_mesh_2 mesh = make_mesh(problem, report);
       const Elevations<CDT> elevations = find_elevations(cdt, input.reading, mesh.bubbles, input.elevation);
       progress->start_phase(Bubble_phase::WRITING);
-      // of the user's only put() and the callback are called from here on; what they and CGAL throw, and a stop, if `cdt`
-      // is to stay as it is, goes through the guard
-      Restore_on_throw<CDT> guard(cdt);
-      write_mesh(cdt, input.reading, mesh, elevations, tags, report);
-      progress->finish();
-      guard.all_went_well();
+      // of the user's only put() and the callback are called from here on
+      change_or_restore(
+        cdt, pack,
+        [&](auto& saved) {
+          const auto save = [&saved](const auto& key, const auto& tag) { saved.save(key, tag); };
+          tags.visit_old(cdt, input.reading, save, save);
+        },
+        [&] {
+          write_mesh(cdt, input.reading, mesh, elevations, tags, report);
+          progress->finish();
+        });
     });
     return Bubble_relaxation_report_2<FT>(report);
   });

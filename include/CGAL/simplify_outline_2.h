@@ -16,7 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/simplify_outline.h>
-#include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/change_or_restore.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 #include <CGAL/Outline_simplification_report_2.h>
 
@@ -161,7 +161,7 @@ its segments cross, or the domain comes to lie on another side of one, when roun
 
 Exceptions of the sizing function pass through. All calls of it, of the property map and of the ranges come before the
 first change of `cdt`: after them, and after `std::invalid_argument`, it is untouched. After other exceptions `cdt` has
-the content that it had, but all handles and identifiers of constraints are invalid.
+the content that it had, and the map its markers, but all handles and identifiers of constraints are invalid.
 
 \sa `npbs_relax()`
 */
@@ -176,12 +176,17 @@ auto simplify_outline_2(CDT& cdt, const NamedParameters& np = parameters::defaul
       Outline_reading_2<CDT> reading(cdt, pack);
       const Outline_markers_2 markers(pack, reading);
       Simplified_outline_2 outline = simplify_outline(reading.problem);
-      Restore_on_throw<CDT> guard(cdt);
-      markers.forget_old(reading);
-      Outline_writing_2<CDT> writing(cdt, reading, outline);
-      writing();
-      markers.write(outline, writing);
-      guard.all_went_well();
+      change_or_restore(
+        cdt, pack,
+        [&](auto& saved) {
+          markers.visit_old(reading, [&saved](const auto& edge, const auto& marker) { saved.save(edge, marker); });
+        },
+        [&] {
+          markers.forget_old(reading);
+          Outline_writing_2<CDT> writing(cdt, reading, outline);
+          writing();
+          markers.write(outline, writing);
+        });
       time.stop();
       outline.report.seconds = report.seconds;
       report = std::move(outline.report);

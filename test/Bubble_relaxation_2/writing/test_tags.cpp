@@ -330,6 +330,62 @@ TEST(Tags_in_vain, exceptions_of_maps_leave_the_triangulation)
   }
 }
 
+/// throws when a mesh is nearly written
+template <class Map>
+struct Failing_late
+{
+  using key_type = typename Map::key_type;
+  using value_type = typename Map::value_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  const Map* map;
+  int* puts_left;
+
+  friend value_type get(const Failing_late& m, const key_type& key) { return get(*m.map, key); }
+  friend void forget(const Failing_late& m, const key_type& key) { forget(*m.map, key); }
+  friend void put(const Failing_late& m, const key_type& key, const value_type& value)
+  {
+    if ((*m.puts_left)-- == 0)
+      throw std::domain_error("put");
+    put(*m.map, key, value);
+  }
+};
+
+TYPED_TEST(Tags, come_back_when_a_change_fails)
+{
+  for (bool has_more : {false, true})
+    for (int puts : {0, 40}) {
+      Channel<TypeParam> channel(has_more);
+      CGAL::npbs_relax(channel.cdt, channel.maps().sizing_function(0.2));
+      int left = puts;
+      using Regions = decltype(channel.regions);
+      EXPECT_THROW(CGAL::npbs_relax(channel.cdt, P::edge_marker_map(channel.markers)
+                                                   .face_region_map(Failing_late<Regions>{&channel.regions, &left})
+                                                   .sizing_function(0.1)),
+                   std::domain_error);
+      channel.expect_tags_of_mesh();
+    }
+}
+
+TYPED_TEST(Tags, come_back_after_a_stop)
+{
+  Channel<TypeParam> channel;
+  CGAL::npbs_relax(channel.cdt, channel.maps().sizing_function(0.2));
+  const validation::Snapshot before = validation::snapshot(channel.cdt);
+  double most = 0;
+  for (double stop : {0.9, 0.97, 1.}) {
+    const auto to_be_stopped = channel.maps().sizing_function(0.05).restore_when_stopped(true);
+    CGAL::npbs_relax(channel.cdt, to_be_stopped.callback([&](double x) {
+      most = (std::max)(most, x);
+      return x < stop;
+    }));
+    EXPECT_TRUE(validation::snapshot(channel.cdt) == before);
+    channel.expect_tags_of_mesh();
+  }
+  EXPECT_EQ(most, 1);
+}
+
 TYPED_TEST(Tags, go_through_local_changes)
 {
   Channel<TypeParam> channel;
@@ -380,6 +436,30 @@ std::pair<double, double> mean_lengths(const Cdt& cdt, double x, double near)
     ++count[middle > x];
   }
   return {sum[0] / count[0], sum[1] / count[1]};
+}
+
+/// The crossing of two constraints is rounded, so it lies on neither line.
+TEST(Tag_maps, lines_that_a_rounding_has_bent)
+{
+  using Crossing = CGAL::Constrained_triangulation_plus_2<domains::Cdt_of<K, CGAL::Exact_predicates_tag>>;
+  Crossing cdt;
+  const auto a = cdt.insert(domains::Point(0, 0)), b = cdt.insert(domains::Point(10, 0.1)),
+             c = cdt.insert(domains::Point(3, -5)), d = cdt.insert(domains::Point(7.7, 2.3));
+  cdt.insert_constraint(a, b);
+  const Crossing::Constraint_id second = cdt.insert_constraint(c, d);
+  const CGAL::Constraint_marker_map_2<Crossing> markers(0);
+  expect_invalid([&] { markers.set(cdt, c, d, 5); }, {"straight on from", "(7.7, 2.3)", "rounded"});
+  EXPECT_EQ(cdt.number_of_vertices(), 5u);
+  const auto marked = [&] {
+    double length = 0;
+    for (const Crossing::Edge& e : cdt.constrained_edges())
+      if (markers(e.first->vertex(Crossing::ccw(e.second)), e.first->vertex(Crossing::cw(e.second))) == 5)
+        length += std::sqrt(cdt.segment(e).squared_length());
+    return length;
+  };
+  EXPECT_EQ(marked(), 0);
+  markers.set(cdt, second, 5);
+  EXPECT_NEAR(marked(), std::hypot(4.7, 7.3), 1e-12);
 }
 
 TYPED_TEST(Tags, sizes_of_regions)

@@ -17,6 +17,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/adaptation/Part_vertices_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/exact_predicates.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/forget_levels.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -106,6 +107,8 @@ public:
   {
     if constexpr (Has_constraint_hierarchy<Cdt>::value)
       m_paths.change_hierarchy(m_cdt);
+    if constexpr (Has_levels<Cdt>::value)
+      forget_levels(levels_of(m_cdt), m_vertices.removed());
     m_exchange.finish(m_vertices.removed());
   }
 

@@ -48,13 +48,21 @@ public:
     }
   }
 
-  /// takes those of the old outline out of the map
-  void forget_old([[maybe_unused]] const Outline_reading_2<Cdt>& reading) const
+  /// the old outline: `visit(key, marker)`
+  template <class Visit>
+  void visit_old([[maybe_unused]] const Outline_reading_2<Cdt>& reading, [[maybe_unused]] const Visit& visit) const
   {
     if constexpr (Maps::has_markers)
-      for (const Outline_segment_2& s : reading.problem.outline.segments)
-        forget_if_possible(m_maps.markers(),
-                           CGAL::make_sorted_pair(reading.vertex(s.source), reading.vertex(s.target)));
+      for (std::size_t k = 0; k < m_markers.size(); ++k) {
+        const Outline_segment_2& s = reading.problem.outline.segments[k];
+        visit(CGAL::make_sorted_pair(reading.vertex(s.source), reading.vertex(s.target)), m_markers[k]);
+      }
+  }
+
+  /// takes those of the old outline out of the map
+  void forget_old(const Outline_reading_2<Cdt>& reading) const
+  {
+    visit_old(reading, [this](const auto& edge, const Marker&) { forget_if_possible(m_maps.markers(), edge); });
   }
 
   /// gives each piece that of the segment that it stands for, or of the nearest one if a rule made it

@@ -158,27 +158,37 @@ public:
   const std::vector<std::optional<Region>>& left() const { return m_left; }
   const std::vector<std::optional<Region>>& right() const { return m_right; }
 
-  /// Takes what is about to go out of the user's maps, which else would hold more and more.
-  template <class Reading>
-  void forget_old([[maybe_unused]] const Cdt& cdt, [[maybe_unused]] const Reading& reading) const
+  /// What the domain has before it is changed: `visit_edge(key, marker)` and `visit_face(face, region)`.
+  template <class Reading, class Visit_edge, class Visit_face>
+  void visit_old([[maybe_unused]] const Cdt& cdt, [[maybe_unused]] const Reading& reading,
+                 [[maybe_unused]] const Visit_edge& visit_edge, [[maybe_unused]] const Visit_face& visit_face) const
   {
     if constexpr (Maps::has_markers || Maps::has_regions) {
       std::unordered_set<const void*> reached;
-      for (const Chain& c : reading.graph->chains()) {
+      for (std::size_t k = 0; k < reading.graph->chains().size(); ++k) {
+        const Chain& c = reading.graph->chains()[k];
         const std::vector<Vertex_handle> path = path_of(reading, c);
         if constexpr (Maps::has_markers)
-          for (std::size_t k = 1; k < path.size(); ++k)
-            forget_if_possible(m_maps.markers(), CGAL::make_sorted_pair(path[k - 1], path[k]));
+          for (std::size_t i = 1; i < path.size(); ++i)
+            visit_edge(CGAL::make_sorted_pair(path[i - 1], path[i]), *m_markers[k]); // a whole domain has no rim
         if constexpr (Maps::has_regions) {
-          const auto forget = [this](Face_handle f) { forget_if_possible(m_maps.regions(), f); };
           const Sides sides = sides_of(cdt, path);
           if (c.inside_left)
-            flood_faces(sides.left, reached, forget);
+            flood_faces(sides.left, reached, [&](Face_handle f) { visit_face(f, *m_left[k]); });
           if (c.inside_right)
-            flood_faces(sides.right, reached, forget);
+            flood_faces(sides.right, reached, [&](Face_handle f) { visit_face(f, *m_right[k]); });
         }
       }
     }
+  }
+
+  /// Takes what is about to go out of the user's maps, which else would hold more and more.
+  template <class Reading>
+  void forget_old(const Cdt& cdt, const Reading& reading) const
+  {
+    visit_old(
+      cdt, reading, [this](const auto& edge, const Marker&) { forget_if_possible(m_maps.markers(), edge); },
+      [this](Face_handle f, const Region&) { forget_if_possible(m_maps.regions(), f); });
   }
 
   /// Gives the constraints of the domain, and its faces, what they had.
@@ -193,7 +203,7 @@ public:
         const auto [f, i] = edge;
         const Vertex_handle u = f->vertex(Cdt::ccw(i)), v = f->vertex(Cdt::cw(i));
         if constexpr (Maps::has_markers)
-          put(m_maps.markers(), CGAL::make_sorted_pair(u, v), *m_markers[chain]); // a whole domain has no rim
+          put(m_maps.markers(), CGAL::make_sorted_pair(u, v), *m_markers[chain]);
         if constexpr (Maps::has_regions) {
           spread(f, (u == source ? m_left : m_right)[chain], reached);
           spread(f->neighbor(i), (u == source ? m_right : m_left)[chain], reached);

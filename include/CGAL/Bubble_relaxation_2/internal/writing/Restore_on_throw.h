@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/forget_levels.h>
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -103,7 +104,9 @@ public:
       m_backup.hierarchy_ref() = std::decay_t<decltype(m_backup.hierarchy_ref())>(&cdt);
       m_backup.copy_triangulation(cdt);
       copy_input_flags(cdt, m_backup);
-    } else
+    } else if constexpr (Has_levels<Cdt>::value)
+      m_backup.copy_triangulation(cdt);
+    else
       copy_in_turn(cdt, m_backup);
   }
 
@@ -112,8 +115,17 @@ public:
 
   ~Restore_on_throw()
   {
-    if (m_all_went_well)
-      return;
+    if (!m_is_done)
+      restore();
+  }
+
+  const Cdt& backup() const { return m_backup; }
+
+  void all_went_well() { m_is_done = true; }
+
+  void restore()
+  {
+    m_is_done = true;
     m_cdt.swap(m_backup);
     if constexpr (Has_constraint_hierarchy<Cdt>::value)
       if constexpr (Knows_its_hierarchy<typename Cdt::Constraint_id>::value)
@@ -121,12 +133,10 @@ public:
           (*c).vl_with_info_pointer()->hierarchy_ptr = &m_cdt.hierarchy_ref();
   }
 
-  void all_went_well() { m_all_went_well = true; }
-
 private:
   Cdt& m_cdt;
   Cdt m_backup;
-  bool m_all_went_well = false;
+  bool m_is_done = false;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
