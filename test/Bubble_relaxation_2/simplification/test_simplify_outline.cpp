@@ -15,6 +15,7 @@
 #include "validation.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Constraint_marker_map_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/npbs_relax.h>
@@ -413,6 +414,50 @@ TEST(Simplify_outline, long_walls_stay_straight)
     }
   EXPECT_EQ(on_wall, 10u);
   EXPECT_GT(report.hausdorff_distance, 0.2); // the island gives way
+}
+
+/// wherever vertices stay on them, where rings begin, and however text files have rounded them
+TEST(Simplify_outline, walls_go_on_beyond_vertices_that_stay_and_roundings)
+{
+  const Outline island{{2, 20}, {3, 19}, {4, 20}, {3, 22}};
+  CDT marked = make({square(0, 0, 50), island});
+  const CGAL::Constraint_marker_map_2<CDT> markers;
+  const auto middle = marked.insert(Point(0, 25)), corner = marked.insert(Point(0, 0));
+  markers.set(middle, corner, 7);
+  const auto np = CGAL::parameters::sizing_function(4.).edge_marker_map(markers);
+  for (const Report::Piece& piece : CGAL::simplify_outline_2(marked, np).pieces)
+    EXPECT_EQ(piece.source[0] < 1, piece.source[0] == 0);
+
+  // a slanted wall, in places of 3 decimals
+  const auto on_wall = [](double x, double y) { return std::abs(-0.6 * x + 0.8 * y); };
+  Outline box;
+  for (int k = 0; k < 500; ++k)
+    box.push_back({std::round(1e3 * 0.8 * 0.1 * k) / 1e3, std::round(1e3 * 0.6 * 0.1 * k) / 1e3});
+  for (const auto& p : Outline{{40, 30}, {10, 70}, {-30, 40}})
+    box.push_back(p);
+  CDT slanted = make({box, {{15.4, 12.3}, {16.4, 13}, {15.2, 14}}});
+  std::size_t on_it = 0;
+  for (const Report::Piece& piece : CGAL::simplify_outline_2(slanted, 1.).pieces)
+    if (on_wall(piece.source[0], piece.source[1]) < 0.5) {
+      ++on_it;
+      EXPECT_LT(on_wall(piece.source[0], piece.source[1]), 0.001);
+    }
+  EXPECT_GT(on_it, 45u);
+}
+
+/// d between the ends of a long segment counts, too
+TEST(Simplify_outline, pieces_are_what_d_is_between_corners)
+{
+  const auto d = [](const Point& p) { return 1 + 0.2 * std::abs(p.x() - 30); };
+  for (double gap : {0., 1.}) {
+    CDT cdt = make({square(0, 0, 100)});
+    const Report report = CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(d).minimum_gap(gap));
+    for (const Report::Piece& p : report.pieces) {
+      const double length = std::hypot(p.source[0] - p.target[0], p.source[1] - p.target[1]);
+      EXPECT_LT(length, 1.5 * d(Point((p.source[0] + p.target[0]) / 2, (p.source[1] + p.target[1]) / 2)));
+    }
+    EXPECT_GT(report.share_of_fitting_pieces, 0.98);
+  }
 }
 
 TEST(Simplify_outline, islands_and_narrows_force_vertices)

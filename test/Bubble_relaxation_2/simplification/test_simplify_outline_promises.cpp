@@ -130,14 +130,14 @@ TEST(Simplify_outline_promises, a_constraint_may_overlap_itself)
   EXPECT_EQ(std::set<Segment>(segments.begin(), segments.end()).size() + 10, segments.size());
 }
 
-/// for a square, the least of a few calls; of this process alone, whatever else the machine does
-std::clock_t time_of_square(double side)
+/// of calls for an outline, the least of a few; of this process alone, whatever else the machine does
+std::clock_t time_of(const Outline& outline, double d)
 {
   std::clock_t least = (std::numeric_limits<std::clock_t>::max)();
   for (int k = 0; k < 3; ++k) {
-    CDT cdt = make({square(0, 0, side)});
+    CDT cdt = make({outline});
     const std::clock_t start = std::clock();
-    CGAL::simplify_outline_2(cdt, 1.);
+    CGAL::simplify_outline_2(cdt, d);
     least = (std::min)(least, std::clock() - start);
   }
   return least;
@@ -145,7 +145,24 @@ std::clock_t time_of_square(double side)
 
 TEST(Simplify_outline_promises, long_straight_edges_take_no_square_of_the_time)
 {
-  EXPECT_LE(time_of_square(1600), 30 * time_of_square(200)); // eight times as many pieces
+  for (double turn : {0.785398, 0.3}) // the first has sides along the axes, up to roundings
+    EXPECT_LE(time_of(polygon(0, 0, 2000, 4, turn), 1.), 25 * time_of(polygon(0, 0, 250, 4, turn), 1.));
+}
+
+TEST(Simplify_outline_promises, finely_sampled_straight_edges_take_no_square_of_the_time)
+{
+  const auto sampled = [](int n) {
+    Outline result;
+    const Outline corners = polygon(0, 0, 1, 3, 0.3);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int i = 0; i < n; ++i) {
+        const double t = static_cast<double>(i) / n;
+        const auto &p = corners[k], &q = corners[(k + 1) % 3];
+        result.push_back({p.first + t * (q.first - p.first), p.second + t * (q.second - p.second)});
+      }
+    return result;
+  };
+  EXPECT_LE(time_of(sampled(8000), 0.05), 25 * time_of(sampled(1000), 0.05));
 }
 
 TEST(Simplify_outline_promises, the_most_places_take_gigabytes_only)

@@ -86,6 +86,20 @@ inline Outline_2 without_idle_vertices(const Outline_2& outline)
   return result;
 }
 
+/// First few, far from each other in a given order, then twice as many in each round, those in between. Points that come
+/// along a line would be joined by edges to all that are there on the other side of the domain.
+inline std::vector<Index> in_rounds(const std::vector<Index>& order)
+{
+  std::vector<Index> result(order.begin(), order.begin() + (order.empty() ? 0 : 1));
+  std::size_t step = 1;
+  while (step < order.size())
+    step *= 2;
+  for (step /= 2; step > 0; step /= 2)
+    for (std::size_t k = step; k < order.size(); k += 2 * step)
+      result.push_back(order[k]);
+  return result;
+}
+
 /// An outline as it is triangulated: its vertices in an order in which each is near to the one before, so that there
 /// are no long walks; which triangles come about depends on it where four vertices are on a circle only.
 struct Ordered_outline_2
@@ -98,7 +112,8 @@ struct Ordered_outline_2
 inline Ordered_outline_2 along_curve(const Outline_2& outline)
 {
   Ordered_outline_2 result;
-  result.order = hilbert_order(Hilbert_curve_2(bbox_2(outline.points.begin(), outline.points.end())), outline.points);
+  const Hilbert_curve_2 curve(bbox_2(outline.points.begin(), outline.points.end()));
+  result.order = in_rounds(hilbert_order(curve, outline.points));
   for (Index v : result.order)
     result.points.push_back(outline.points[v]);
   const std::vector<Index> number = inverse(result.order);

@@ -11,7 +11,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Movable_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/piece_cost.h>
 
 #include <algorithm>
@@ -36,11 +35,13 @@ class Path_improvement_2
   static constexpr int halvings = 3, moves_of_a_vertex = 4;
 
 public:
+  /// \param is_wall of each segment of the outline
   /// \param path of the span; \param ids of its pieces in the movable outline
   Path_improvement_2(const Outline_2& outline, const Outline_span_2& span, const Outline_demands_2& demands,
-                     Movable_outline_2& movable, Fitted_path_2& path, std::vector<Index>& ids)
+                     const std::vector<char>& is_wall, Movable_outline_2& movable, Fitted_path_2& path,
+                     std::vector<Index>& ids)
     : m_outline(outline), m_span(span), m_demands(demands), m_movable(movable), m_path(path), m_ids(ids),
-      m_is_wall(walls_of(outline, span, demands.size))
+      m_is_wall(is_wall)
   {}
 
   /// one sweep; returns whether something changed
@@ -65,8 +66,8 @@ public:
 private:
   bool is_on_wall(const Fitted_vertex_2& v) const
   {
-    return m_is_wall[m_span.place(v.segment)] &&
-           (v.point != old_point(v.segment) || m_is_wall[m_span.place(v.segment - 1)]);
+    const auto is_wall = [this](Index segment) { return m_is_wall[m_span.segments[m_span.place(segment)]] != 0; };
+    return is_wall(v.segment) && (v.point != old_point(v.segment) || is_wall(v.segment - 1));
   }
 
   void unsettle(std::size_t k)
@@ -398,7 +399,7 @@ private:
   Fitted_path_2& m_path;
   std::vector<Index>& m_ids;
   std::vector<Near> m_near; // to the vertex that is moved
-  const std::vector<char> m_is_wall; // of each segment of the span
+  const std::vector<char>& m_is_wall; // of each segment of the outline
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_CUT_SEGMENTS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_CUT_SEGMENTS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Segment_grid_2.h>
 
@@ -58,8 +59,9 @@ inline std::vector<char> segments_near_others(const Outline_2& outline, double r
   return result;
 }
 
-/// The outline with some of its segments cut in parts no longer than a length.
-inline Outline_2 with_cut_segments(const Outline_2& outline, const std::vector<char>& is_cut, double length)
+/// The outline with segments cut at `points_on(e)`, from the source of the segment `e` to its target.
+template <class Points_on>
+Outline_2 with_cut_segments(const Outline_2& outline, const Points_on& points_on)
 {
   std::vector<std::pair<Point, Index>> points; // and the vertex, or behind these the new one
   for (std::size_t v = 0; v < outline.points.size(); ++v)
@@ -67,12 +69,10 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, const std::vector<c
   Outline_2 cut;
   for (std::size_t e = 0; e < outline.segments.size(); ++e) {
     Outline_segment_2 s = outline.segments[e];
-    const Point &a = outline.points[s.source], &b = outline.points[s.target];
-    const double n = std::ceil(distance(a, b) / length);
     const Index target = s.target;
-    for (double i = 1; i < n && is_cut[e]; ++i) {
+    for (const Point& p : points_on(e)) {
       s.target = static_cast<Index>(points.size());
-      points.emplace_back(Point(a.x() + i / n * (b.x() - a.x()), a.y() + i / n * (b.y() - a.y())), s.target);
+      points.emplace_back(p, s.target);
       cut.segments.push_back(s);
       s.source = s.target;
     }
@@ -96,6 +96,50 @@ inline Outline_2 with_cut_segments(const Outline_2& outline, const std::vector<c
   cut.sort_segments();
   return cut;
 }
+
+/// Cuts segments in halves until d between their ends is what it is at these, and they are no longer than some hundred
+/// pieces.
+class Even_parts_2
+{
+public:
+  Even_parts_2(const Outline_2& outline, const std::vector<double>& size_at_vertices, const Sizes_2& sizes)
+    : m_outline(outline), m_size(size_at_vertices), m_sizes(sizes)
+  {}
+
+  /// where a segment is cut, from its source to its target
+  std::vector<Point> operator()(std::size_t e) const
+  {
+    const Outline_segment_2& s = m_outline.segments[e];
+    std::vector<Point> cuts;
+    cut(m_outline.points[s.source], m_outline.points[s.target], m_size[s.source], m_size[s.target], 0, cuts);
+    return cuts;
+  }
+
+private:
+  bool cut(const Point& a, const Point& b, double at_a, double at_b, int depth, std::vector<Point>& cuts) const
+  {
+    constexpr double short_part = 2, long_part = 256, even = 0.1; // in units of d
+    constexpr int deepest = 24;
+    const double length = distance(a, b);
+    if (length <= short_part * (std::min)(at_a, at_b) || depth == deepest)
+      return false;
+    const Point m = CGAL::midpoint(a, b);
+    const double at_m = m_sizes(m);
+    const std::size_t before = cuts.size();
+    const bool is_cut_before = cut(a, m, at_a, at_m, depth + 1, cuts);
+    cuts.push_back(m);
+    const bool is_cut_behind = cut(m, b, at_m, at_b, depth + 1, cuts);
+    if (is_cut_before || is_cut_behind || length > long_part * at_m ||
+        std::abs(at_m - 0.5 * (at_a + at_b)) > even * at_m)
+      return true;
+    cuts.resize(before);
+    return false;
+  }
+
+  const Outline_2& m_outline;
+  const std::vector<double>& m_size;
+  const Sizes_2& m_sizes;
+};
 
 /// Joins parts of a segment between which nothing else ends: what follows takes time for each vertex.
 inline Outline_2 with_joined_parts(const Outline_2& cut)

@@ -80,7 +80,14 @@ private:
     if (!(n < most_parts))
       throw std::length_error("Bubble_relaxation_2: parameter minimum_gap = " + in_words(width) +
                               " cuts the outline into about " + in_words(n) + " parts");
-    return with_cut_segments(outline, is_cut, cut * width);
+    return with_cut_segments(outline, [&](std::size_t e) {
+      std::vector<Point> parts;
+      const Point &a = outline.points[outline.segments[e].source], &b = outline.points[outline.segments[e].target];
+      const double n_parts = std::ceil(distance(a, b) / (cut * width));
+      for (double i = 1; i < n_parts && is_cut[e]; ++i)
+        parts.emplace_back(a.x() + i / n_parts * (b.x() - a.x()), a.y() + i / n_parts * (b.y() - a.y()));
+      return parts;
+    });
   }
 
   const Flat_triangulation_2& tr() const { return m_triangulation.tr(); }

@@ -232,26 +232,6 @@ inline std::size_t fix_corners(Outline_2& outline, const Outline_demands_2& dema
   return corners.size();
 }
 
-/// Which segments of a span are of walls, straight over at least ten pieces as long as `sizes` tells for each vertex:
-/// sides of a box or the like, that give way to nothing.
-inline std::vector<char> walls_of(const Outline_2& outline, const Outline_span_2& span,
-                                  const std::vector<double>& sizes)
-{
-  constexpr double long_wall = 10, straight = 1e-9; // in units of a size, and of a length
-  const Index n = static_cast<Index>(span.size());
-  const auto point = [&](Index k) -> const Point& { return outline.points[span.vertex(k)]; };
-  std::vector<char> is_wall(span.size(), 0);
-  for (Index first = 0, last; first < n; first = last) { // from one to the other it is straight
-    for (last = first + 1; last < n; ++last)
-      if (const double length = distance(point(first), point(last + 1));
-          !(distance_to_segment(point(last), point(first), point(last + 1)) <= straight * length))
-        break;
-    if (distance(point(first), point(last)) >= long_wall * sizes[span.vertex(first)])
-      std::fill(is_wall.begin() + first, is_wall.begin() + last, 1);
-  }
-  return is_wall;
-}
-
 } // namespace CGAL::Bubble_relaxation_2::internal
 
 #endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_FIND_SPANS_H

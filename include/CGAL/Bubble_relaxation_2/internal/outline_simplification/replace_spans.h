@@ -15,7 +15,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Piece_fitting_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Span_replacement_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Wall_search_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,11 +103,12 @@ inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const 
     paths[s] = replacement(Piece_fitting_2(outline, spans[s], demands));
     ids[s] = replacement.ids();
   }
+  const std::vector<char> is_wall = Wall_search_2(outline, demands.size)();
   std::vector<char> is_done(spans.size(), 0);
   for (int sweep = 0; sweep < sweeps_of_improvement; ++sweep)
     for (Index s : order)
       if (!is_done[s])
-        is_done[s] = !Path_improvement_2(outline, spans[s], demands, movable, paths[s], ids[s])();
+        is_done[s] = !Path_improvement_2(outline, spans[s], demands, is_wall, movable, paths[s], ids[s])();
   return paths;
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Forced_vertices_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Simplified_outline_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/cut_segments.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/drop_islands.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/fill_gaps.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/find_spans.h>
@@ -113,6 +114,8 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
   }
   fix_ends(outline, problem.is_end);
   check_number_of_places(outline, demands);
+  outline = with_cut_segments(outline, Even_parts_2(outline, demands.size, problem.sizes));
+  demands = demands_of(outline, problem.sizes, problem.options);
   const Forced_vertices_2 forced(outline, demands, problem.sizes);
   if (problem.options.maximum_number_of_bubbles > 0)
     forced.check_wanted(problem.options.maximum_number_of_bubbles);

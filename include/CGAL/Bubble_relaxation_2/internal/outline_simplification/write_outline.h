@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -44,8 +45,7 @@ public:
 
   void operator()()
   {
-    for (void* v : m_reading.free)
-      m_cdt.remove(Handles<Cdt>::vertex(v));
+    remove(m_reading.free);
     if constexpr (has_hierarchy) {
       std::vector<std::pair<typename Cdt::Constraint_id, std::vector<Index>>> lines; // of constraints
       find_spans_of_origins();
@@ -165,11 +165,27 @@ private:
     for (Index v : m_outline.old_vertices)
       if (v != no_index)
         goes[v] = 0;
+    std::vector<void*> gone;
     for (std::size_t v = 0; v < goes.size(); ++v) {
-      const Vertex_handle handle = m_reading.vertex(static_cast<Index>(v));
-      if (goes[v] && m_taken.count(&*handle) == 0)
-        m_cdt.remove(handle);
+      void* const vertex = &*m_reading.vertex(static_cast<Index>(v));
+      if (goes[v] && m_taken.count(vertex) == 0)
+        gone.push_back(vertex);
     }
+    remove(gone);
+  }
+
+  /// In no order along anything: of a straight side, each one's neighbours would be all that are left there.
+  void remove(const std::vector<void*>& vertices)
+  {
+    std::vector<std::pair<std::uint64_t, void*>> scattered;
+    for (void* v : vertices) {
+      const Point p = point_in_double<Cdt>(Handles<Cdt>::vertex(v)->point());
+      scattered.emplace_back(hash_of_place(p.x(), p.y()), v);
+    }
+    std::stable_sort(scattered.begin(), scattered.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [hash, v] : scattered)
+      m_cdt.remove(Handles<Cdt>::vertex(v));
   }
 
   /// \throws std::runtime_error if a segment is not there as a whole
