@@ -130,12 +130,12 @@ TEST(Simplify_outline_promises, a_constraint_may_overlap_itself)
   EXPECT_EQ(std::set<Segment>(segments.begin(), segments.end()).size() + 10, segments.size());
 }
 
-/// of calls for an outline, the least of a few; of this process alone, whatever else the machine does
-std::clock_t time_of(const Outline& outline, double d)
+/// the least of a few calls; of this process alone, whatever else the machine does
+std::clock_t time_of_simplifying(const CDT& original, double d)
 {
   std::clock_t least = (std::numeric_limits<std::clock_t>::max)();
   for (int k = 0; k < 3; ++k) {
-    CDT cdt = make({outline});
+    CDT cdt(original);
     const std::clock_t start = std::clock();
     CGAL::simplify_outline_2(cdt, d);
     least = (std::min)(least, std::clock() - start);
@@ -145,24 +145,22 @@ std::clock_t time_of(const Outline& outline, double d)
 
 TEST(Simplify_outline_promises, long_straight_edges_take_no_square_of_the_time)
 {
-  for (double turn : {0.785398, 0.3}) // the first has sides along the axes, up to roundings
-    EXPECT_LE(time_of(polygon(0, 0, 2000, 4, turn), 1.), 25 * time_of(polygon(0, 0, 250, 4, turn), 1.));
+  for (double turn : {0.785398, 0.3}) { // the first has sides along the axes, up to roundings
+    const CDT small = make({polygon(0, 0, 250, 4, turn)}), large = make({polygon(0, 0, 2000, 4, turn)});
+    EXPECT_LE(time_of_simplifying(large, 1), 25 * time_of_simplifying(small, 1));
+  }
 }
 
-TEST(Simplify_outline_promises, finely_sampled_straight_edges_take_no_square_of_the_time)
+TEST(Simplify_outline_promises, rows_of_vertices_take_no_square_of_the_time)
 {
-  const auto sampled = [](int n) {
-    Outline result;
-    const Outline corners = polygon(0, 0, 1, 3, 0.3);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (int i = 0; i < n; ++i) {
-        const double t = static_cast<double>(i) / n;
-        const auto &p = corners[k], &q = corners[(k + 1) % 3];
-        result.push_back({p.first + t * (q.first - p.first), p.second + t * (q.second - p.second)});
-      }
-    return result;
+  const auto lattice = [](int n) {
+    CDT cdt = make({square(0, 0, n)});
+    for (int i = 1; i < n; ++i)
+      for (int j = 1; j < n; ++j)
+        cdt.insert(Point(i + 0.2 * std::sin(1e4 * j), j + 0.2 * std::sin(1e4 * i)));
+    return cdt;
   };
-  EXPECT_LE(time_of(sampled(8000), 0.05), 25 * time_of(sampled(1000), 0.05));
+  EXPECT_LE(time_of_simplifying(lattice(160), 16), 50 * time_of_simplifying(lattice(40), 4)); // 16 times as many
 }
 
 TEST(Simplify_outline_promises, the_most_places_take_gigabytes_only)
