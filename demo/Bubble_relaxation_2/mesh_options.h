@@ -148,13 +148,16 @@ inline std::string input_name(const po::variables_map& arguments)
 }
 
 /// what --size asks for, if it is given
-/// \throws std::runtime_error if that is not one formula, or --distance-to no list of markers
+/// \throws std::runtime_error if that is not one formula, or --distance-to no list of markers, or of no use
 inline std::optional<Size_formula> size_formula(const po::variables_map& arguments)
 {
-  if (arguments.count("size") == 0)
-    return {};
-  return Size_formula(arguments["size"].as<std::string>(),
-                      markers("--distance-to", arguments["distance-to"].as<std::string>()));
+  const std::set<int> shore = markers("--distance-to", arguments["distance-to"].as<std::string>());
+  std::optional<Size_formula> formula;
+  if (arguments.count("size") > 0)
+    formula.emplace(arguments["size"].as<std::string>(), shore);
+  if (!shore.empty() && !(formula && formula->has_distance()))
+    throw std::runtime_error("--distance-to needs the variable distance in --size");
+  return formula;
 }
 
 /// The size, limited as --gradation asks, and one by areas as --size-growth does at least: it jumps between regions.

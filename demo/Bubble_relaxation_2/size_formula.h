@@ -37,9 +37,11 @@ public:
   /// \throws std::runtime_error if no segment has one of the markers
   void set_distance(const Domain& domain)
   {
-    if (m_formula.uses("distance"))
+    if (has_distance())
       m_formula.set_distance(Outline_distance(domain, m_shore));
   }
+
+  bool has_distance() const { return m_formula.uses("distance"); }
 
   /// whether it depends on the region
   bool has_region() const { return m_formula.uses("region"); }

@@ -11,8 +11,10 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_enums.h>
 #include <CGAL/Mesh_quality_2.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cstddef>
@@ -159,7 +161,8 @@ void print_what_is_forced(std::ostream& out, const Bubble_relaxation_report_2<FT
       << " more, where it is finer or narrower";
   constexpr std::size_t most_places = 3;
   for (std::size_t k = 0; k < most_places && report.forced_places[k].number_of_vertices > 0; ++k)
-    out << (k == 0 ? ", most near (" : ", (") << report.forced_places[k].x << ", " << report.forced_places[k].y << ')';
+    out << (k == 0 ? ", most near " : ", ")
+        << about_in_words(CGAL::to_double(report.forced_places[k].x), CGAL::to_double(report.forced_places[k].y));
   out << ":\n  simplify_outline_2() replaces it, but for pinned vertices, by one with longer pieces; a larger size_growth"
          " makes fewer triangles, and worse ones\n";
 }
@@ -188,9 +191,15 @@ std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>
     out << "  small angles: " << report.number_of_forced_triangles << " triangles at sharp corners of the domain, "
         << report.number_of_small_angles << " others";
     if (report.number_of_small_angles > 0)
-      out << ", the smallest at (" << report.small_x << ", " << report.small_y << ')';
+      out << ", the smallest at "
+          << Bubble_relaxation_2::internal::about_in_words(CGAL::to_double(report.small_x),
+                                                           CGAL::to_double(report.small_y));
     out << '\n';
   }
+  if (constexpr double many = 0.01; report.steep_share > many)
+    out << "  d changes by up to " << report.largest_size_gradient
+        << " per unit of length: above 0.5 no mesh follows it, and where it is small in small places they may be missed;\n"
+           "  Gradation_limited_sizing_field_2 limits it\n";
   if (report.is_forced_by_outline())
     Bubble_relaxation_2::internal::print_what_is_forced(out, report);
   if (report.quality.number_of_triangles() > 0)

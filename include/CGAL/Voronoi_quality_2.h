@@ -11,6 +11,8 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+
 #include <cstddef>
 #include <ostream>
 #include <sstream>
@@ -71,8 +73,8 @@ inline std::ostream& operator<<(std::ostream& out, const Voronoi_quality_2& q)
   std::ostringstream text; // the user's stream keeps its format
   text << row("cells, faces") << q.number_of_cells << ", " << q.number_of_faces << '\n'
        << row("smallest area") << q.smallest_area << '\n'
-       << row("smallest face over distance") << q.smallest_face_ratio << " at (" << q.smallest_face_x << ", "
-       << q.smallest_face_y << ")\n"
+       << row("smallest face over distance") << q.smallest_face_ratio << " at "
+       << Bubble_relaxation_2::internal::about_in_words(q.smallest_face_x, q.smallest_face_y) << '\n'
        << row("faces of length 0, negative") << q.number_of_zero_faces << ", " << q.number_of_negative_faces << '\n'
        << row("obtuse triangles, at constraints") << q.number_of_obtuse_triangles << ", "
        << q.number_of_centers_beyond_constraints << '\n'

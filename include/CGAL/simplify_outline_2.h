@@ -44,8 +44,8 @@ mesh shall have asks for many small triangles. This function, called before, giv
   and form an angle under `corner_angle`.
 - Pieces are between 0.6 and 1.5 d long where the tolerance and the topology allow it. Vertices leave the old outline,
   within the tolerance, where this makes pieces longer or narrow parts of the domain wider: small islands grow, channels
-  widen. What is straight over 10 d or more stays where it is: the sides of a box, where data of a larger model are
-  given.
+  widen. What is straight over 10 d or more, but for roundings of 0.001 d, stays where it is between its ends: the
+  sides of a box, where data of a larger model are given.
 - Two rules, off by default, change the domain, and the report tells where: `minimum_island_area` and `minimum_gap`.
   They come first, in this order; the tolerance and the distance refer to what they leave. So afterwards an island, or a
   gap, may be smaller than the rule says by what the tolerance allows.

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <random>
 #include <set>
+#include <iomanip>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -383,6 +384,12 @@ TEST_F(Outlines, the_report_says_why_there_are_many_more_than_wanted)
   const auto as_wanted = CGAL::npbs_relax(smooth, 0.1);
   EXPECT_FALSE(as_wanted.is_forced_by_outline());
   EXPECT_EQ(text_of(as_wanted).find("forces"), std::string::npos);
+  EXPECT_EQ(text_of(as_wanted).find("Gradation_limited"), std::string::npos);
+
+  CDT jumping = domains::make({domains::square(0, 0, 1)});
+  const auto jump = [](const Point& p) { return p.x() < 0.5 ? 0.02 : 0.1; };
+  const std::string at_jump = text_of(CGAL::npbs_relax(jumping, CGAL::parameters::sizing_function(jump)));
+  EXPECT_NE(at_jump.find("Gradation_limited_sizing_field_2"), std::string::npos) << at_jump;
 
   CDT cdt = domains::make({domains::square(0, 0, 1), domains::polygon(0.71875, 0.21875, 0.02, 60)});
   const auto report = CGAL::npbs_relax(cdt, 0.1);
@@ -390,7 +397,7 @@ TEST_F(Outlines, the_report_says_why_there_are_many_more_than_wanted)
   const std::size_t wanted = report.number_of_wanted_vertices;
   const std::string text = text_of(report);
   std::ostringstream place;
-  place << "most near (" << report.forced_places[0].x << ", " << report.forced_places[0].y << ')';
+  place << std::setprecision(10) << "most near (" << report.forced_places[0].x << ", " << report.forced_places[0].y << ')';
   for (const std::string& said :
        {"asks for about " + std::to_string(wanted) + " of",
         "forces " + std::to_string(report.number_of_vertices - wanted) + " more", place.str(),

@@ -12,6 +12,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -30,6 +32,14 @@ inline std::string in_words(double value)
 inline std::string in_words(double x, double y)
 {
   return "(" + in_words(x) + ", " + in_words(y) + ")";
+}
+
+/// where to look, as reports tell it
+inline std::string about_in_words(double x, double y)
+{
+  std::ostringstream text;
+  text << std::setprecision(10) << '(' << x << ", " << y << ')'; // millimetres of a map's coordinates
+  return text.str();
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -72,7 +72,7 @@ public:
     const Flat_triangulation_2& tr = m_domain.triangulation();
     for (Index t = 0; static_cast<std::size_t>(t) < tr.number_of_triangles(); ++t)
       if (m_domain.is_inside(t))
-        add_roughly(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), 0, sum);
+        add_roughly(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), sum);
     return sum;
   }
 
@@ -106,14 +106,13 @@ private:
     in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add(u, v, w, depth + 1); });
   }
 
-  void add_roughly(const Point& p, const Point& q, const Point& r, int depth, double& sum) const
+  void add_roughly(const Point& p, const Point& q, const Point& r, double& sum) const
   {
-    constexpr int most = 12; // two for each halving of the box; where coordinates are coarse parts get no shorter
-    if (longest_side(p, q, r) > m_coarsest / 4 && depth < most) {
-      in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add_roughly(u, v, w, depth + 1, sum); });
-      return;
-    }
-    sum += number_in(area_of(p, q, r), m_sizing(CGAL::centroid(p, q, r)));
+    const double area = area_of(p, q, r);
+    if (area > m_coarsest * m_coarsest / 16) // so it ends, and needles are asked for once
+      in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add_roughly(u, v, w, sum); });
+    else
+      sum += number_in(area, m_sizing(CGAL::centroid(p, q, r)));
   }
 
   /// of the hexagonal lattice
