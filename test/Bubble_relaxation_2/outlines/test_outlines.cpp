@@ -23,9 +23,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <random>
 #include <set>
-#include <iomanip>
 #include <sstream>
 #include <string>
 #include <utility>
