@@ -16,6 +16,7 @@
 #include <CGAL/npbs_place_nodes.h>
 #include <CGAL/npbs_relax.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -217,6 +218,21 @@ TEST(Relax, number_of_vertices_follows_the_size)
     EXPECT_NEAR(double(report.number_of_vertices), expected, 0.05 * expected + 1 / d); // rows do not fit
     measured = measured == 0 ? 43 : measured == 43 ? 149 : 514;
     expect_about(report.number_of_vertices, measured);
+  }
+}
+
+/// A raster whose cells jump by a factor of 50: beside the outline's few bubbles there is room on its edges, which is no
+/// place for those of the faces.
+TEST(Relax, sizes_that_jump_between_cells_are_no_matter_of_the_outline)
+{
+  for (double coarse : {100., 200., 500.}) {
+    CDT cdt = paper::triangulate({{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}}});
+    const auto cells = [coarse](const paper::Point& p) {
+      const auto cell = [](double x) { return (std::min)(9, static_cast<int>(x / 100)); };
+      return (7 * cell(p.x()) + 3 * cell(p.y())) % 5 == 0 ? 10. : coarse;
+    };
+    EXPECT_GT(CGAL::npbs_relax(cdt, CGAL::parameters::sizing_function(cells)).number_of_vertices, 300u);
+    validation::expect_valid_mesh(cdt);
   }
 }
 

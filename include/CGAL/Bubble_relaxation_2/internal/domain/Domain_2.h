@@ -138,11 +138,26 @@ public:
     Index first = is_inside(found) ? found : no_index;
     for (int i = 0; i < 3; ++i) {
       const Index t = m_marked.neighbors[found][i];
-      if (t != no_index && is_inside(t) && (first == no_index || t < first) &&
-          CGAL::orientation(m_marked.point(found, ccw(i)), m_marked.point(found, cw(i)), q) == COLLINEAR)
+      if (t != no_index && is_inside(t) && (first == no_index || t < first) && is_on_side(found, i, q))
         first = t;
     }
     return first;
+  }
+
+  /// whether a point lies on the line of the side `i` of a triangle
+  bool is_on_side(Index t, int i, const Point& q) const
+  {
+    return CGAL::orientation(m_marked.point(t, ccw(i)), m_marked.point(t, cw(i)), q) == COLLINEAR;
+  }
+
+  /// Whether a point of a triangle lies on an edge of the domain. It is no place for a bubble of a face, and where sizes
+  /// jump there may be none of the edge for many d.
+  bool is_on_edge(Index t, const Point& q) const
+  {
+    for (int i = 0; i < 3; ++i)
+      if (edge(t, i) != no_index && is_on_side(t, i, q))
+        return true;
+    return false;
   }
 
 private:

@@ -270,8 +270,14 @@ private:
     });
   }
 
-  /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, else `no_index`
+  /// the triangle of `p` if the domain's edges do not hide it from bubble `i`, and it lies on none, else `no_index`
   Index visible_triangle(std::size_t i, const Point& p) const
+  {
+    const Index t = triangle_seen_from(i, p);
+    return t != no_index && m_domain.is_on_edge(t, p) ? no_index : t;
+  }
+
+  Index triangle_seen_from(std::size_t i, const Point& p) const
   {
     const Index host = m_bubbles.host[i];
     if (m_bubbles.is_on_edge(i))

@@ -197,7 +197,7 @@ private:
     if (start == no_index)
       return;
     const Walk_end end = m_domain.walk(start, centroid, center);
-    if (end.is_blocked())
+    if (end.is_blocked() || m_domain.is_on_edge(end.triangle, center))
       return;
     const double d = m_sizing(center);
     if (radius > largest_radius * d)
