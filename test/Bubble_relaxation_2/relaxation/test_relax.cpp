@@ -221,8 +221,8 @@ TEST(Relax, number_of_vertices_follows_the_size)
   }
 }
 
-/// A raster whose cells jump by a factor of 50: beside the outline's few bubbles there is room on its edges, which is no
-/// place for those of the faces.
+/// A raster whose cells jump by a factor of 50: between the outline's few bubbles there is room on its edges, which is
+/// no place for those of the faces.
 TEST(Relax, sizes_that_jump_between_cells_are_no_matter_of_the_outline)
 {
   for (double coarse : {100., 200., 500.}) {

@@ -150,8 +150,8 @@ public:
     return CGAL::orientation(m_marked.point(t, ccw(i)), m_marked.point(t, cw(i)), q) == COLLINEAR;
   }
 
-  /// Whether a point of a triangle lies on an edge of the domain. It is no place for a bubble of a face, and where sizes
-  /// jump there may be none of the edge for many d.
+  /// Whether a point of a triangle lies on an edge of the domain. It is no place for a bubble of a face, though where
+  /// sizes jump there may be none of the edge for many d.
   bool is_on_edge(Index t, const Point& q) const
   {
     for (int i = 0; i < 3; ++i)
