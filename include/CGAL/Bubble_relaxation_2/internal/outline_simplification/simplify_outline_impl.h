@@ -114,8 +114,11 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
   }
   fix_ends(outline, problem.is_end);
   check_number_of_places(outline, demands);
-  outline = with_cut_segments(outline, Even_parts_2(outline, demands.size, problem.sizes));
-  demands = demands_of(outline, problem.sizes, problem.options);
+  if (Outline_2 cut = with_cut_segments(outline, Even_parts_2(outline, demands.size, problem.sizes));
+      cut.points.size() > outline.points.size()) {
+    outline = std::move(cut);
+    demands = demands_of(outline, problem.sizes, problem.options);
+  }
   const Forced_vertices_2 forced(outline, demands, problem.sizes);
   if (problem.options.maximum_number_of_bubbles > 0)
     forced.check_wanted(problem.options.maximum_number_of_bubbles);
