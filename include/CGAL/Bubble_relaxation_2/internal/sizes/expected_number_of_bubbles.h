@@ -72,7 +72,7 @@ public:
     const Flat_triangulation_2& tr = m_domain.triangulation();
     for (Index t = 0; static_cast<std::size_t>(t) < tr.number_of_triangles(); ++t)
       if (m_domain.is_inside(t))
-        add_roughly(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), sum);
+        add_roughly(tr.point(t, 0), tr.point(t, 1), tr.point(t, 2), 0, sum);
     return sum;
   }
 
@@ -106,11 +106,13 @@ private:
     in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add(u, v, w, depth + 1); });
   }
 
-  void add_roughly(const Point& p, const Point& q, const Point& r, double& sum) const
+  /// Parts are halved by area, so needles are asked for once.
+  void add_roughly(const Point& p, const Point& q, const Point& r, int depth, double& sum) const
   {
+    constexpr int most = 12; // halvings of the box; where coordinates are coarse parts get no smaller
     const double area = area_of(p, q, r);
-    if (area > m_coarsest * m_coarsest / 16) // so it ends, and needles are asked for once
-      in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add_roughly(u, v, w, sum); });
+    if (area > m_coarsest * m_coarsest / 16 && depth < most)
+      in_halves(p, q, r, [&](const Point& u, const Point& v, const Point& w) { add_roughly(u, v, w, depth + 1, sum); });
     else
       sum += number_in(area, m_sizing(CGAL::centroid(p, q, r)));
   }
