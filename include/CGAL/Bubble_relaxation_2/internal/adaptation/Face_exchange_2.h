@@ -310,12 +310,7 @@ private:
   /// whether all faces around an old vertex are to go
   bool is_all_taken(Vertex_handle v) const
   {
-    auto f = m_cdt.incident_faces(v), first = f;
-    do
-      if (!is_taken(f))
-        return false;
-    while (++f != first);
-    return true;
+    return are_all_around(m_cdt, v, [this](Face_handle f) { return is_taken(f); });
   }
 
   bool is_sound(Face_handle f, int i) const

@@ -114,12 +114,7 @@ private:
   /// whether all faces around a vertex are read
   bool is_surrounded(Vertex_handle v) const
   {
-    auto f = m_cdt.incident_faces(v), first = f;
-    do
-      if (!is_read(f))
-        return false;
-    while (++f != first);
-    return true;
+    return are_all_around(m_cdt, v, [this](Face_handle f) { return is_read(f); });
   }
 
   const Cdt& m_cdt;

@@ -61,7 +61,7 @@ Grid_squares_2 squares_around(const std::vector<typename Cdt::Face_handle>& face
   for (typename Cdt::Face_handle f : faces) {
     tick(); // asking for a size may take long
     const std::array<Point, 3> p = corners_in_double<Cdt>(f);
-    boxes.push_back(box_of<Cdt>(f));
+    boxes.push_back(CGAL::bbox_2(p.begin(), p.end()));
     longest = (std::max)({longest, boxes.back().x_span(), boxes.back().y_span()});
     largest = (std::max)(largest, wanted(*std::min_element(p.begin(), p.end())));
   }

@@ -145,6 +145,18 @@ Bbox_2 box_of(typename Triangulation::Face_handle f)
   return CGAL::bbox_2(corners.begin(), corners.end());
 }
 
+/// whether all faces around a vertex, infinite ones among them, are of a kind
+template <class Triangulation, class Is_of_kind>
+bool are_all_around(const Triangulation& t, typename Triangulation::Vertex_handle v, const Is_of_kind& is_of_kind)
+{
+  auto f = t.incident_faces(v), first = f;
+  do
+    if (!is_of_kind(f))
+      return false;
+  while (++f != first);
+  return true;
+}
+
 /// A user's triangulation in arrays: its finite vertices and faces in the order in which it lists them.
 struct Triangulation_copy_2
 {

@@ -129,16 +129,12 @@ private:
   /// \throws std::runtime_error if two of them become one
   void insert_vertices()
   {
-    const std::size_t n = m_outline.points.size();
-    m_vertices.resize(n);
-    if (n > 0)
-      insert_vertex(0, m_cdt.finite_vertices_begin());
-    std::size_t step = 1;
-    while (step < n)
-      step *= 2;
-    for (step /= 2; step > 0; step /= 2)
-      for (std::size_t v = step; v < n; v += 2 * step)
-        insert_vertex(v, vertex(static_cast<Index>(v - step)));
+    m_vertices.resize(m_outline.points.size());
+    Vertex_handle near = m_cdt.finite_vertices_begin();
+    for (Index v : in_rounds(indices_below(m_outline.points.size()))) {
+      insert_vertex(static_cast<std::size_t>(v), near);
+      near = vertex(v);
+    }
   }
 
   void insert_vertex(std::size_t v, Vertex_handle near)
