@@ -35,8 +35,8 @@ Markers of the constraints of a triangulation, such as numbers of boundary condi
 
 It holds a marker for each pair of vertices that it is told, whichever is named first. Copies share what they hold. When
 a triangulation is meshed, the markers of edges that go are forgotten; any other change of the triangulation leaves
-the map as it is: an edge that a later insertion cuts has no marker any more. So markers are set when all constraints are in,
-best by the `set()` that follows a line.
+the map as it is: an edge that a later insertion cuts has no marker any more. So markers are set when all constraints
+are in, best by the `set()` that follows a line.
 
 \cgalModels{ReadWritePropertyMap}
 
@@ -69,7 +69,7 @@ public:
 
   /// sets the marker of all edges of `cdt` on the straight line between two vertices, as `insert_constraint(u, v)` has
   /// left them: vertices on the line cut it.
-  /// \throws std::invalid_argument if they do not lead to `v`, as where a crossing of constraints was rounded.
+  /// \throws std::invalid_argument if constraints do not lead on to `v`, as where a crossing of them was rounded.
   /// Then no marker is set. A `Constrained_triangulation_plus_2` knows where its constraints go, and
   /// has the next function
   void set(const CDT& cdt, Vertex_handle u, Vertex_handle v, const Marker& marker) const
@@ -78,12 +78,13 @@ public:
     typename CDT::Face_handle f;
     int i = 0;
     for (Vertex_handle next; line.back() != v; line.push_back(next))
-      if (!cdt.includes_edge(line.back(), v, next, f, i)) {
+      if (!cdt.includes_edge(line.back(), v, next, f, i) || !f->is_constrained(i)) {
         using Bubble_relaxation_2::internal::in_words;
         using Bubble_relaxation_2::internal::point_in_double;
         const auto end = point_in_double<CDT>(line.back()->point()), aim = point_in_double<CDT>(v->point());
-        throw std::invalid_argument("Bubble_relaxation_2: no edge leads straight on from " +
-                                    in_words(end.x(), end.y()) + " to " + in_words(aim.x(), aim.y()) + ": a crossing was rounded, or there is none");
+        throw std::invalid_argument("Bubble_relaxation_2: no constraint leads straight on from " +
+                                    in_words(end.x(), end.y()) + " to " + in_words(aim.x(), aim.y()) +
+                                    ": a crossing was rounded, or there is none");
       }
     for (std::size_t k = 1; k < line.size(); ++k)
       set(line[k - 1], line[k], marker);

@@ -292,7 +292,7 @@ calls of them and of the ranges, but for `put()` and the callback in the phase `
 `cdt`: after their exceptions, and after those listed above but for errors while the mesh is written, `cdt` is untouched,
 with all its handles and the identifiers of its constraints. After `std::bad_alloc`, an exception of CGAL, of `put()` or
 of the callback, or a `std::runtime_error`, while the mesh is written, `cdt` has the content that it had, and the maps
-have its tags, but all handles and identifiers of constraints are invalid.
+have its tags as far as `put()` takes them, but all handles and identifiers of constraints are invalid.
 
 \sa `npbs_place_nodes()`
 \sa `refine_Delaunay_mesh_2()`

@@ -161,7 +161,8 @@ its segments cross, or the domain comes to lie on another side of one, when roun
 
 Exceptions of the sizing function pass through. All calls of it, of the property map and of the ranges come before the
 first change of `cdt`: after them, and after `std::invalid_argument`, it is untouched. After other exceptions `cdt` has
-the content that it had, and the map its markers, but all handles and identifiers of constraints are invalid.
+the content that it had, and the map its markers as far as `put()` takes them, but all handles and identifiers of
+constraints are invalid.
 
 \sa `npbs_relax()`
 */

@@ -732,6 +732,36 @@ TEST(Simplify_outline, sizes_far_too_small)
   const auto np = CGAL::parameters::sizing_function(1e-3).maximum_number_of_bubbles(100000);
   expect_throw<std::length_error>([&] { CGAL::simplify_outline_2(cdt, np); },
                                   {"maximum_number_of_bubbles = 100000", "sizing function", "about 1.2e+06"});
+  const auto fine_between_corners = CGAL::parameters::sizing_function([](const Point& p) {
+    return (p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1) ? 0.1 : 1e-7;
+  });
+  expect_throw<std::length_error>([&] { CGAL::simplify_outline_2(cdt, fine_between_corners); },
+                                  {"sizing_function", "pieces"});
+  expect_throw<std::length_error>(
+    [&] { CGAL::simplify_outline_2(cdt, fine_between_corners.maximum_number_of_bubbles(1000)); },
+    {"maximum_number_of_bubbles = 1000", "sizing function"});
+}
+
+// A side goes around a corner that is cut off by less than the rounding of coordinates, and is a wall from both ends.
+TEST(Simplify_outline, walls_end_in_corners_that_are_cut_off)
+{
+  for (double way : {1., -1.}) {
+    const double l = 0.0009, dx = l * std::cos(1.), dy = l * std::sin(1.);
+    const double end = (100 + dx) * way;
+    const Outline box{{0, 0}, {100 * way, 0}, {end, dy * way}, {end, 100 * way}, {0, 100 * way}};
+    Outline island; // so near that the wall would give way
+    for (int k = 0; k < 8; ++k)
+      island.emplace_back((50 + 0.8 * std::cos(k * CGAL_PI / 4)) * way, (1.25 + 0.8 * std::sin(k * CGAL_PI / 4)) * way);
+    CDT cdt = make({box, island});
+    CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1.).relative_outline_tolerance(0.2));
+    int on_the_wall = 0;
+    for (auto v : cdt.finite_vertex_handles())
+      if (v->point().x() * way > 2 && v->point().x() * way < 98 && v->point().y() * way < 0.3) {
+        EXPECT_NEAR(v->point().y(), 0, 1e-9);
+        ++on_the_wall;
+      }
+    EXPECT_GT(on_the_wall, 80);
+  }
 }
 
 TEST(Simplify_outline, gaps_far_too_small)
@@ -740,9 +770,19 @@ TEST(Simplify_outline, gaps_far_too_small)
   const auto simplify = [&](double gap) {
     return CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1e5).minimum_gap(gap)).filled_gaps.size();
   };
-  expect_throw<std::length_error>([&] { simplify(1e-3); }, {"minimum_gap = 0.001", "5.2e+09 parts"});
+  expect_throw<std::length_error>([&] { simplify(1e-3); }, {"minimum_gap = 0.001", "8e+08 parts"});
   EXPECT_EQ(simplify(1e-300), 0u); // nothing is near
   EXPECT_EQ(simplify(1e4), 1u);
+}
+
+TEST(Simplify_outline, gaps_far_smaller_than_segments)
+{
+  const auto filled_gaps = [](CDT cdt, double gap) {
+    return CGAL::simplify_outline_2(cdt, CGAL::parameters::sizing_function(1e5).minimum_gap(gap)).filled_gaps.size();
+  };
+  const Outline triangle{{0, 0}, {1e6, 0}, {5e5, 8e5}}; // its corners are narrow, the rest is not
+  EXPECT_EQ(filled_gaps(make({triangle}), 0.1), 0u);
+  EXPECT_EQ(filled_gaps(make({square(0, 0, 1e6), square(1e-2, 1e5, 1)}), 0.1), 1u);
 }
 
 TEST(Simplify_outline, an_exception_changes_nothing)

@@ -83,7 +83,7 @@ struct Channel
     insert(f, a, "inflow");
     insert(b, e, "sieve");
     if (has_more) // then the mesh is inserted, not written as it is
-      add(5, 5);
+      insert(add(5, 5), add(6, 5), "quay");
     for (auto face : cdt.finite_face_handles())
       regions.set(face, is_left(face) ? 10 : 20);
   }
@@ -109,6 +109,8 @@ struct Channel
   std::string expected(Vertex u, Vertex v) const
   {
     const double x = (x_of<Cdt>(u) + x_of<Cdt>(v)) / 2, y = (y_of<Cdt>(u) + y_of<Cdt>(v)) / 2;
+    if (y > 1)
+      return "quay";
     return y == 0 ? (x < 0.7 ? "sand" : "rock") : y == 1 ? "wall" : x == 0 ? "inflow" : x == 2 ? "outflow" : "sieve";
   }
 
@@ -121,6 +123,16 @@ struct Channel
   }
 
   bool has_vertex(double x, double y) const { return vertices().count({x, y}) > 0; }
+
+  /// of the faces that are not of the domain, in order
+  std::vector<double> regions_outside() const
+  {
+    std::vector<double> result;
+    for (auto f : cdt.finite_face_handles())
+      if (is_outside(f))
+        result.push_back(regions(f));
+    return result;
+  }
 
   void expect_tags_of_mesh() const
   {
@@ -139,7 +151,7 @@ struct Channel
         EXPECT_EQ(regions(f), is_left(f) ? 10 : 20);
         areas[regions(f)] += CGAL::to_double(cdt.triangle(f).area());
       }
-    EXPECT_EQ(lengths.size(), 6u);
+    EXPECT_EQ(lengths.size(), 6u + lengths.count("quay"));
     EXPECT_NEAR(lengths["sand"], 0.7, 1e-12);
     EXPECT_NEAR(lengths["rock"], 1.3, 1e-12);
     EXPECT_NEAR(lengths["wall"], 2, 1e-12);
@@ -358,6 +370,11 @@ TYPED_TEST(Tags, come_back_when_a_change_fails)
     for (int puts : {0, 40}) {
       Channel<TypeParam> channel(has_more);
       CGAL::npbs_relax(channel.cdt, channel.maps().sizing_function(0.2));
+      for (auto f : channel.cdt.finite_face_handles())
+        if (channel.is_outside(f))
+          channel.regions.set(f, 30);
+      const std::vector<double> outside = channel.regions_outside();
+      EXPECT_EQ(outside.empty(), !has_more);
       int left = puts;
       using Regions = decltype(channel.regions);
       EXPECT_THROW(CGAL::npbs_relax(channel.cdt, P::edge_marker_map(channel.markers)
@@ -365,7 +382,57 @@ TYPED_TEST(Tags, come_back_when_a_change_fails)
                                                    .sizing_function(0.1)),
                    std::domain_error);
       channel.expect_tags_of_mesh();
+      EXPECT_EQ(channel.regions_outside(), outside);
     }
+}
+
+/// A map of the user's that fails when it is asked once too often.
+template <class Map>
+struct Failing_early
+{
+  using key_type = typename Map::key_type;
+  using value_type = typename Map::value_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  const Map* map;
+  int* gets_left;
+
+  friend value_type get(const Failing_early& m, const key_type& key)
+  {
+    if ((*m.gets_left)-- == 0)
+      throw std::domain_error("get");
+    return get(*m.map, key);
+  }
+  friend void forget(const Failing_early& m, const key_type& key) { forget(*m.map, key); }
+  friend void put(const Failing_early& m, const key_type& key, const value_type& value) { put(*m.map, key, value); }
+};
+
+TYPED_TEST(Tags, exceptions_before_a_change_change_nothing)
+{
+  Channel<TypeParam> channel(true);
+  const auto handles = [&channel] {
+    std::vector<typename TypeParam::Vertex_handle> result;
+    for (auto v : channel.cdt.finite_vertex_handles())
+      result.push_back(v);
+    return result;
+  };
+  const auto before = handles();
+  bool is_done = false;
+  for (int gets = 0; !is_done; ++gets) {
+    int left = gets;
+    using Markers = decltype(channel.markers);
+    try {
+      CGAL::npbs_relax(channel.cdt, P::edge_marker_map(Failing_early<Markers>{&channel.markers, &left})
+                                      .face_region_map(channel.regions)
+                                      .sizing_function(0.5));
+      is_done = true;
+      EXPECT_GT(gets, 20); // when it is read, and before it is written
+    } catch (const std::domain_error&) {
+      ASSERT_TRUE(handles() == before);
+    }
+    channel.expect_tags_of_mesh();
+  }
 }
 
 TYPED_TEST(Tags, come_back_after_a_stop)
@@ -416,6 +483,8 @@ TEST(Tag_maps, tell_edges_on_a_line_and_faces_of_a_region)
   EXPECT_EQ(markers(at(1, 1), at(0.375, 1)), 5);
   EXPECT_EQ(markers(at(0, 1), at(0.375, 1)), 5);
   EXPECT_EQ(markers(at(0, 1), at(0, 0)), -1);
+  for (const auto& line : {std::pair(at(1, 0), at(2, 1)), std::pair(at(2, 0), at(1, 1))}) // one is an edge
+    expect_invalid([&] { markers.set(cdt, line.first, line.second, 6); }, {"no constraint leads straight on"});
   CGAL::Face_region_map_2<domains::CDT> regions;
   regions.set_all_around(cdt.locate(domains::Point(0.5, 0.5)), 7);
   for (auto f : cdt.finite_face_handles())

@@ -301,11 +301,10 @@ TEST(Direct_write, content_comes_back_after_an_error)
 {
   domains::CDT cdt = domains::mesh({slanted, hole}, 0.1);
   const validation::Snapshot before = validation::snapshot(cdt);
-  {
-    CGAL::Bubble_relaxation_2::internal::Restore_on_throw<domains::CDT> guard(cdt);
-    cdt.tds().faces().clear();
-    cdt.tds().create_vertex();
-  }
+  CGAL::Bubble_relaxation_2::internal::Content_backup_2<domains::CDT> backup(cdt);
+  cdt.tds().faces().clear();
+  cdt.tds().create_vertex();
+  backup.restore();
   EXPECT_TRUE(validation::snapshot(cdt) == before);
   validation::expect_valid_mesh(cdt);
 }
@@ -505,10 +504,11 @@ TEST(Write_back_plus, content_comes_back_after_an_error_of_the_writing)
   Plus cdt = mesh_with_polylines();
   const auto before = everything_by_places(cdt);
   {
-    CGAL::Bubble_relaxation_2::internal::Restore_on_throw<Plus> guard(cdt);
+    CGAL::Bubble_relaxation_2::internal::Content_backup_2<Plus> backup(cdt);
     cdt.insert(domains::Point(0.7, 0.2));
     cdt.insert_constraint(domains::Point(0.6, 0.1), domains::Point(0.6, 0.4));
     EXPECT_FALSE(everything_by_places(cdt) == before);
+    backup.restore();
   }
   EXPECT_TRUE(everything_by_places(cdt) == before);
   EXPECT_TRUE(cdt.is_valid());

@@ -43,7 +43,9 @@ public:
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
     for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth)) {
       const Point& p = m_reading.domain.corners()[c.corner];
-      m_forced.push_back(Forced_place_2{p, m_wanted(p)});
+      const std::vector<Point>& silent = m_reading.given.silent_corners;
+      if (!std::binary_search(silent.begin(), silent.end(), p))
+        m_forced.push_back(Forced_place_2{p, m_wanted(p)});
     }
   }
 
@@ -101,14 +103,22 @@ private:
   {
     std::vector<Point>& pins = m_reading.given.pinned;
     pins.clear();
-    for_each_face([&](Face_handle f) {
-      for (int i = 0; i < 3; ++i) {
-        const Vertex_handle v = f->vertex(i);
-        if (is_pinned(v) && !m_cdt.are_there_incident_constraints(v) && is_surrounded(v))
-          pins.push_back(point_in_double<Cdt>(v->point()));
-      }
-    });
-    sort_each_once(pins);
+    for (Vertex_handle v : vertices())
+      if (is_pinned(v) && !m_cdt.are_there_incident_constraints(v) && is_surrounded(v))
+        pins.push_back(point_in_double<Cdt>(v->point()));
+    std::sort(pins.begin(), pins.end());
+  }
+
+  /// of the faces that are read, each once
+  std::vector<Vertex_handle> vertices() const
+  {
+    const auto all = m_cdt.finite_vertex_handles();
+    if (m_where == nullptr)
+      return {all.begin(), all.end()};
+    std::vector<Vertex_handle> result;
+    for_each_face([&result](Face_handle f) { result.insert(result.end(), {f->vertex(0), f->vertex(1), f->vertex(2)}); });
+    sort_each_once(result);
+    return result;
   }
 
   /// whether all faces around a vertex are read

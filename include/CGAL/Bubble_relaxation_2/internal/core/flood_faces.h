@@ -9,6 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_FLOOD_FACES_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORE_FLOOD_FACES_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
+
 #include <unordered_set>
 #include <vector>
 
@@ -24,6 +26,7 @@ void flood_faces(Face_handle first, std::unordered_set<const void*>& reached, co
   for (std::vector<Face_handle> stack{first}; !stack.empty();) {
     const Face_handle f = stack.back();
     stack.pop_back();
+    tick(reached.size());
     visit(f);
     for (int i = 0; i < 3; ++i)
       if (!f->is_constrained(i) && reached.insert(&*f->neighbor(i)).second)

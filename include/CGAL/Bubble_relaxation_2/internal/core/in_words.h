@@ -12,8 +12,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <string>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -37,9 +35,13 @@ inline std::string in_words(double x, double y)
 /// where to look, as reports tell it
 inline std::string about_in_words(double x, double y)
 {
-  std::ostringstream text;
-  text << std::setprecision(10) << '(' << x << ", " << y << ')'; // millimetres of a map's coordinates
-  return text.str();
+  constexpr int digits = 10; // millimetres of a map's coordinates
+  std::array<char, 64> text;
+  char* const last = text.data() + text.size();
+  const auto comma = std::to_chars(text.data(), last, x, std::chars_format::general, digits);
+  const std::string first(text.data(), comma.ptr);
+  const auto end = std::to_chars(text.data(), last, y, std::chars_format::general, digits);
+  return "(" + first + ", " + std::string(text.data(), end.ptr) + ")";
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

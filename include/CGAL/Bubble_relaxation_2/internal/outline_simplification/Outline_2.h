@@ -16,6 +16,8 @@
 
 #include <CGAL/Bbox_2.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -33,6 +35,7 @@ struct Outline_segment_2
   Index origin;
 
   bool is_in_domain() const { return inside_left || inside_right; }
+  Index other_end(Index v) const { return source == v ? target : source; }
 };
 
 /// Segments that meet in vertices only. Vertices are numbered in the lexicographic order of their points, so that
@@ -61,6 +64,19 @@ struct Outline_2
     });
   }
 };
+
+/// the segments at each vertex, nearly always two
+using Segments_at_vertices_2 = std::vector<boost::container::small_vector<Index, 2>>;
+
+/// in their order
+inline Segments_at_vertices_2 segments_at_vertices(const Outline_2& outline)
+{
+  Segments_at_vertices_2 result(outline.points.size());
+  for (std::size_t e = 0; e < outline.segments.size(); ++e)
+    for (Index v : {outline.segments[e].source, outline.segments[e].target})
+      result[v].push_back(static_cast<Index>(e));
+  return result;
+}
 
 /// The outline without vertices that are of no segment, unless they are to stay. Else those of a mesh, or of an island
 /// that is gone, would be taken for something that the domain is narrow beside.

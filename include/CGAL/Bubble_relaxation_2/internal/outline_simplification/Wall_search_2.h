@@ -11,8 +11,6 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -28,12 +26,8 @@ class Wall_search_2
 public:
   /// `size`: at the vertices
   Wall_search_2(const Outline_2& outline, const std::vector<double>& size)
-    : m_outline(outline), m_size(size), m_at(outline.points.size())
-  {
-    for (std::size_t e = 0; e < outline.segments.size(); ++e)
-      for (Index v : {outline.segments[e].source, outline.segments[e].target})
-        m_at[v].push_back(static_cast<Index>(e));
-  }
+    : m_outline(outline), m_size(size), m_at(segments_at_vertices(outline))
+  {}
 
   std::vector<char> operator()()
   {
@@ -42,14 +36,18 @@ public:
     for (std::size_t e = 0; e < is_wall.size(); ++e) {
       if (is_seen[e])
         continue;
-      go_straight_on(m_outline.segments[e].source, static_cast<Index>(e));
-      go_straight_on(m_vertices.back(), m_segments.back()); // and back, as far as it goes
-      const bool is_long = number_of_pieces() >= long_wall;
-      for (Index part : m_segments) {
-        is_seen[part] = 1;
-        is_wall[part] = is_wall[part] || is_long;
-      }
-      is_seen[e] = 1;
+      const auto judge = [&] {
+        const bool is_long = number_of_pieces() >= long_wall;
+        for (Index part : m_segments) {
+          is_seen[part] = 1;
+          is_wall[part] = is_wall[part] || is_long;
+        }
+      };
+      const Index first = m_outline.segments[e].source;
+      go_straight_on(first, static_cast<Index>(e), other_end(static_cast<Index>(e), first));
+      judge();
+      go_straight_on(m_vertices.back(), m_segments.back(), first); // and back, as far as it goes
+      judge();
     }
     return is_wall;
   }
@@ -57,21 +55,17 @@ public:
 private:
   const Point& point(Index v) const { return m_outline.points[v]; }
 
-  Index other_end(Index e, Index v) const
-  {
-    const Outline_segment_2& s = m_outline.segments[e];
-    return s.source == v ? s.target : s.source;
-  }
+  Index other_end(Index e, Index v) const { return m_outline.segments[e].other_end(v); }
 
   /// The way from a vertex along a segment, and those behind it, on which no vertex is farther from the straight line to
-  /// the last one than text files round coordinates. That leaves a range of slopes against the first segment.
-  void go_straight_on(Index first, Index e)
+  /// the last one than text files round coordinates. That leaves a range of slopes against the direction to `aim`: that
+  /// of a first segment which is no longer than they round may be any.
+  void go_straight_on(Index first, Index e, Index aim)
   {
     constexpr double tolerated = 1e-3; // in units of d
     m_segments.clear();
     m_vertices.assign(1, first);
-    const Kernel::Vector_2 first_step = point(other_end(e, first)) - point(first);
-    const Kernel::Vector_2 along = first_step / std::sqrt(first_step.squared_length());
+    const Kernel::Vector_2 along = (point(aim) - point(first)) / distance(point(first), point(aim));
     double farthest = 0, least_slope = -std::numeric_limits<double>::infinity(), largest_slope = -least_slope;
     const auto take = [&](Index part) {
       const Index v = other_end(part, m_vertices.back());
@@ -105,7 +99,7 @@ private:
 
   const Outline_2& m_outline;
   const std::vector<double>& m_size;
-  std::vector<boost::container::small_vector<Index, 2>> m_at; // the segments at each vertex
+  Segments_at_vertices_2 m_at; // the segments at each vertex
   std::vector<Index> m_segments, m_vertices;                  // of the way
 };
 

@@ -10,51 +10,82 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_CUT_SEGMENTS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Outline_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Segment_grid_2.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Kernel/global_functions_2.h>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Which segments of the domain that are longer than `length` have another one nearer than `reach`: the domain can be
-/// narrow beside these only. One that they meet in a vertex counts where the angle is acute.
-inline std::vector<char> segments_near_others(const Outline_2& outline, double reach, double length)
+/// From where to where along a segment, as distances from its source.
+using Stretch = std::pair<double, double>;
+
+/// A stretch of the segment from `a` to `b` outside of which the one from `c` to `d` is not nearer than `reach`; maybe
+/// empty.
+inline Stretch stretch_near(const Point& a, const Point& b, const Point& c, const Point& d, double reach)
+{
+  const double length = distance(a, b);
+  const Kernel::Vector_2 along = (b - a) / length;
+  const double x_c = along * (c - a), x_d = along * (d - a);
+  const double y_c = CGAL::determinant(along, c - a), y_d = CGAL::determinant(along, d - a);
+  double first = 0, last = std::abs(y_c) < reach ? 1 : 0; // of the way from `c` to `d`, what is so near to the line
+  if (y_c != y_d) {
+    const double enters = (-reach - y_c) / (y_d - y_c), leaves = (reach - y_c) / (y_d - y_c);
+    first = (std::max)(0., (std::min)(enters, leaves));
+    last = (std::min)(1., (std::max)(enters, leaves));
+  }
+  if (first >= last)
+    return {0, 0};
+  const double x_first = x_c + first * (x_d - x_c), x_last = x_c + last * (x_d - x_c);
+  return {(std::max)(0., (std::min)(x_first, x_last) - reach), (std::min)(length, (std::max)(x_first, x_last) + reach)};
+}
+
+/// Of each segment of the domain that is longer than `length` the stretches, in order and apart, where another one is
+/// nearer than `reach`: the domain can be narrow beside these only. One that they meet in a vertex counts where the
+/// angle is acute.
+inline std::vector<std::vector<Stretch>> stretches_near_others(const Outline_2& outline, double reach, double length)
 {
   const std::vector<Outline_segment_2>& segments = outline.segments;
   const auto point = [&outline](Index v) -> const Point& { return outline.points[v]; };
-  const auto are_near = [&](const Outline_segment_2& s, const Outline_segment_2& t) {
+  const auto meet_bluntly = [&](const Outline_segment_2& s, const Outline_segment_2& t) {
     for (Index u : {s.source, s.target})
       for (Index v : {t.source, t.target})
         if (u == v)
-          return CGAL::angle(point(s.source + s.target - u), point(u), point(t.source + t.target - u)) == ACUTE;
-    const auto is_near = [&](Index v, const Outline_segment_2& to) {
-      return distance_to_segment(point(v), point(to.source), point(to.target)) < reach;
-    };
-    return is_near(s.source, t) || is_near(s.target, t) || is_near(t.source, s) || is_near(t.target, s);
+          return CGAL::angle(point(s.other_end(u)), point(u), point(t.other_end(u))) != ACUTE;
+    return false;
   };
   Segment_grid_2 grid;
   for (const Outline_segment_2& s : segments)
     grid.insert(point(s.source), point(s.target), reach);
-  std::vector<char> result(segments.size(), 0);
+  std::vector<std::vector<Stretch>> result(segments.size());
   for (std::size_t e = 0; e < segments.size(); ++e) {
     const Outline_segment_2& s = segments[e];
-    if (!s.is_in_domain() || distance(point(s.source), point(s.target)) <= length)
+    const Point &a = point(s.source), &b = point(s.target);
+    if (!s.is_in_domain() || distance(a, b) <= length)
       continue;
-    const Bbox_2 b = grid.box(static_cast<Index>(e)),
-                 around(b.xmin() - reach, b.ymin() - reach, b.xmax() + reach, b.ymax() + reach);
-    grid.for_each_near(around, [&](Index other) {
-      result[e] = result[e] || (other != static_cast<Index>(e) && are_near(s, segments[other]));
-    });
+    std::vector<Stretch> near;
+    const Bbox_2 box = grid.box(static_cast<Index>(e));
+    grid.for_each_near(
+      {box.xmin() - reach, box.ymin() - reach, box.xmax() + reach, box.ymax() + reach}, [&](Index other) {
+        const Outline_segment_2& t = segments[other];
+        if (other != static_cast<Index>(e) && !meet_bluntly(s, t))
+          near.push_back(stretch_near(a, b, point(t.source), point(t.target), reach));
+      });
+    std::sort(near.begin(), near.end());
+    for (const Stretch& part : near)
+      if (std::vector<Stretch>& united = result[e]; !united.empty() && part.first <= united.back().second)
+        united.back().second = (std::max)(united.back().second, part.second);
+      else if (part.first < part.second)
+        united.push_back(part);
   }
   return result;
 }
@@ -97,6 +128,15 @@ Outline_2 with_cut_segments(const Outline_2& outline, const Points_on& points_on
   return cut;
 }
 
+/// \throws std::length_error if pieces of the outline would be far more than can be wanted
+inline void check_number_of_pieces(double n)
+{
+  constexpr double most = 2e6; // three gigabytes of places where they may end
+  if (!(n < most))
+    throw std::length_error("Bubble_relaxation_2: sizing_function asks for about " + in_words(std::round(n)) +
+                            " pieces of the outline, or more");
+}
+
 /// Cuts segments in halves until d between their ends is what it is at these, and they are no longer than some hundred
 /// pieces.
 class Even_parts_2
@@ -107,6 +147,7 @@ public:
   {}
 
   /// where a segment is cut, from its source to its target
+  /// \throws std::length_error if d asks for far more pieces than can be wanted
   std::vector<Point> operator()(std::size_t e) const
   {
     const Outline_segment_2& s = m_outline.segments[e];
@@ -121,8 +162,11 @@ private:
     constexpr double short_part = 2, long_part = 256, even = 0.1; // in units of d
     constexpr int deepest = 24;
     const double length = distance(a, b);
-    if (length <= short_part * (std::min)(at_a, at_b) || depth == deepest)
+    if (length <= short_part * (std::min)(at_a, at_b) || depth == deepest) {
+      m_pieces += length / (std::min)(at_a, at_b);
+      check_number_of_pieces(m_pieces);
       return false;
+    }
     const Point m = CGAL::midpoint(a, b);
     const double at_m = m_sizes(m);
     const std::size_t before = cuts.size();
@@ -139,15 +183,13 @@ private:
   const Outline_2& m_outline;
   const std::vector<double>& m_size;
   const Sizes_2& m_sizes;
+  mutable double m_pieces = 0; // so far
 };
 
 /// Joins parts of a segment between which nothing else ends: what follows takes time for each vertex.
 inline Outline_2 with_joined_parts(const Outline_2& cut)
 {
-  std::vector<boost::container::small_vector<Index, 2>> at(cut.points.size()); // segments
-  for (std::size_t e = 0; e < cut.segments.size(); ++e)
-    for (Index v : {cut.segments[e].source, cut.segments[e].target})
-      at[v].push_back(static_cast<Index>(e));
+  const auto at = segments_at_vertices(cut);
   const auto origin = [&cut](Index e) { return cut.segments[e].origin; };
   const auto joins_parts = [&](Index v) {
     return cut.given[v] == no_index && !cut.is_fixed[v] && at[v].size() == 2 && origin(at[v][0]) != no_index &&
@@ -158,7 +200,7 @@ inline Outline_2 with_joined_parts(const Outline_2& cut)
     while (joins_parts(v)) {
       e = at[v][0] == e ? at[v][1] : at[v][0];
       is_done[e] = 1;
-      v = cut.segments[e].source == v ? cut.segments[e].target : cut.segments[e].source;
+      v = cut.segments[e].other_end(v);
     }
     return v;
   };

@@ -71,22 +71,22 @@ private:
   /// What is beyond the mouth of a gap is seen as it is: so twice the width counts as near.
   static Outline_2 cut_where_narrow(const Outline_2& outline, double width)
   {
-    const std::vector<char> is_cut = segments_near_others(outline, 2 * width, cut * width);
+    const auto near = stretches_near_others(outline, 2 * width, cut * width);
     double n = 0;
-    for (Index e : marked(is_cut)) {
-      const Outline_segment_2& s = outline.segments[e];
-      n += std::ceil(distance(outline.points[s.source], outline.points[s.target]) / (cut * width));
-    }
+    for (const auto& stretches : near)
+      for (const Stretch& s : stretches)
+        n += std::ceil((s.second - s.first) / (cut * width));
     if (!(n < most_parts))
       throw std::length_error("Bubble_relaxation_2: parameter minimum_gap = " + in_words(width) +
                               " cuts the outline into about " + in_words(n) + " parts");
     return with_cut_segments(outline, [&](std::size_t e) {
-      std::vector<Point> parts;
+      std::vector<Point> cuts;
       const Point &a = outline.points[outline.segments[e].source], &b = outline.points[outline.segments[e].target];
-      const double n_parts = std::ceil(distance(a, b) / (cut * width));
-      for (double i = 1; i < n_parts && is_cut[e]; ++i)
-        parts.emplace_back(a.x() + i / n_parts * (b.x() - a.x()), a.y() + i / n_parts * (b.y() - a.y()));
-      return parts;
+      const double length = distance(a, b), n_parts = std::ceil(length / (cut * width)), part = length / n_parts;
+      for (const Stretch& s : near[e])
+        for (double i = (std::max)(1., std::ceil(s.first / part)); i < n_parts && i * part <= s.second; ++i)
+          cuts.emplace_back(a.x() + i / n_parts * (b.x() - a.x()), a.y() + i / n_parts * (b.y() - a.y()));
+      return cuts;
     });
   }
 

@@ -25,11 +25,8 @@ namespace CGAL::Bubble_relaxation_2::internal {
 class Span_search_2
 {
 public:
-  explicit Span_search_2(const Outline_2& outline) : m_outline(outline), m_at(outline.points.size())
+  explicit Span_search_2(const Outline_2& outline) : m_outline(outline), m_at(segments_at_vertices(outline))
   {
-    for (std::size_t e = 0; e < outline.segments.size(); ++e)
-      for (Index v : {outline.segments[e].source, outline.segments[e].target})
-        m_at[v].push_back(static_cast<Index>(e));
     for (std::size_t v = 0; v < m_at.size(); ++v)
       std::sort(m_at[v].begin(), m_at[v].end(), [&](Index e, Index f) {
         return other_end(e, static_cast<Index>(v)) < other_end(f, static_cast<Index>(v));
@@ -51,11 +48,7 @@ public:
 private:
   bool stays(Index v) const { return m_outline.is_fixed[v] || m_at[v].size() != 2; }
 
-  Index other_end(Index e, Index v) const
-  {
-    const Outline_segment_2& s = m_outline.segments[e];
-    return s.source == v ? s.target : s.source;
-  }
+  Index other_end(Index e, Index v) const { return m_outline.segments[e].other_end(v); }
 
   Outline_span_2 follow(Index v, Index e)
   {
@@ -78,7 +71,7 @@ private:
   }
 
   const Outline_2& m_outline;
-  std::vector<std::vector<Index>> m_at; // segments at each vertex, in the order of their other ends
+  Segments_at_vertices_2 m_at; // segments, in the order of their other ends
   std::vector<char> m_is_done;
 };
 

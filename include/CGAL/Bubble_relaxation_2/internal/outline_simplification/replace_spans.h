@@ -28,7 +28,6 @@
 namespace CGAL::Bubble_relaxation_2::internal {
 
 constexpr int sweeps_of_improvement = 6;
-constexpr double most_places = 3e7; // on the outline: three gigabytes, at about 90 bytes each
 
 /// how far the new outline may be from the old one at a point
 /// \throws std::invalid_argument if that is no more than roundings
@@ -57,18 +56,6 @@ inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& siz
     result.tolerance.push_back(tolerance_at(p, result.size.back(), options));
   }
   return result;
-}
-
-/// \throws std::length_error if pieces would be far more than can be wanted
-inline void check_number_of_places(const Outline_2& outline, const Outline_demands_2& demands)
-{
-  double n = 0;
-  for (const Outline_segment_2& s : outline.segments)
-    n += 1 + Piece_fitting_2::parts_of_size * distance(outline.points[s.source], outline.points[s.target]) /
-               (std::min)(demands.size[s.source], demands.size[s.target]);
-  if (!(n < most_places))
-    throw std::length_error("Bubble_relaxation_2: sizing_function asks for about " +
-                            in_words(std::round(n / Piece_fitting_2::parts_of_size)) + " pieces of the outline");
 }
 
 /// The same with tolerances that leave room for roundings.

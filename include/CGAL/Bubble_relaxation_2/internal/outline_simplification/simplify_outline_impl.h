@@ -66,6 +66,16 @@ inline Outline_2 apply_rules(Outline_2 outline, const Simplification_problem_2& 
   return outline;
 }
 
+/// \throws std::length_error if pieces would be far more than can be wanted
+inline void check_number_of_pieces(const Outline_2& outline, const Outline_demands_2& demands)
+{
+  double n = static_cast<double>(outline.segments.size()) / Piece_fitting_2::parts_of_size;
+  for (const Outline_segment_2& s : outline.segments)
+    n += distance(outline.points[s.source], outline.points[s.target]) /
+         (std::min)(demands.size[s.source], demands.size[s.target]);
+  check_number_of_pieces(n);
+}
+
 /// Makes one outline of the paths that replace the spans of another one.
 inline Simplified_outline_2 assemble(const Outline_2& outline, const std::vector<Outline_span_2>& spans,
                                      const std::vector<Fitted_path_2>& paths)
@@ -113,17 +123,18 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
     demands = demands_of(outline, problem.sizes, problem.options);
   }
   fix_ends(outline, problem.is_end);
-  check_number_of_places(outline, demands);
-  if (Outline_2 cut = with_cut_segments(outline, Even_parts_2(outline, demands.size, problem.sizes));
-      cut.points.size() > outline.points.size()) {
-    outline = std::move(cut);
-    demands = demands_of(outline, problem.sizes, problem.options);
-  }
+  check_number_of_pieces(outline, demands);
   const Forced_vertices_2 forced(outline, demands, problem.sizes);
   if (problem.options.maximum_number_of_bubbles > 0)
     forced.check_wanted(problem.options.maximum_number_of_bubbles);
   report.wanted_vertices = forced.wanted();
   report.forced_vertices = forced.forced(report.wanted_vertices);
+  if (Outline_2 cut = with_cut_segments(outline, Even_parts_2(outline, demands.size, problem.sizes));
+      cut.points.size() > outline.points.size()) {
+    outline = std::move(cut);
+    demands = demands_of(outline, problem.sizes, problem.options);
+    check_number_of_pieces(outline, demands);
+  }
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
   const std::vector<Outline_span_2> spans = find_spans(outline);
   const Outline_demands_2 cautious = with_caution(demands, outline);

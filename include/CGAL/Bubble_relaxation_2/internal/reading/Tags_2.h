@@ -33,24 +33,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The maps of a user's tags; `markers()` and `regions()` are there if they were given. A constrained edge is a key in
-/// one order of its ends, that of `make_sorted_pair()`, so that any map will do.
-template <class NamedParameters>
-class Tag_maps
-{
-public:
-  static constexpr bool has_markers = Is_given<NamedParameters, internal_np::edge_marker_t>::value,
-                        has_regions = Is_given<NamedParameters, internal_np::face_region_t>::value;
-
-  explicit Tag_maps(const NamedParameters& np) : m_np(np) {}
-
-  auto markers() const { return parameters::get_parameter(m_np, internal_np::edge_marker); }
-  auto regions() const { return parameters::get_parameter(m_np, internal_np::face_region); }
-
-private:
-  const NamedParameters& m_np;
-};
-
 template <class Map, class Key, class = void>
 struct Can_forget : std::false_type {};
 
@@ -70,6 +52,32 @@ void forget_if_possible([[maybe_unused]] const Map& map, [[maybe_unused]] const 
 /// the type of a user's markers or regions, `int` if there are none
 template <class NamedParameters, class Tag, class Map = Value_of<NamedParameters, Tag>>
 using Tag_type = typename boost::property_traits<std::conditional_t<is_missing<Map>, int*, Map>>::value_type;
+
+/// The maps of a user's tags; `markers()` and `regions()` are there if they were given. A constrained edge is a key in
+/// one order of its ends, that of `make_sorted_pair()`, so that any map will do.
+template <class NamedParameters>
+class Tag_maps
+{
+  template <class Tag, class Map = Value_of<NamedParameters, Tag>>
+  static constexpr bool forgets() // what goes
+  {
+    return Can_forget<Map, typename boost::property_traits<std::conditional_t<is_missing<Map>, int*, Map>>::key_type>();
+  }
+
+public:
+  static constexpr bool has_markers = Is_given<NamedParameters, internal_np::edge_marker_t>::value,
+                        has_regions = Is_given<NamedParameters, internal_np::face_region_t>::value,
+                        markers_forget = forgets<internal_np::edge_marker_t>(),
+                        regions_forget = forgets<internal_np::face_region_t>();
+
+  explicit Tag_maps(const NamedParameters& np) : m_np(np) {}
+
+  auto markers() const { return parameters::get_parameter(m_np, internal_np::edge_marker); }
+  auto regions() const { return parameters::get_parameter(m_np, internal_np::face_region); }
+
+private:
+  const NamedParameters& m_np;
+};
 
 /// Finds the vertices at which the user's markers of constraints change: they are not mere splits of a line.
 template <class NamedParameters>
@@ -297,12 +305,8 @@ private:
   template <class Value>
   void spread(Face_handle f, const Value& region, std::unordered_set<const void*>& reached) const
   {
-    std::size_t number = 0;
     if (region)
-      flood_faces(f, reached, [&](Face_handle g) {
-        put(m_maps.regions(), g, *region);
-        tick(number++);
-      });
+      flood_faces(f, reached, [&](Face_handle g) { put(m_maps.regions(), g, *region); });
   }
 
   Maps m_maps;

@@ -213,6 +213,8 @@ private:
     if (!nodes.is_corner(i) || !nodes.is_corner(j) || !(is_pin(nodes, i) || is_pin(nodes, j)))
       return;
     const Point p = nodes.point(i), q = nodes.point(j);
+    if (is_silent(p) || is_silent(q))
+      return;
     for (const Point& end : {p, q})
       limit(end, std::sqrt(CGAL::squared_distance(p, q)));
   }

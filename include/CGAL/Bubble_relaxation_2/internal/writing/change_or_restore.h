@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
-#include <CGAL/Bubble_relaxation_2/internal/writing/Restore_on_throw.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/Content_backup_2.h>
 
 #include <CGAL/utility.h>
 
@@ -33,13 +33,30 @@ class Saved_tags_2
 
 public:
   /// \pre the copy has the order of the triangulation
-  Saved_tags_2(const NamedParameters& np, const Cdt& cdt, const Cdt& copy)
+  /// \param visit_domain `visit_domain(saved)` calls `saved.save()` with the tags of the domain. Maps that forget what
+  /// goes, as they will all handles if the copy is needed, are asked for all others, too
+  template <class Visit_domain>
+  Saved_tags_2(const NamedParameters& np, const Cdt& cdt, const Cdt& copy,
+               [[maybe_unused]] const Visit_domain& visit_domain)
     : m_maps(np), m_vertex_numbers(sizeof(typename Cdt::Vertex)), m_face_numbers(sizeof(typename Cdt::Face))
   {
     if constexpr (Maps::has_markers)
       number(cdt.finite_vertex_handles(), copy.finite_vertex_handles(), m_vertex_numbers, m_vertices);
     if constexpr (Maps::has_regions)
       number(cdt.finite_face_handles(), copy.finite_face_handles(), m_face_numbers, m_faces);
+    if constexpr ((Maps::has_markers && !Maps::markers_forget) || (Maps::has_regions && !Maps::regions_forget))
+      visit_domain(*this);
+    if constexpr (!Maps::markers_forget && !Maps::regions_forget)
+      return;
+    for (Face_handle f : cdt.finite_face_handles()) {
+      tick(m_regions.size() + m_markers.size());
+      if constexpr (Maps::regions_forget)
+        save(f, get(m_maps.regions(), f));
+      if constexpr (Maps::markers_forget)
+        for (int i = 0; i < 3; ++i)
+          if (f->is_constrained(i)) // from both sides, which does no harm
+            save(key(f, i), get(m_maps.markers(), key(f, i)));
+    }
   }
 
   void save(const Edge_key& edge, const Marker& marker)
@@ -52,23 +69,17 @@ public:
     m_regions.emplace_back(m_faces[m_face_numbers(&*f)], region);
   }
 
-  /// takes all edges and faces of a triangulation out of the maps
-  void forget([[maybe_unused]] Cdt& cdt) const
+  /// when the copy has become the triangulation, and `changed` is about to go
+  void put_back([[maybe_unused]] Cdt& changed) const
   {
-    if constexpr (Maps::has_markers || Maps::has_regions)
-      for (auto f = cdt.tds().faces().begin(); f != cdt.tds().faces().end(); ++f) {
-        if constexpr (Maps::has_regions)
-          forget_if_possible(m_maps.regions(), Face_handle(f));
-        if constexpr (Maps::has_markers)
+    if constexpr (Maps::markers_forget || Maps::regions_forget)
+      for (auto f = changed.tds().faces().begin(); f != changed.tds().faces().end(); ++f) {
+        if constexpr (Maps::regions_forget)
+          forget(m_maps.regions(), Face_handle(f));
+        if constexpr (Maps::markers_forget)
           for (int i = 0; i < 3; ++i)
-            forget_if_possible(m_maps.markers(),
-                               CGAL::make_sorted_pair(f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i))));
+            forget(m_maps.markers(), key(f, i));
       }
-  }
-
-  /// when the copy has become the triangulation
-  void put_back() const
-  {
     if constexpr (Maps::has_markers)
       for (const auto& [edge, marker] : m_markers)
         put(m_maps.markers(), edge, marker);
@@ -81,10 +92,19 @@ private:
   template <class Range, class Handle>
   static void number(const Range& originals, const Range& copies, Address_numbers& numbers, std::vector<Handle>& result)
   {
-    for (Handle h : originals)
+    for (Handle h : originals) {
+      tick(numbers.addresses().size());
       numbers.add(&*h);
-    for (Handle h : copies)
+    }
+    for (Handle h : copies) {
+      tick(result.size());
       result.push_back(h);
+    }
+  }
+
+  static Edge_key key(Face_handle f, int i)
+  {
+    return CGAL::make_sorted_pair(f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i)));
   }
 
   Vertex_handle copy_of(Vertex_handle v) const { return m_vertices[m_vertex_numbers(&*v)]; }
@@ -98,22 +118,22 @@ private:
 };
 
 /// Calls `change()`. If that throws, the triangulation gets back what it had, and the user's maps their tags of it.
-/// \param visit_tags `visit_tags(saved)` calls `saved.save()` with all of them
+/// \param visit_tags `visit_tags(saved)` calls `saved.save()` with those of the domain
 template <class Cdt, class NamedParameters, class Visit_tags, class Change>
 void change_or_restore(Cdt& cdt, const NamedParameters& np, const Visit_tags& visit_tags, const Change& change)
 {
-  Restore_on_throw<Cdt> guard(cdt);
-  Saved_tags_2<Cdt, NamedParameters> tags(np, cdt, guard.backup());
-  visit_tags(tags);
+  Content_backup_2<Cdt> backup(cdt);
+  const Saved_tags_2<Cdt, NamedParameters> tags(np, cdt, backup.copy(), visit_tags);
   try {
     change();
   } catch (...) {
-    tags.forget(cdt);
-    guard.restore();
-    tags.put_back();
+    backup.restore();
+    try {
+      tags.put_back(backup.copy());
+    } catch (...) { // the map refuses, and what failed first is what matters
+    }
     throw;
   }
-  guard.all_went_well();
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

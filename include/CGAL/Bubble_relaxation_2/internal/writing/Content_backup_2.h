@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_CONTENT_BACKUP_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_CONTENT_BACKUP_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
@@ -90,43 +90,34 @@ void copy_in_turn(Cdt& from, Cdt& to)
   to.set_infinite_vertex(vertices[vertex_numbers(&*from.infinite_vertex())]);
 }
 
-/// Gives a triangulation its former content back unless it is told that all went well. The content is
-/// that of a copy, so handles and identifiers of constraints do not outlive it.
+/// A copy of a triangulation, to give it its content back. Handles and identifiers of constraints do not outlive that.
 template <class Cdt>
-class Restore_on_throw
+class Content_backup_2
 {
 public:
-  explicit Restore_on_throw(Cdt& cdt) : m_cdt(cdt), m_backup(cdt.geom_traits())
+  explicit Content_backup_2(Cdt& cdt) : m_cdt(cdt), m_copy(cdt.geom_traits())
   {
     // swap() takes along what orders the map of the constraints' pieces, and that refers to a
     // triangulation: it must be the one that lives on
     if constexpr (Has_constraint_hierarchy<Cdt>::value) {
-      m_backup.hierarchy_ref() = std::decay_t<decltype(m_backup.hierarchy_ref())>(&cdt);
-      m_backup.copy_triangulation(cdt);
-      copy_input_flags(cdt, m_backup);
+      m_copy.hierarchy_ref() = std::decay_t<decltype(m_copy.hierarchy_ref())>(&cdt);
+      m_copy.copy_triangulation(cdt);
+      copy_input_flags(cdt, m_copy);
     } else if constexpr (Has_levels<Cdt>::value)
-      m_backup.copy_triangulation(cdt);
+      m_copy.copy_triangulation(cdt);
     else
-      copy_in_turn(cdt, m_backup);
+      copy_in_turn(cdt, m_copy);
   }
 
-  Restore_on_throw(const Restore_on_throw&) = delete;
-  Restore_on_throw& operator=(const Restore_on_throw&) = delete;
+  Content_backup_2(const Content_backup_2&) = delete;
+  Content_backup_2& operator=(const Content_backup_2&) = delete;
 
-  ~Restore_on_throw()
-  {
-    if (!m_is_done)
-      restore();
-  }
-
-  const Cdt& backup() const { return m_backup; }
-
-  void all_went_well() { m_is_done = true; }
+  /// what the triangulation had, and after `restore()` what it has had since
+  Cdt& copy() { return m_copy; }
 
   void restore()
   {
-    m_is_done = true;
-    m_cdt.swap(m_backup);
+    m_cdt.swap(m_copy);
     if constexpr (Has_constraint_hierarchy<Cdt>::value)
       if constexpr (Knows_its_hierarchy<typename Cdt::Constraint_id>::value)
         for (auto c = m_cdt.constraints_begin(); c != m_cdt.constraints_end(); ++c)
@@ -135,10 +126,9 @@ public:
 
 private:
   Cdt& m_cdt;
-  Cdt m_backup;
-  bool m_is_done = false;
+  Cdt m_copy;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_RESTORE_ON_THROW_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_CONTENT_BACKUP_2_H
