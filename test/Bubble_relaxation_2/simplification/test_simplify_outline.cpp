@@ -740,6 +740,11 @@ TEST(Simplify_outline, sizes_far_too_small)
   expect_throw<std::length_error>(
     [&] { CGAL::simplify_outline_2(cdt, fine_between_corners.maximum_number_of_bubbles(1000)); },
     {"maximum_number_of_bubbles = 1000", "sizing function"});
+  const auto fine_at_a_corner =
+    CGAL::parameters::sizing_function([](const Point& p) { return 1e-7 + 0.2 * std::hypot(p.x(), p.y()); });
+  const Report report = CGAL::simplify_outline_2(cdt, fine_at_a_corner);
+  EXPECT_GT(report.number_of_segments, 100u);
+  EXPECT_LT(report.number_of_segments, 500u);
 }
 
 // A side goes around a corner that is cut off by less than the rounding of coordinates, and is a wall from both ends.

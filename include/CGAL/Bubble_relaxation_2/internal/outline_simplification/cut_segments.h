@@ -137,8 +137,8 @@ inline void check_number_of_pieces(double n)
                             " pieces of the outline, or more");
 }
 
-/// Cuts segments in halves until d between their ends is what it is at these, and they are no longer than some hundred
-/// pieces.
+/// Cuts segments in halves until d between their ends is what it is at these, which is about the same, and they are no
+/// longer than some hundred pieces.
 class Even_parts_2
 {
 public:
@@ -159,7 +159,7 @@ public:
 private:
   bool cut(const Point& a, const Point& b, double at_a, double at_b, int depth, std::vector<Point>& cuts) const
   {
-    constexpr double short_part = 2, long_part = 256, even = 0.1; // in units of d
+    constexpr double short_part = 2, long_part = 256, even = 0.1, about = 2; // in units of d
     constexpr int deepest = 24;
     const double length = distance(a, b);
     if (length <= short_part * (std::min)(at_a, at_b) || depth == deepest) {
@@ -174,7 +174,7 @@ private:
     cuts.push_back(m);
     const bool is_cut_behind = cut(m, b, at_m, at_b, depth + 1, cuts);
     if (is_cut_before || is_cut_behind || length > long_part * at_m ||
-        std::abs(at_m - 0.5 * (at_a + at_b)) > even * at_m)
+        std::abs(at_m - 0.5 * (at_a + at_b)) > even * at_m || (std::max)(at_a, at_b) > about * (std::min)(at_a, at_b))
       return true;
     cuts.resize(before);
     return false;

@@ -123,18 +123,17 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
     demands = demands_of(outline, problem.sizes, problem.options);
   }
   fix_ends(outline, problem.is_end);
-  check_number_of_pieces(outline, demands);
-  const Forced_vertices_2 forced(outline, demands, problem.sizes);
-  if (problem.options.maximum_number_of_bubbles > 0)
-    forced.check_wanted(problem.options.maximum_number_of_bubbles);
-  report.wanted_vertices = forced.wanted();
-  report.forced_vertices = forced.forced(report.wanted_vertices);
+  if (const std::size_t most = problem.options.maximum_number_of_bubbles; most > 0)
+    Forced_vertices_2(outline, demands, problem.sizes).check_wanted(most); // before segments are cut
   if (Outline_2 cut = with_cut_segments(outline, Even_parts_2(outline, demands.size, problem.sizes));
       cut.points.size() > outline.points.size()) {
     outline = std::move(cut);
     demands = demands_of(outline, problem.sizes, problem.options);
-    check_number_of_pieces(outline, demands);
   }
+  check_number_of_pieces(outline, demands);
+  const Forced_vertices_2 forced(outline, demands, problem.sizes);
+  report.wanted_vertices = forced.wanted();
+  report.forced_vertices = forced.forced(report.wanted_vertices);
   report.number_of_corners = fix_corners(outline, demands, problem.options.corner_angle);
   const std::vector<Outline_span_2> spans = find_spans(outline);
   const Outline_demands_2 cautious = with_caution(demands, outline);
