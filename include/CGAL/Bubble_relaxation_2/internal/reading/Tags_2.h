@@ -173,6 +173,8 @@ public:
   {
     if constexpr (Maps::has_markers || Maps::has_regions) {
       std::unordered_set<const void*> reached;
+      if constexpr (Maps::has_regions)
+        reached.reserve(cdt.number_of_faces()); // to enter them all anew takes longer than the callback may wait
       for (std::size_t k = 0; k < reading.graph->chains().size(); ++k) {
         const Chain& c = reading.graph->chains()[k];
         const std::vector<Vertex_handle> path = path_of(reading, c);
