@@ -342,9 +342,9 @@ TEST(Tags_in_vain, exceptions_of_maps_leave_the_triangulation)
   }
 }
 
-/// throws when a mesh is nearly written
+/// A map that fails after so many calls of `get()` or of `put()`; never where that is null.
 template <class Map>
-struct Failing_late
+struct Failing_later
 {
   using key_type = typename Map::key_type;
   using value_type = typename Map::value_type;
@@ -352,14 +352,23 @@ struct Failing_late
   using category = boost::read_write_property_map_tag;
 
   const Map* map;
-  int* puts_left;
+  int *gets_left, *puts_left;
 
-  friend value_type get(const Failing_late& m, const key_type& key) { return get(*m.map, key); }
-  friend void forget(const Failing_late& m, const key_type& key) { forget(*m.map, key); }
-  friend void put(const Failing_late& m, const key_type& key, const value_type& value)
+  static void count(int* left)
   {
-    if ((*m.puts_left)-- == 0)
-      throw std::domain_error("put");
+    if (left != nullptr && (*left)-- == 0)
+      throw std::domain_error("too many calls");
+  }
+
+  friend value_type get(const Failing_later& m, const key_type& key)
+  {
+    count(m.gets_left);
+    return get(*m.map, key);
+  }
+  friend void forget(const Failing_later& m, const key_type& key) { forget(*m.map, key); }
+  friend void put(const Failing_later& m, const key_type& key, const value_type& value)
+  {
+    count(m.puts_left);
     put(*m.map, key, value);
   }
 };
@@ -377,36 +386,13 @@ TYPED_TEST(Tags, come_back_when_a_change_fails)
       EXPECT_EQ(outside.empty(), !has_more);
       int left = puts;
       using Regions = decltype(channel.regions);
-      EXPECT_THROW(CGAL::npbs_relax(channel.cdt, P::edge_marker_map(channel.markers)
-                                                   .face_region_map(Failing_late<Regions>{&channel.regions, &left})
-                                                   .sizing_function(0.1)),
-                   std::domain_error);
+      const Failing_later<Regions> failing{&channel.regions, nullptr, &left};
+      const auto np = P::edge_marker_map(channel.markers).face_region_map(failing).sizing_function(0.1);
+      EXPECT_THROW(CGAL::npbs_relax(channel.cdt, np), std::domain_error);
       channel.expect_tags_of_mesh();
       EXPECT_EQ(channel.regions_outside(), outside);
     }
 }
-
-/// A map of the user's that fails when it is asked once too often.
-template <class Map>
-struct Failing_early
-{
-  using key_type = typename Map::key_type;
-  using value_type = typename Map::value_type;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  const Map* map;
-  int* gets_left;
-
-  friend value_type get(const Failing_early& m, const key_type& key)
-  {
-    if ((*m.gets_left)-- == 0)
-      throw std::domain_error("get");
-    return get(*m.map, key);
-  }
-  friend void forget(const Failing_early& m, const key_type& key) { forget(*m.map, key); }
-  friend void put(const Failing_early& m, const key_type& key, const value_type& value) { put(*m.map, key, value); }
-};
 
 TYPED_TEST(Tags, exceptions_before_a_change_change_nothing)
 {
@@ -423,7 +409,7 @@ TYPED_TEST(Tags, exceptions_before_a_change_change_nothing)
     int left = gets;
     using Markers = decltype(channel.markers);
     try {
-      CGAL::npbs_relax(channel.cdt, P::edge_marker_map(Failing_early<Markers>{&channel.markers, &left})
+      CGAL::npbs_relax(channel.cdt, P::edge_marker_map(Failing_later<Markers>{&channel.markers, &left, nullptr})
                                       .face_region_map(channel.regions)
                                       .sizing_function(0.5));
       is_done = true;

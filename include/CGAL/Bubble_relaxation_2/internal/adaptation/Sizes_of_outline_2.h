@@ -101,24 +101,19 @@ private:
   template <class Is_pinned>
   void add_pins(const Is_pinned& is_pinned)
   {
+    std::vector<Vertex_handle> pinned;
+    for_each_face([&](Face_handle f) {
+      for (int i = 0; i < 3; ++i)
+        if (is_pinned(f->vertex(i)))
+          pinned.push_back(f->vertex(i));
+    });
+    sort_each_once(pinned); // before one looks around them
     std::vector<Point>& pins = m_reading.given.pinned;
     pins.clear();
-    for (Vertex_handle v : vertices())
-      if (is_pinned(v) && !m_cdt.are_there_incident_constraints(v) && is_surrounded(v))
+    for (Vertex_handle v : pinned)
+      if (!m_cdt.are_there_incident_constraints(v) && is_surrounded(v))
         pins.push_back(point_in_double<Cdt>(v->point()));
-    std::sort(pins.begin(), pins.end());
-  }
-
-  /// of the faces that are read, each once
-  std::vector<Vertex_handle> vertices() const
-  {
-    const auto all = m_cdt.finite_vertex_handles();
-    if (m_where == nullptr)
-      return {all.begin(), all.end()};
-    std::vector<Vertex_handle> result;
-    for_each_face([&result](Face_handle f) { result.insert(result.end(), {f->vertex(0), f->vertex(1), f->vertex(2)}); });
-    sort_each_once(result);
-    return result;
+    sort_each_once(pins);
   }
 
   /// whether all faces around a vertex are read

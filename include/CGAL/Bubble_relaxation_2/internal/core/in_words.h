@@ -35,13 +35,13 @@ inline std::string in_words(double x, double y)
 /// where to look, as reports tell it
 inline std::string about_in_words(double x, double y)
 {
-  constexpr int digits = 10; // millimetres of a map's coordinates
-  std::array<char, 64> text;
-  char* const last = text.data() + text.size();
-  const auto comma = std::to_chars(text.data(), last, x, std::chars_format::general, digits);
-  const std::string first(text.data(), comma.ptr);
-  const auto end = std::to_chars(text.data(), last, y, std::chars_format::general, digits);
-  return "(" + first + ", " + std::string(text.data(), end.ptr) + ")";
+  const auto about = [](double value) {
+    constexpr int digits = 10; // millimetres of a map's coordinates
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return std::string(text.data(), end.ptr);
+  };
+  return "(" + about(x) + ", " + about(y) + ")";
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -33,16 +33,16 @@ public:
   {
     constexpr double long_wall = 10;
     std::vector<char> is_wall(m_outline.segments.size(), 0), is_seen(is_wall);
+    const auto judge = [&] {
+      const bool is_long = number_of_pieces() >= long_wall;
+      for (Index part : m_segments) {
+        is_seen[part] = 1;
+        is_wall[part] = is_wall[part] || is_long;
+      }
+    };
     for (std::size_t e = 0; e < is_wall.size(); ++e) {
       if (is_seen[e])
         continue;
-      const auto judge = [&] {
-        const bool is_long = number_of_pieces() >= long_wall;
-        for (Index part : m_segments) {
-          is_seen[part] = 1;
-          is_wall[part] = is_wall[part] || is_long;
-        }
-      };
       const Index first = m_outline.segments[e].source;
       go_straight_on(first, static_cast<Index>(e), other_end(static_cast<Index>(e), first));
       judge();

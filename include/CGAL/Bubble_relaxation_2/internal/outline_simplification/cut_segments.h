@@ -92,7 +92,7 @@ inline std::vector<std::vector<Stretch>> stretches_near_others(const Outline_2& 
 
 /// The outline with segments cut at `points_on(e)`, from the source of the segment `e` to its target.
 template <class Points_on>
-Outline_2 with_cut_segments(const Outline_2& outline, const Points_on& points_on)
+Outline_2 with_cut_segments(const Outline_2& outline, Points_on&& points_on)
 {
   std::vector<std::pair<Point, Index>> points; // and the vertex, or behind these the new one
   for (std::size_t v = 0; v < outline.points.size(); ++v)
@@ -148,7 +148,7 @@ public:
 
   /// where a segment is cut, from its source to its target
   /// \throws std::length_error if d asks for far more pieces than can be wanted
-  std::vector<Point> operator()(std::size_t e) const
+  std::vector<Point> operator()(std::size_t e)
   {
     const Outline_segment_2& s = m_outline.segments[e];
     std::vector<Point> cuts;
@@ -157,7 +157,7 @@ public:
   }
 
 private:
-  bool cut(const Point& a, const Point& b, double at_a, double at_b, int depth, std::vector<Point>& cuts) const
+  bool cut(const Point& a, const Point& b, double at_a, double at_b, int depth, std::vector<Point>& cuts)
   {
     constexpr double short_part = 2, long_part = 256, even = 0.1, about = 2; // in units of d
     constexpr int deepest = 24;
@@ -183,7 +183,7 @@ private:
   const Outline_2& m_outline;
   const std::vector<double>& m_size;
   const Sizes_2& m_sizes;
-  mutable double m_pieces = 0; // so far
+  double m_pieces = 0; // so far
 };
 
 /// Joins parts of a segment between which nothing else ends: what follows takes time for each vertex.

@@ -49,26 +49,26 @@ void forget_if_possible([[maybe_unused]] const Map& map, [[maybe_unused]] const 
     forget(map, key);
 }
 
-/// the type of a user's markers or regions, `int` if there are none
+/// of a user's map of markers or regions; of `int` if there is none
 template <class NamedParameters, class Tag, class Map = Value_of<NamedParameters, Tag>>
-using Tag_type = typename boost::property_traits<std::conditional_t<is_missing<Map>, int*, Map>>::value_type;
+using Tag_traits = boost::property_traits<std::conditional_t<is_missing<Map>, int*, Map>>;
+
+template <class NamedParameters, class Tag>
+using Tag_type = typename Tag_traits<NamedParameters, Tag>::value_type;
 
 /// The maps of a user's tags; `markers()` and `regions()` are there if they were given. A constrained edge is a key in
 /// one order of its ends, that of `make_sorted_pair()`, so that any map will do.
 template <class NamedParameters>
 class Tag_maps
 {
-  template <class Tag, class Map = Value_of<NamedParameters, Tag>>
-  static constexpr bool forgets() // what goes
-  {
-    return Can_forget<Map, typename boost::property_traits<std::conditional_t<is_missing<Map>, int*, Map>>::key_type>();
-  }
+  template <class Tag> // what goes
+  using Forgets = Can_forget<Value_of<NamedParameters, Tag>, typename Tag_traits<NamedParameters, Tag>::key_type>;
 
 public:
   static constexpr bool has_markers = Is_given<NamedParameters, internal_np::edge_marker_t>::value,
                         has_regions = Is_given<NamedParameters, internal_np::face_region_t>::value,
-                        markers_forget = forgets<internal_np::edge_marker_t>(),
-                        regions_forget = forgets<internal_np::face_region_t>();
+                        markers_forget = Forgets<internal_np::edge_marker_t>::value,
+                        regions_forget = Forgets<internal_np::face_region_t>::value;
 
   explicit Tag_maps(const NamedParameters& np) : m_np(np) {}
 

@@ -48,8 +48,9 @@ public:
       visit_domain(*this);
     if constexpr (!Maps::markers_forget && !Maps::regions_forget)
       return;
+    std::size_t n = 0;
     for (Face_handle f : cdt.finite_face_handles()) {
-      tick(m_regions.size() + m_markers.size());
+      tick(n++);
       if constexpr (Maps::regions_forget)
         save(f, get(m_maps.regions(), f));
       if constexpr (Maps::markers_forget)
