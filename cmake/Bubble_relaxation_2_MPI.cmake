@@ -14,8 +14,7 @@ if(NOT TARGET Bubble_relaxation_2_MPI)
     target_link_libraries(Bubble_relaxation_2_ranks PUBLIC Bubble_relaxation_2_core MPI::MPI_CXX)
     target_compile_definitions(Bubble_relaxation_2_ranks PRIVATE OMPI_SKIP_MPICXX CGAL_NDEBUG
                                PUBLIC CGAL_BUBBLE_RELAXATION_2_COMPILED_RANKS)
-    target_compile_options(Bubble_relaxation_2_ranks PRIVATE
-      $<TARGET_PROPERTY:Bubble_relaxation_2_settings,INTERFACE_COMPILE_OPTIONS> ${BUBBLE_RELAXATION_2_CORE_OPTIONS})
+    set_core_options(Bubble_relaxation_2_ranks)
     target_link_libraries(Bubble_relaxation_2_MPI INTERFACE Bubble_relaxation_2_ranks)
   endif()
 endif()

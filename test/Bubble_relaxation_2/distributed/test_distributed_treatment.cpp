@@ -260,8 +260,8 @@ TEST(Distributed_treatment, defects_at_any_distance_from_other_ranks)
     Case c = equilateral(64);
     for (const auto& bubbles : bubbles_by_clearance(c, clearance, clearance + 1))
       for (int k = 0; k < 2; ++k) {
-        const double dx = shift(random);
-        make_defect(c, bubbles.second[random() % bubbles.second.size()], dx, shift(random));
+        const double dx = shift(random), dy = shift(random);
+        make_defect(c, bubbles.second[random() % bubbles.second.size()], dx, dy);
       }
     for (double reach : {0.1, 8.})
       ++(expect_same_treatment(c, Options{reach, false}).number_of_renewals == 0 ? wide_enough : renewed);
