@@ -30,9 +30,9 @@ same_bits=$!
 trap 'kill -- "-$same_bits" 2> /dev/null || true' EXIT # with all that it runs
 
 # All tests, with CGAL's assertions: by clang++ without optimisation, since most of the time goes into compiling, but for
-# the libraries, where they run most of the time; all others are built by g++. CGAL's exact numbers are GMP's own here, not
-# those of Boost as in all builds below: what Boost's instantiate in each file takes seconds. The sanitizers have more of
-# hostile input.
+# the libraries, where they run most of the time; all builds below are by g++. CGAL's exact numbers are GMP's own here,
+# not those of Boost as below: what Boost's instantiate in each file takes seconds. The sanitizers have more of hostile
+# input.
 BUBBLE_RELAXATION_2_FUZZ_SECONDS=10 build_and_test test -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release \
   -DBUBBLE_RELAXATION_2_CORE_OPTIONS=-O2 -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DCGAL_DO_NOT_USE_BOOST_MP"
 
@@ -63,6 +63,7 @@ if [ "$status" -eq 0 ]; then
       core=ON
     fi
     build_and_test "cgal-$version" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
+      -DBUBBLE_RELAXATION_2_CORE_OPTIONS=-O2 \
       -DBUBBLE_RELAXATION_2_COMPILED_CORE="$core" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON \
       -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF \
       -DCGAL_DIR="$(dirname "$(find "$path" -name CGALConfig.cmake | head -n 1)")" \
