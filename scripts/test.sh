@@ -30,9 +30,8 @@ same_bits=$!
 trap 'kill -- "-$same_bits" 2> /dev/null || true' EXIT # with all that it runs
 
 # All tests, with CGAL's assertions: by clang++ without optimisation, since most of the time goes into compiling, but for
-# the libraries, where they run most of the time; all builds below are by g++. CGAL's exact numbers are GMP's own here,
-# not those of Boost as below: what Boost's instantiate in each file takes seconds. The sanitizers have more of hostile
-# input.
+# the libraries, where they run most of the time. CGAL's exact numbers are GMP's own here, not those of Boost as below:
+# what Boost's instantiate in each file takes seconds. The sanitizers have more of hostile input.
 BUBBLE_RELAXATION_2_FUZZ_SECONDS=10 build_and_test test -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release \
   -DBUBBLE_RELAXATION_2_CORE_OPTIONS=-O2 -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DCGAL_DO_NOT_USE_BOOST_MP"
 
@@ -43,33 +42,41 @@ cat build/same_bits.log
 [ "$status" -eq 0 ] || exit "$status"
 
 # what reads and writes the most, with sanitizers: without optimisation, since the compiler takes far
-# longer with both
-build_and_test sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1 -D_GLIBCXX_ASSERTIONS" \
+# longer with both, and g++ twice as long as clang++
+build_and_test sanitize -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
+  -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1 -D_GLIBCXX_ASSERTIONS" \
   -DBUBBLE_RELAXATION_2_SANITIZE=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF \
   -DBUBBLE_RELAXATION_2_TEST_FILTER="test_(bad_input|domain|write_back|fuzz|element_free_galerkin_units)"
 
-# newer versions of CGAL, where they can be had: what meets their named parameters, by the headers alone, and with the
-# newest their triangulations and their Mesh_2 as well
+test_by_gcc() { # NAME CORE TESTS OPTION...
+  local name=$1 core=$2 tests=$3
+  shift 3
+  build_and_test "$name" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
+    -DBUBBLE_RELAXATION_2_COMPILED_CORE="$core" -DBUBBLE_RELAXATION_2_CORE_OPTIONS=-O2 \
+    -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF \
+    -DBUBBLE_RELAXATION_2_TEST_FILTER="$tests" "$@" < /dev/null
+}
+
+# By g++, with newer versions of CGAL, where they can be had: what meets their named parameters, by the headers alone, and
+# with the newest their triangulations and their Mesh_2 as well
+few='test_named_parameters'
+many="$few|test_(write_back|terrain|mesh_criteria|place_nodes)"
 status=0
 scripts/fetch_cgal.sh build/cgal > build/cgal.list || status=$?
 if [ "$status" -eq 0 ]; then
   newest=$(grep -v '^skipped' build/cgal.list | cut -d ' ' -f 2 | sort -V | tail -n 1)
   grep -v '^skipped' build/cgal.list | while read -r suite version path; do
     echo "CGAL $version of $suite"
-    tests='test_named_parameters'
-    core=OFF
+    cgal=-DCGAL_DIR="$(dirname "$(find "$path" -name CGALConfig.cmake | head -n 1)")"
     if [ "$version" = "$newest" ]; then
-      tests="$tests|test_(write_back|terrain|mesh_criteria|place_nodes)"
-      core=ON
+      test_by_gcc "cgal-$version" ON "$many" "$cgal"
+    else
+      test_by_gcc "cgal-$version" OFF "$few" "$cgal"
     fi
-    build_and_test "cgal-$version" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
-      -DBUBBLE_RELAXATION_2_CORE_OPTIONS=-O2 \
-      -DBUBBLE_RELAXATION_2_COMPILED_CORE="$core" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON \
-      -DBUBBLE_RELAXATION_2_EXAMPLES=OFF -DBUBBLE_RELAXATION_2_DEMOS=OFF \
-      -DCGAL_DIR="$(dirname "$(find "$path" -name CGALConfig.cmake | head -n 1)")" \
-      -DBUBBLE_RELAXATION_2_TEST_FILTER="$tests" < /dev/null
   done
-elif [ "$status" -ne 77 ]; then
+elif [ "$status" -eq 77 ]; then
+  test_by_gcc gcc ON "$many"
+else
   cat build/cgal.list
   echo "scripts/fetch_cgal.sh failed with exit code $status" >&2
   exit "$status"
