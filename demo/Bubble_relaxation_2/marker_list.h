@@ -37,7 +37,7 @@ inline int integer(const std::string& option, const std::string& text)
 inline std::set<int> markers(const std::string& option, const std::string& text)
 {
   std::set<int> result;
-  std::istringstream list(text + ','); // one ends each marker
+  std::istringstream list(text.empty() ? text : text + ','); // one ends each marker
   for (std::string marker; std::getline(list, marker, ',');)
     result.insert(integer(option, marker));
   return result;

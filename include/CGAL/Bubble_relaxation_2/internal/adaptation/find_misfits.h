@@ -58,17 +58,12 @@ Grid_squares_2 squares_around(const std::vector<typename Cdt::Face_handle>& face
   constexpr double rings = 5;
   double largest = 0, longest = 0;
   std::vector<Bbox_2> boxes;
-  std::vector<Point> corners;
   for (typename Cdt::Face_handle f : faces) {
+    tick(); // asking for a size may take long
     const std::array<Point, 3> p = corners_in_double<Cdt>(f);
-    corners.insert(corners.end(), p.begin(), p.end());
     boxes.push_back(CGAL::bbox_2(p.begin(), p.end()));
     longest = (std::max)({longest, boxes.back().x_span(), boxes.back().y_span()});
-  }
-  sort_each_once(corners);
-  for (const Point& p : corners) {
-    tick(); // asking for a size may take long
-    largest = (std::max)(largest, wanted(p));
+    largest = (std::max)(largest, wanted(*std::min_element(p.begin(), p.end())));
   }
   return Grid_squares_2(boxes, (std::max)(longest, (std::max)(rings, 1 + 1 / growth) * largest)).with_neighbors();
 }
