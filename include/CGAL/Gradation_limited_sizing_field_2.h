@@ -88,7 +88,7 @@ public:
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{maximum_number_of_vertices}
-      \cgalParamDescription{the most vertices of the triangulation that holds the field}
+      \cgalParamDescription{the most vertices of the triangulation that holds the field, if those of `cdt` are not more}
       \cgalParamType{an integer, positive}
       \cgalParamDefault{200 000}
     \cgalParamNEnd

@@ -56,7 +56,7 @@ struct Mesh_arrays_2
 
   std::vector<Point_2> points;
   std::vector<double> elevations;  ///< the third coordinates of points of a terrain; empty in the plane
-  std::vector<int> vertex_markers; ///< the largest marker of the edges at each point, 0 inside
+  std::vector<int> vertex_markers; ///< the largest marker of the edges at each point, or 0 if none is larger
   std::map<std::string, std::vector<double>> vertex_data; ///< values at the points, by their names; may be filled
   std::vector<Triangle> triangles; ///< of the domain, counterclockwise
   std::vector<double> regions;     ///< of the triangles; empty if there are none
@@ -165,11 +165,15 @@ std::vector<Number> as_numbers(const std::vector<Tag>& tags, [[maybe_unused]] st
     static_assert(std::is_arithmetic<Tag>::value || std::is_enum<Tag>::value,
                   "markers and regions for files must be numbers, enumerators or names");
     for (const Tag& tag : tags) {
-      const double value = static_cast<double>(tag); // exact for all that are in the range
+      const double value = static_cast<double>(tag); // exact for all that are taken
       if constexpr (std::is_integral<Number>::value)
         if (!(value >= -2147483648. && value <= 2147483647.) || value != std::floor(value))
           throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + ": the marker " +
                                       in_words(value) + " must be an integer of at most 2147483647 in magnitude");
+      if constexpr (std::is_integral<Tag>::value)
+        if (std::abs(value) >= 9007199254740992.) // where two of them would become one
+          throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + ": " + in_words(value) +
+                                      " must be less than 2^53 in magnitude");
       result.push_back(static_cast<Number>(value));
     }
   }

@@ -23,6 +23,7 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -96,31 +97,35 @@ public:
   {
     using namespace Bubble_relaxation_2::internal;
     using Region = typename boost::property_traits<FaceRegionMap>::value_type;
-    Domain_marks_2<CDT> marks(cdt, np);
+    const Domain_marks_2<CDT> marks(cdt, np);
+    Sorted_triangulation_2 sorted(marks); // so that it does not matter how the domain came about
     std::vector<Region> known; // mostly few
-    std::vector<Index> of_triangle(marks.tr.number_of_triangles(), no_index);
+    std::vector<Index> of_triangle(sorted.tr.number_of_triangles(), no_index);
     std::size_t last = 0; // neighbours often have the same
     for (std::size_t t = 0; t < of_triangle.size(); ++t) {
-      if (!marks.tr.inside[t])
+      if (!sorted.tr.inside[t])
         continue;
-      const Region region = get(regions, Handles<CDT>::face(marks.faces.addresses()[t]));
+      const Region region = get(regions, Handles<CDT>::face(marks.faces.addresses()[sorted.triangles[t]]));
       if (last >= known.size() || !(known[last] == region))
         last = static_cast<std::size_t>(std::find(known.begin(), known.end(), region) - known.begin());
       if (last == known.size())
         known.push_back(region);
       of_triangle[t] = static_cast<Index>(last);
     }
-    m_search = std::make_shared<const Search>(std::move(marks.tr), std::move(of_triangle));
+    m_search = std::make_shared<const Search>(std::move(sorted.tr), std::move(of_triangle));
     m_size = [known = std::move(known), size](std::size_t region, const Point_2& p) {
       return size_of<Region>(size, known[region], p);
     };
   }
 
-  /// returns the size at `p`.
+  /// returns the size at `p`, NaN if a coordinate is not finite.
   FT operator()(const Point_2& p) const
   {
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    if (!std::isfinite(x) || !std::isfinite(y))
+      return std::numeric_limits<double>::quiet_NaN();
     double least = std::numeric_limits<double>::infinity();
-    m_search->for_each_region({CGAL::to_double(p.x()), CGAL::to_double(p.y())}, [&](std::size_t region) {
+    m_search->for_each_region({x, y}, [&](std::size_t region) {
       const double d = m_size(region, p);
       if (d < least || d != d) // what is not a number is told by who asks
         least = d;

@@ -148,6 +148,17 @@ TEST(Voronoi_dual, an_obtuse_angle_within_the_domain_does_no_harm)
     }
 }
 
+TEST(Voronoi_dual, areas_sum_up_with_needles)
+{
+  for (double height : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const auto at = [](double x, double y) { return std::make_pair(0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y); };
+    CDT cdt = domains::make({{at(0, 0), at(1, 0), at(0.7, 1), at(0, 1)}});
+    const auto [x, y] = at(0.3, height);
+    cdt.insert(Point(x, y));
+    EXPECT_NEAR(dual_checks::total_area(Dual(cdt)), 0.85, 1e-16 / height) << height;
+  }
+}
+
 TEST(Voronoi_dual, a_constraint_that_is_not_delaunay_has_a_negative_face)
 {
   CDT cdt = domains::make({{{0, 0}, {2, -1}, {4, 0}, {2, 1}}});

@@ -9,6 +9,7 @@
 // Files for models of oceans and rivers, whose boundaries are lists of nodes: each edge of the boundary is in one of
 // them, in the right order.
 
+#include "bays.h"
 #include "domains.h"
 #include "expect_throw.h"
 #include "file_readers.h"
@@ -18,6 +19,7 @@
 #include <CGAL/npbs_relax.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -182,6 +184,17 @@ TEST(Files_of_waters, adcirc_with_several_open_boundaries)
 TEST(Files_of_waters, adcirc_knows_all_open_markers)
 {
   expect_invalid([] { ocean_of(sea(), {5, 42}); }, {"open_markers", "no edge of the boundary has the marker 42"});
+}
+
+TEST(Files_of_waters, a_file_stays_if_what_is_to_be_written_is_refused)
+{
+  const bays::Folder folder;
+  const std::string name = folder / "fort.14";
+  CGAL::IO::write_ADCIRC(name, sea(), {5});
+  const auto size = std::filesystem::file_size(name);
+  expect_invalid([&] { CGAL::IO::write_ADCIRC(name, sea(), {42}); }, {"open_markers"});
+  expect_invalid([&] { CGAL::IO::write_ADCIRC(name, sea(), {5}, 7); }, {"land_type"});
+  EXPECT_EQ(std::filesystem::file_size(name), size);
 }
 
 TEST(Files_of_waters, adcirc_of_a_lake)

@@ -166,6 +166,42 @@ TEST(Interpolated_sizing_field, limits_the_gradient)
   }
 }
 
+/// How much steeper the sizes of the vertices of a triangulation are than `g`, as a share of it.
+double excess_over(double g, const std::map<Point, double>& given)
+{
+  Delaunay dt;
+  std::map<Delaunay::Vertex_handle, double> sizes;
+  for (const auto& [p, size] : given)
+    sizes[dt.insert(p)] = size;
+  const CGAL::Interpolated_sizing_field_2<Delaunay> d(dt, boost::make_assoc_property_map(sizes), g);
+  long double steepest = 0;
+  for (const auto f : dt.finite_face_handles()) {
+    const Point &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
+    const long double ux = q.x() - (long double)(p.x()), uy = q.y() - (long double)(p.y()),
+                      vx = r.x() - (long double)(p.x()), vy = r.y() - (long double)(p.y()), a = d(q) - d(p),
+                      b = d(r) - d(p);
+    steepest = (std::max)(steepest, std::hypot(a * vx - b * ux, a * vy - b * uy) / (ux * vy - uy * vx));
+  }
+  return double(steepest / g - 1);
+}
+
+TEST(Interpolated_sizing_field, limits_the_gradient_in_needles)
+{
+  for (double e : {1e-6, 1e-8, 3e-9, 1e-10, 1e-12}) {
+    EXPECT_LE(excess_over(0.2, {{Point(0, 0), 0.01}, {Point(1, 0), 1.}, {Point(1 - e, e), 1.}}), 1e-6) << e;
+    std::mt19937 random(random_seeds::seed(3));
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::map<Point, double> pairs;
+    for (int k = 0; k < 200; ++k) {
+      const double x = uniform(random), y = uniform(random), size = uniform(random) < 0.05 ? 0.01 : 1;
+      const double dx = e * uniform(random), dy = e * uniform(random);
+      pairs[Point(x, y)] = pairs[Point(x + dx, y + dy)] = size;
+    }
+    EXPECT_LE(excess_over(0.2, pairs), e < 1e-10 ? 1e-3 : 1e-5) << e; // coordinates have no more digits
+  }
+  EXPECT_LE(excess_over(0.1, {{Point(0, 0), 1e12}, {Point(1, 0), 1e12 + 50}, {Point(0, 1), 1e12}}), 1e-3);
+}
+
 TEST(Interpolated_sizing_field, adapts_the_very_mesh_it_was_made_of)
 {
   CDT cdt = graded_mesh({domains::square(0, 0, 1)});

@@ -216,6 +216,23 @@ TEST(Gradation_limited_sizing_field, of_an_exact_kernel_and_by_seeds)
   EXPECT_NEAR(h(K::Point_2(0.0, 0.5)), 0.01, 1e-12); // the ring is not in the domain
 }
 
+TEST(Gradation_limited_sizing_field, of_vertices_that_coincide_in_double)
+{
+  using K = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Exact = CGAL::Constrained_Delaunay_triangulation_2<K>;
+  K::FT tiny = 1;
+  for (int k = 0; k < 140; ++k)
+    tiny /= 1000;
+  const K::Point_2 middle(0.5, 0.5), near_to_it(0.5 + tiny, 0.5), near_to_a_side(0.5, tiny);
+  for (const auto& points : {std::vector<K::Point_2>{middle, near_to_it}, std::vector<K::Point_2>{near_to_a_side}}) {
+    Exact cdt = domains::make<Exact>({domains::square(0, 0, 1)});
+    cdt.insert(points.begin(), points.end());
+    const CGAL::Gradation_limited_sizing_field_2<Exact> h(cdt, 0.2, P::sizing_function(0.1));
+    EXPECT_TRUE(h.is_resolved());
+    EXPECT_NEAR(h(middle), 0.1, 1e-12);
+  }
+}
+
 TEST(Gradation_limited_sizing_field, of_a_needle)
 {
   // triangles whose long sides are all the same lower each other's sizes by less each time: that took minutes

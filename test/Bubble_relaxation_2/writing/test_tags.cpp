@@ -11,6 +11,7 @@
 
 #include "domains.h"
 #include "expect_throw.h"
+#include "random_seeds.h"
 #include "rough_outlines.h"
 #include "validation.h"
 
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -538,6 +540,33 @@ TYPED_TEST(Tags, sizes_of_regions)
     EXPECT_NEAR(right, 0.12, 0.02);
     EXPECT_GE(report.quality.minimum_quality(), 0.5);
   }
+}
+
+TEST(Region_sizing_field, is_the_same_in_any_order_of_insertion)
+{
+  // a bay between two regions: places in it are as near to one as to the other
+  const std::vector<domains::Point> outline{{0, 0}, {2, 0}, {4, 0}, {4, 3}, {3, 3}, {2, 1}, {1, 3}, {0, 3}};
+  std::set<std::vector<double>> results;
+  std::mt19937 random(random_seeds::seed());
+  std::vector<std::size_t> order{0, 1, 2, 3, 4, 5, 6, 7};
+  for (int k = 0; k < 20; ++k) {
+    std::shuffle(order.begin(), order.end(), random);
+    domains::CDT cdt;
+    for (std::size_t v : order)
+      cdt.insert(outline[v]);
+    cdt.insert_constraint(outline.begin(), outline.end(), true);
+    cdt.insert_constraint(outline[1], outline[5]);
+    CGAL::Face_region_map_2<domains::CDT> regions(0);
+    for (const auto f : cdt.finite_face_handles())
+      regions.set(f, CGAL::centroid(cdt.triangle(f)).x() < 2 ? 1 : 2);
+    const CGAL::Region_sizing_field_2<domains::CDT> field(cdt, regions, [](int region) { return double(region); });
+    std::vector<double> sizes;
+    for (double y : {1.5, 2.5, 3.5, 10.})
+      sizes.push_back(field(domains::Point(2, y)));
+    results.insert(sizes);
+    EXPECT_TRUE(std::isnan(field(domains::Point(std::nan(""), 0))));
+  }
+  EXPECT_EQ(results.size(), 1u);
 }
 
 TEST(Region_sizing_field, is_of_the_region_and_the_place)

@@ -165,6 +165,7 @@ inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std
 
 writes a mesh to the file `name`.
 
+\throws std::invalid_argument as above, before the file is touched
 \throws std::runtime_error with the name and the reason if it cannot be written; then it is not there
 */
 inline void write_ADCIRC(const std::string& name, const Mesh_arrays_2& mesh, const std::set<int>& open_markers = {},
@@ -172,6 +173,7 @@ inline void write_ADCIRC(const std::string& name, const Mesh_arrays_2& mesh, con
 {
   mesh.check();
   Bubble_relaxation_2::internal::check_land_type(land_type);
+  const Bubble_relaxation_2::internal::Coastal_boundary_2 is_there(mesh, open_markers); // or is refused
   Bubble_relaxation_2::internal::write_file(
     name, [&](std::ostream& out) { write_ADCIRC(out, mesh, open_markers, land_type); });
 }

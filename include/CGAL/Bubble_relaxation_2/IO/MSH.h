@@ -221,12 +221,12 @@ private:
     m_out << '\n';
   }
 
-  /// Gmsh knows no way to write quotes and ends of lines in names.
+  /// Gmsh knows no way to write quotes and ends of lines in names, and reads no longer ones.
   static std::string in_quotes(std::string name)
   {
     std::replace(name.begin(), name.end(), '"', '\'');
     std::replace(name.begin(), name.end(), '\n', ' ');
-    return '"' + name + '"';
+    return '"' + name.substr(0, 127) + '"';
   }
 
   std::ostream& m_out;

@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/signed_area.h>
 
 #include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/enum.h>
@@ -52,7 +53,7 @@ inline double height_of_circumcenter(const Flat_triangulation_2& tr, Index t, in
 {
   const Point &p = tr.point(t, i), &q = tr.point(t, ccw(i)), &r = tr.point(t, cw(i));
   const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = r.x() - p.x(), vy = r.y() - p.y();
-  const double cross = ux * vy - uy * vx;
+  const double cross = twice_signed_area(p, q, r);
   if (!(cross > 0))
     throw std::invalid_argument("Bubble_relaxation_2: the triangle at " + in_words(p.x(), p.y()) +
                                 " is too flat to have a circumcentre in double");

@@ -35,7 +35,7 @@ public:
   /// \param points places inside the domain that become vertices, besides its corners
   Background_mesh_2(const Domain_2& domain, const std::vector<Point>& points, const Sizes_2& sizing, double g,
                     std::size_t maximum_number_of_vertices)
-    : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices),
+    : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices), m_corners(domain.corners().size()),
       m_extent((std::max)(domain.bbox().x_span(), domain.bbox().y_span())),
       m_points(domain.corners()), m_pieces(domain.edges()), m_curve(domain.bbox(), false)
   {
@@ -45,8 +45,12 @@ public:
   /// Makes the mesh. False if there is not enough room among the vertices or the numbers.
   bool build()
   {
-    // what the domain itself lets be triangulated, its corners, was so before
-    while (triangulate()) {
+    bool is_made = triangulate();
+    if (!is_made) { // vertices inside lie on each other, or on the outline, by a rounding; the corners do not
+      m_points.resize(m_corners);
+      is_made = triangulate();
+    }
+    for (; is_made; is_made = triangulate()) {
       m_given = given_sizes();
       m_sizes = m_given;
       Gradient_limiter_2(m_mesh, m_g).spread(m_sizes);
@@ -93,7 +97,8 @@ private:
   {
     Marked_triangulation_2 mesh;
     if (mark_triangulation(m_points, m_pieces, mesh) != Marking_error::NONE) {
-      m_points.resize(m_sizes.size()); // the last cuts are too fine for the numbers
+      if (!m_sizes.empty())
+        m_points.resize(m_sizes.size()); // the last cuts are too fine for the numbers
       return false;
     }
     m_mesh = std::move(mesh);
@@ -251,7 +256,7 @@ private:
 
   const Sizes_2& m_sizing;
   double m_g;
-  std::size_t m_maximum;
+  std::size_t m_maximum, m_corners; // numbers of vertices
   double m_extent;
   std::vector<Point> m_points;
   std::vector<Domain_edge_2> m_pieces; // of constraints, between points

@@ -72,7 +72,7 @@ public:
   /// Lowers values until their linear interpolation is no steeper than `g` in any triangle.
   void clip(std::vector<double>& values)
   {
-    sweep(values, least_change, [this](Index t, std::vector<double>& h) { return clipped(t, h); });
+    sweep(values, 0, [this](Index t, std::vector<double>& h) { return clipped(t, h); });
   }
 
   /// the length of the gradient of the linear interpolation in a triangle
@@ -83,33 +83,39 @@ public:
   }
 
 private:
-  /// Without a least change lowering could go on for ever in ever smaller steps.
-  static constexpr double least_change = 1e-10, tolerance = 1e-7;
+  static constexpr double tolerance = 1e-7;
 
-  /// a triangle seen from one of its vertices: two sides, squared, their product and twice the area
+  /// A triangle seen from one of its vertices: twice the area, and products of its sides a and b, and of c, from the end
+  /// of a to that of b. These are computed from points: a difference of others loses all digits in needles.
   struct Shape
   {
     Shape(const Flat_triangulation_2& tr, Index t, int o, int a, int b)
     {
       const Point &p = tr.point(t, o), &q = tr.point(t, a), &r = tr.point(t, b);
       const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = r.x() - p.x(), vy = r.y() - p.y();
+      const double wx = r.x() - q.x(), wy = r.y() - q.y();
       aa = ux * ux + uy * uy;
       bb = vx * vx + vy * vy;
+      cc = wx * wx + wy * wy;
       ab = ux * vx + uy * vy;
+      ac = ux * wx + uy * wy;
+      bc = vx * wx + vy * wy;
       area = std::abs(ux * vy - uy * vx);
     }
 
-    double aa, bb, ab, area;
+    double aa, bb, cc, ab, ac, bc, area;
   };
 
+  /// for the values `a` and `b` over that of the third vertex: that of `a` along c, and of what `b` has more along a
   static double gradient(const Shape& s, double a, double b)
   {
-    const double unit = (std::max)(std::abs(a), std::abs(b)); // else fourth powers of lengths might be none
+    double more = b - a;
+    const double unit = (std::max)(std::abs(a), std::abs(more)); // else fourth powers of lengths might be none
     if (unit == 0)
       return 0;
     a /= unit;
-    b /= unit;
-    const double squared = a * a * s.bb - 2 * a * b * s.ab + b * b * s.aa;
+    more /= unit;
+    const double squared = a * a * s.cc - 2 * a * more * s.ac + more * more * s.aa;
     return squared > 0 ? std::sqrt(squared) * unit / s.area : 0;
   }
 
@@ -157,12 +163,13 @@ private:
     }
     b = largest(s.aa, s.ab, s.area, a);
     if (b < a) // the larger one may not fall below the other: both are as high as one
-      a = b = m_g * s.area / std::sqrt(s.aa + s.bb - 2 * s.ab);
+      a = b = m_g * s.area / std::sqrt(s.cc);
   }
 
   static Shape mirrored(Shape s)
   {
     std::swap(s.aa, s.bb);
+    s.ac = -std::exchange(s.bc, -s.ac);
     return s;
   }
 

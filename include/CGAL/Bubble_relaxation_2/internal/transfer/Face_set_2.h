@@ -10,7 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_FACE_SET_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
-#include <CGAL/Bubble_relaxation_2/internal/transfer/signed_area.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/signed_area.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -61,13 +61,20 @@ struct Face_set_2
   Bbox_2 box(Index t) const { return point(t, 0).bbox() + point(t, 1).bbox() + point(t, 2).bbox(); }
 };
 
+/// The power of two that brings a positive number to about 1, or near to that: the largest double is below 2^1024, and
+/// 2^-1024 is not a normal number.
+inline double factor_to_unit(double value)
+{
+  return std::ldexp(1., (std::min)(1022, (std::max)(-1022, -std::ilogb(value))));
+}
+
 /// Scales both sets by a power of two, which alters no bit of a mantissa, so that the source's extent is about 1: areas
 /// and their products neither overflow nor vanish, whatever the units. Returns the factor.
 inline double scale_to_unit(Face_set_2& source, Face_set_2& target)
 {
   const Bbox_2 box = bbox_2(source.points.begin(), source.points.end());
   const double extent = (std::max)(box.x_span(), box.y_span());
-  const double factor = extent > 0 ? std::ldexp(1., -std::ilogb(extent)) : 1;
+  const double factor = extent > 0 ? factor_to_unit(extent) : 1;
   for (Face_set_2* faces : {&source, &target})
     for (Point& p : faces->points)
       p = Point(p.x() * factor, p.y() * factor);
@@ -82,8 +89,7 @@ inline double scale_to_unit(std::vector<double>& values)
     largest = (std::max)(largest, std::abs(v));
   if (largest == 0)
     return 1;
-  // the largest double is below 2^1024, and 2^-1024 is not a normal number
-  const double factor = std::ldexp(1., (std::min)(1022, (std::max)(-1022, -std::ilogb(largest))));
+  const double factor = factor_to_unit(largest);
   for (double& v : values)
     v *= factor;
   return factor;

@@ -11,7 +11,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Barycentric_weights.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/transfer/signed_area.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/signed_area.h>
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_SIGNED_AREA_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_SIGNED_AREA_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_SIGNED_AREA_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_SIGNED_AREA_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
@@ -44,4 +44,4 @@ inline double twice_signed_area(const Point& p, const Point& q, const Point& r)
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_SIGNED_AREA_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_SIGNED_AREA_H
