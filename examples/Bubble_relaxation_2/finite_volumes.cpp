@@ -50,13 +50,11 @@ CDT domain(double d, const Markers& markers)
   for (int i = 0; i < corners; ++i)
     hole.push_back(Point(0.5 * std::cos(2 * CGAL_PI * i / corners), 0.5 * std::sin(2 * CGAL_PI * i / corners)));
   CDT cdt;
-  for (const auto& [outline, marker] :
-       {std::make_pair(square, FLUX_GIVEN), std::make_pair(hole, VALUE_GIVEN)})
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const auto v = cdt.insert(outline[i]), w = cdt.insert(outline[(i + 1) % outline.size()]);
-      cdt.insert_constraint(v, w);
-      markers.set(v, w, marker);
-    }
+  for (const auto& outline : {square, hole})
+    cdt.insert_constraint(outline.begin(), outline.end(), true);
+  for (const auto& [outline, marker] : {std::make_pair(square, FLUX_GIVEN), std::make_pair(hole, VALUE_GIVEN)})
+    for (std::size_t i = 0; i < outline.size(); ++i) // when all constraints are in, which may cut each other
+      markers.set(cdt, cdt.insert(outline[i]), cdt.insert(outline[(i + 1) % outline.size()]), marker);
   return cdt;
 }
 

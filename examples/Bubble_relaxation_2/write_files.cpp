@@ -37,15 +37,16 @@ int main()
   constexpr int coast = 1, sea = 2, island = 3;
   CDT cdt;
   CGAL::Constraint_marker_map_2<CDT> markers;
-  const auto add = [&](const std::vector<Point>& ring, const std::vector<int>& sides) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const auto u = cdt.insert(ring[k]), v = cdt.insert(ring[(k + 1) % ring.size()]);
-      cdt.insert_constraint(u, v);
-      markers.set(u, v, sides[k]);
-    }
+  const std::vector<Point> shore{{0, 0}, {4000, 0}, {4000, 3000}, {1500, 3500}, {0, 2000}},
+    rock{{1500, 1200}, {2200, 1300}, {1900, 1900}};
+  for (const auto& ring : {shore, rock})
+    cdt.insert_constraint(ring.begin(), ring.end(), true);
+  const auto mark = [&](const std::vector<Point>& ring, const std::vector<int>& sides) {
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      markers.set(cdt, cdt.insert(ring[k]), cdt.insert(ring[(k + 1) % ring.size()]), sides[k]);
   };
-  add({{0, 0}, {4000, 0}, {4000, 3000}, {1500, 3500}, {0, 2000}}, {coast, sea, coast, coast, coast});
-  add({{1500, 1200}, {2200, 1300}, {1900, 1900}}, {island, island, island});
+  mark(shore, {coast, sea, coast, coast, coast}); // when all constraints are in, which may cut each other
+  mark(rock, {island, island, island});
 
   const auto depth = [](const Point& p) { return 2 + p.x() / 100; }; // in metres
   const auto d = [&](const Point& p) { return 30 * std::sqrt(depth(p)); };

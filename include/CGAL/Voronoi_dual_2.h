@@ -196,7 +196,7 @@ private:
   static const CDT& checked(const CDT& cdt, const NamedParameters&)
   {
     using namespace Bubble_relaxation_2::internal;
-    [[maybe_unused]] constexpr bool is_meant = check_triangulation<CDT>() && check_tags<CDT, NamedParameters>();
+    [[maybe_unused]] constexpr bool is_meant = check_triangulation<CDT>() && check_maps<CDT, NamedParameters>();
     return cdt;
   }
 

@@ -20,7 +20,10 @@
 #include <CGAL/npbs_relax.h>
 #include <CGAL/simplify_outline_2.h>
 
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CDT = CGAL::Constrained_Delaunay_triangulation_2<K>;
@@ -77,7 +80,14 @@ void wrong(CDT& cdt, Terrain& terrain)
   CGAL::npbs_relax(cdt, P::edge_marker_map(CGAL::Face_region_map_2<CDT>()));
   // wrong: face_region_map must be a property map
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).face_region_map(CGAL::Constraint_marker_map_2<CDT>()));
+  // wrong: vertex_is_constrained_map must be a property map
+  CGAL::npbs_relax(cdt, P::vertex_is_constrained_map(std::set<CDT::Vertex_handle>()));
 #elif MISTAKES == 2
+  // wrong: edge_marker_map must be a property map
+  CGAL::simplify_outline_2(cdt, P::sizing_function(0.1).edge_marker_map(
+                                  std::map<std::pair<CDT::Vertex_handle, CDT::Vertex_handle>, int>()));
+  // wrong: face_region_map must be a property map
+  CGAL::npbs_adapt(cdt, P::sizing_function(0.1).face_region_map([](CDT::Face_handle) { return 1; }));
   // wrong: it takes no terrain
   CGAL::simplify_outline_2(terrain);
   // wrong: what has no constraints has no domain

@@ -143,28 +143,33 @@ constexpr bool returns_elevation()
   return is_missing<Elevation>;
 }
 
-/// whether a map, if it was given, has keys of a kind
-template <class Map, class Key>
-constexpr bool has_keys()
-{
-  if constexpr (!is_missing<Map>)
-    return std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value;
-  return true;
-}
+/// whether a map, if it was given, is a property map with keys of a kind
+template <class Map, class Key, class = void>
+struct Has_keys : std::bool_constant<is_missing<Map>>
+{};
 
-/// Whether the maps of tags take what they are asked for.
+template <class Map, class Key>
+struct Has_keys<Map, Key, std::void_t<typename boost::property_traits<Map>::category>>
+  : std::is_convertible<Key, typename boost::property_traits<Map>::key_type>
+{};
+
+/// Whether property maps take what they are asked for.
 template <class Cdt, class NamedParameters>
-constexpr bool check_tags()
+constexpr bool check_maps()
 {
   using Vertex_handle = typename Cdt::Vertex_handle;
+  constexpr bool has_vertices =
+    Has_keys<Value_of<NamedParameters, internal_np::vertex_is_constrained_t>, Vertex_handle>();
+  static_assert(has_vertices, "vertex_is_constrained_map must be a property map with Vertex_handle as key, such as the "
+                              "Boolean_property_map of a set");
   constexpr bool has_edges =
-    has_keys<Value_of<NamedParameters, internal_np::edge_marker_t>, std::pair<Vertex_handle, Vertex_handle>>();
+    Has_keys<Value_of<NamedParameters, internal_np::edge_marker_t>, std::pair<Vertex_handle, Vertex_handle>>();
   static_assert(has_edges, "edge_marker_map must be a property map with std::pair<Vertex_handle, Vertex_handle> as "
                            "key, such as Constraint_marker_map_2");
   constexpr bool has_faces =
-    has_keys<Value_of<NamedParameters, internal_np::face_region_t>, typename Cdt::Face_handle>();
+    Has_keys<Value_of<NamedParameters, internal_np::face_region_t>, typename Cdt::Face_handle>();
   static_assert(has_faces, "face_region_map must be a property map with Face_handle as key, such as Face_region_map_2");
-  return has_edges && has_faces;
+  return has_vertices && has_edges && has_faces;
 }
 
 /// Whether the values of parameters are of types that can be meant.
@@ -187,7 +192,7 @@ constexpr bool check_values()
   static_assert(has_elevation, "elevation_function must be callable, as a constant, with a Point_2, the place in the "
                                "plane of the projection, and return a number");
   return has_callback && has_seeds && has_size && is_for_terrain && has_elevation &&
-         check_tags<Cdt, NamedParameters>();
+         check_maps<Cdt, NamedParameters>();
 }
 
 /// Calls `body` with a pack of named parameters, for a triangulation and parameters that can be meant; a size alone, a

@@ -69,7 +69,8 @@ void Marked_copy_2::check_domain() const
     tick(t);
     for (int i = 0; i < 3 && tr.inside[t]; ++i)
       if (!is_constrained(static_cast<Index>(t), i) && !is_inside(tr.neighbors[t][i]))
-        throw_side(static_cast<Index>(t), i, "bounds the domain and must be constrained");
+        throw_side(static_cast<Index>(t), i, "bounds the domain and must be constrained; faces beside a vertex that "
+                                             "was inserted since the domain was marked have no marks");
   }
   check_lengths();
 }

@@ -129,7 +129,8 @@ void check_regions([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] 
         const Point &p = marks.tr.point(t, ccw(i)), &q = marks.tr.point(t, cw(i));
         throw std::invalid_argument("Bubble_relaxation_2: parameter face_region_map: the edge from " +
                                     in_words(p.x(), p.y()) + " to " + in_words(q.x(), q.y()) +
-                                    " lies between two regions and must be constrained");
+                                    " lies between two regions and must be constrained; faces beside a vertex that "
+                                    "was inserted since have none");
       }
   }
 }
