@@ -54,9 +54,9 @@ any more then. Copies share the triangulation; a query takes well under a micros
 - <b>What can be missed:</b> d is seen at all vertices of the triangulation, constrained or not, on constraints
   at least in each 128th, inside at least in each 32nd of the domain's extent, and finer where what was seen
   there asks for it. A dip of d that fits between is not found. A vertex inserted in the middle of it helps.
-- <b>Cost:</b> that of the triangulation, some tens to hundreds of microseconds for each of its vertices: where d is
-  small in hundreds of points, several times the cost of the mesh, without a callback. If there is a mesh that
-  follows d, `Interpolated_sizing_field_2` limits the sizes of its vertices far faster.
+- <b>Cost:</b> that of the triangulation, without a callback: where d is small in hundreds of points it takes
+  several times as long as the mesh. If there is a mesh that follows d, `Interpolated_sizing_field_2` limits the sizes
+  of its vertices far faster.
 
 The values are the same to the last bit for the same domain, in whatever order it was made, in whatever order
 and by however many threads the field is asked.

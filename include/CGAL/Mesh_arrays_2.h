@@ -166,14 +166,15 @@ std::vector<Number> as_numbers(const std::vector<Tag>& tags, [[maybe_unused]] st
                   "markers and regions for files must be numbers, enumerators or names");
     for (const Tag& tag : tags) {
       const double value = static_cast<double>(tag); // exact for all that are taken
-      if constexpr (std::is_integral<Number>::value)
+      if constexpr (std::is_integral<Number>::value) {
         if (!(value >= -2147483648. && value <= 2147483647.) || value != std::floor(value))
           throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + ": the marker " +
                                       in_words(value) + " must be an integer of at most 2147483647 in magnitude");
-      if constexpr (std::is_integral<Tag>::value)
+      } else if constexpr (std::is_integral<Tag>::value) {
         if (std::abs(value) >= 9007199254740992.) // where two of them would become one
           throw std::invalid_argument(std::string("Bubble_relaxation_2: parameter ") + name + ": " + in_words(value) +
                                       " must be less than 2^53 in magnitude");
+      }
       result.push_back(static_cast<Number>(value));
     }
   }

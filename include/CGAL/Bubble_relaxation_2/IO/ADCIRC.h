@@ -41,10 +41,15 @@ struct Coastal_boundary_2
 
   std::vector<std::vector<std::size_t>> open;
   std::vector<Land> land; ///< islands last
+  int land_type;          ///< of the mainland
 
-  /// \throws std::invalid_argument if no edge of the boundary has one of the markers
-  Coastal_boundary_2(const Mesh_arrays_2& mesh, const std::set<int>& open_markers)
+  /// \throws std::invalid_argument as `IO::write_ADCIRC()`
+  Coastal_boundary_2(const Mesh_arrays_2& mesh, const std::set<int>& open_markers, int type) : land_type(type)
   {
+    mesh.check();
+    if (land_type != 0 && land_type != 10 && land_type != 20)
+      throw std::invalid_argument("Bubble_relaxation_2: land_type = " + std::to_string(land_type) +
+                                  " must be 0, 10 or 20");
     std::map<Mesh_arrays_2::Edge, int> markers;
     for (std::size_t k = 0; k < mesh.edges.size(); ++k)
       markers[mesh.edges[k]] = mesh.edge_markers[k];
@@ -83,11 +88,41 @@ private:
   }
 };
 
-inline void check_land_type(int land_type)
+inline bool write_fort_14(std::ostream& out, const Mesh_arrays_2& mesh, const Coastal_boundary_2& boundary)
 {
-  if (land_type != 0 && land_type != 10 && land_type != 20)
-    throw std::invalid_argument("Bubble_relaxation_2: land_type = " + std::to_string(land_type) +
-                                " must be 0, 10 or 20");
+  const Plain_numbers plain(out);
+  const std::vector<double> depth = depths(mesh);
+  out << "mesh\n" << mesh.triangles.size() << ' ' << mesh.points.size() << '\n';
+  for (std::size_t k = 0; k < mesh.points.size(); ++k)
+    out << k + 1 << ' ' << mesh.points[k].x() << ' ' << mesh.points[k].y() << ' ' << depth[k] << '\n';
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto& t = mesh.triangles[k];
+    out << k + 1 << " 3 " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  }
+  const auto write_nodes = [&out](const std::vector<std::size_t>& nodes) {
+    for (const std::size_t v : nodes)
+      out << v + 1 << '\n';
+  };
+  std::size_t open_nodes = 0, land_nodes = 0, number = 0;
+  for (const auto& nodes : boundary.open)
+    open_nodes += nodes.size();
+  for (const auto& land : boundary.land)
+    land_nodes += land.nodes.size();
+  out << boundary.open.size() << " = Number of open boundaries\n"
+      << open_nodes << " = Total number of open boundary nodes\n";
+  for (const auto& nodes : boundary.open) {
+    out << nodes.size() << " 0 = Number of nodes for open boundary " << ++number << '\n';
+    write_nodes(nodes);
+  }
+  number = 0;
+  out << boundary.land.size() << " = Number of land boundaries\n"
+      << land_nodes << " = Total number of land boundary nodes\n";
+  for (const auto& land : boundary.land) {
+    out << land.nodes.size() << ' ' << boundary.land_type + land.is_island
+        << " = Number of nodes for land boundary " << ++number << '\n';
+    write_nodes(land.nodes);
+  }
+  return static_cast<bool>(out);
 }
 
 } // namespace Bubble_relaxation_2::internal
@@ -122,42 +157,7 @@ inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std
                          int land_type = 0)
 {
   using namespace Bubble_relaxation_2::internal;
-  mesh.check();
-  check_land_type(land_type);
-  const Coastal_boundary_2 boundary(mesh, open_markers);
-  const Plain_numbers plain(out);
-  const std::vector<double> depth = depths(mesh);
-  out << "mesh\n" << mesh.triangles.size() << ' ' << mesh.points.size() << '\n';
-  for (std::size_t k = 0; k < mesh.points.size(); ++k)
-    out << k + 1 << ' ' << mesh.points[k].x() << ' ' << mesh.points[k].y() << ' ' << depth[k] << '\n';
-  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-    const auto& t = mesh.triangles[k];
-    out << k + 1 << " 3 " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-  }
-  const auto write_nodes = [&out](const std::vector<std::size_t>& nodes) {
-    for (const std::size_t v : nodes)
-      out << v + 1 << '\n';
-  };
-  std::size_t open_nodes = 0, land_nodes = 0, number = 0;
-  for (const auto& nodes : boundary.open)
-    open_nodes += nodes.size();
-  for (const auto& land : boundary.land)
-    land_nodes += land.nodes.size();
-  out << boundary.open.size() << " = Number of open boundaries\n"
-      << open_nodes << " = Total number of open boundary nodes\n";
-  for (const auto& nodes : boundary.open) {
-    out << nodes.size() << " 0 = Number of nodes for open boundary " << ++number << '\n';
-    write_nodes(nodes);
-  }
-  number = 0;
-  out << boundary.land.size() << " = Number of land boundaries\n"
-      << land_nodes << " = Total number of land boundary nodes\n";
-  for (const auto& land : boundary.land) {
-    out << land.nodes.size() << ' ' << land_type + land.is_island << " = Number of nodes for land boundary " << ++number
-        << '\n';
-    write_nodes(land.nodes);
-  }
-  return static_cast<bool>(out);
+  return write_fort_14(out, mesh, Coastal_boundary_2(mesh, open_markers, land_type));
 }
 
 /*!
@@ -171,11 +171,9 @@ writes a mesh to the file `name`.
 inline void write_ADCIRC(const std::string& name, const Mesh_arrays_2& mesh, const std::set<int>& open_markers = {},
                          int land_type = 0)
 {
-  mesh.check();
-  Bubble_relaxation_2::internal::check_land_type(land_type);
-  const Bubble_relaxation_2::internal::Coastal_boundary_2 is_there(mesh, open_markers); // or is refused
-  Bubble_relaxation_2::internal::write_file(
-    name, [&](std::ostream& out) { write_ADCIRC(out, mesh, open_markers, land_type); });
+  using namespace Bubble_relaxation_2::internal;
+  const Coastal_boundary_2 boundary(mesh, open_markers, land_type);
+  write_file(name, [&](std::ostream& out) { write_fort_14(out, mesh, boundary); });
 }
 
 } // namespace IO

@@ -35,9 +35,10 @@ public:
   /// \param points places inside the domain that become vertices, besides its corners
   Background_mesh_2(const Domain_2& domain, const std::vector<Point>& points, const Sizes_2& sizing, double g,
                     std::size_t maximum_number_of_vertices)
-    : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices), m_corners(domain.corners().size()),
+    : m_sizing(sizing), m_g(g), m_maximum(maximum_number_of_vertices),
       m_extent((std::max)(domain.bbox().x_span(), domain.bbox().y_span())),
-      m_points(domain.corners()), m_pieces(domain.edges()), m_curve(domain.bbox(), false)
+      m_points(domain.corners()), m_pieces(domain.edges()), m_curve(domain.bbox(), false),
+      m_sizes(domain.corners().size())
   {
     m_points.insert(m_points.end(), points.begin(), points.end());
   }
@@ -45,12 +46,8 @@ public:
   /// Makes the mesh. False if there is not enough room among the vertices or the numbers.
   bool build()
   {
-    bool is_made = triangulate();
-    if (!is_made) { // vertices inside lie on each other, or on the outline, by a rounding; the corners do not
-      m_points.resize(m_corners);
-      is_made = triangulate();
-    }
-    for (; is_made; is_made = triangulate()) {
+    // vertices inside may lie on each other, or on the outline, by a rounding; then corners are tried, which do not
+    for (bool is_made = triangulate() || triangulate(); is_made; is_made = triangulate()) {
       m_given = given_sizes();
       m_sizes = m_given;
       Gradient_limiter_2(m_mesh, m_g).spread(m_sizes);
@@ -97,8 +94,7 @@ private:
   {
     Marked_triangulation_2 mesh;
     if (mark_triangulation(m_points, m_pieces, mesh) != Marking_error::NONE) {
-      if (!m_sizes.empty())
-        m_points.resize(m_sizes.size()); // the last cuts are too fine for the numbers
+      m_points.resize(m_sizes.size()); // the last cuts are too fine for the numbers
       return false;
     }
     m_mesh = std::move(mesh);
@@ -256,13 +252,13 @@ private:
 
   const Sizes_2& m_sizing;
   double m_g;
-  std::size_t m_maximum, m_corners; // numbers of vertices
+  std::size_t m_maximum;
   double m_extent;
   std::vector<Point> m_points;
   std::vector<Domain_edge_2> m_pieces; // of constraints, between points
   Hilbert_curve_2 m_curve;
   Marked_triangulation_2 m_mesh;
-  std::vector<double> m_given, m_sizes; // d at points, and limited
+  std::vector<double> m_given, m_sizes; // d at points, and limited: at first of corners
   std::unordered_map<Point, double, Hash> m_known;
 };
 
