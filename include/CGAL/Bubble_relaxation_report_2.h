@@ -65,6 +65,8 @@ struct Bubble_relaxation_report_2
   explicit Bubble_relaxation_report_2(const Bubble_relaxation_report_2<Other_FT>& other)
     : number_of_vertices(other.number_of_vertices), number_of_triangles(other.number_of_triangles),
       number_of_wanted_vertices(other.number_of_wanted_vertices),
+      number_of_pins_outside(other.number_of_pins_outside), pin_outside_x(FT(other.pin_outside_x)),
+      pin_outside_y(FT(other.pin_outside_y)),
       number_of_initial_bubbles(other.number_of_initial_bubbles), number_of_rounds(other.number_of_rounds),
       number_of_steps(other.number_of_steps), number_of_force_evaluations(other.number_of_force_evaluations),
       number_of_moves(other.number_of_moves), number_of_renewals(other.number_of_renewals),
@@ -108,6 +110,11 @@ struct Bubble_relaxation_report_2
     return number_of_wanted_vertices > 0 && number_of_vertices > 2 * number_of_wanted_vertices &&
            number_of_vertices > number_of_wanted_vertices + few;
   }
+
+  /// pinned vertices outside of the domain, which are not of the mesh; zero for parts that are meshed anew
+  std::size_t number_of_pins_outside = 0;
+  FT pin_outside_x = FT(0); ///< the x coordinate of the first of them, in lexicographic order
+  FT pin_outside_y = FT(0); ///< the y coordinate of that vertex
 
   std::size_t number_of_initial_bubbles = 0;   ///< bubbles after the initial placement
   std::size_t number_of_rounds = 0;            ///< rounds of simulation, with one that was stopped
@@ -187,6 +194,11 @@ std::ostream& operator<<(std::ostream& out, const Bubble_relaxation_report_2<FT>
       << "\n  seconds: reading " << s.reading << ", placement " << s.placement << ", renewal " << s.renewal
       << ", motion " << s.motion << ", population " << s.population << ", treatment " << s.treatment
       << ", writing " << s.writing << ", evaluation " << s.evaluation << '\n';
+  if (report.number_of_pins_outside > 0)
+    out << "  pinned vertices outside of the domain: " << report.number_of_pins_outside << ", the first at "
+        << Bubble_relaxation_2::internal::about_in_words(CGAL::to_double(report.pin_outside_x),
+                                                         CGAL::to_double(report.pin_outside_y))
+        << '\n';
   if (report.number_of_forced_triangles + report.number_of_small_angles > 0) {
     out << "  small angles: " << report.number_of_forced_triangles << " triangles at sharp corners of the domain, "
         << report.number_of_small_angles << " others";

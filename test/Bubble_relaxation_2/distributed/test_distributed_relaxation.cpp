@@ -54,6 +54,9 @@ void expect_equal(const Report& report, const Report& expected)
   EXPECT_EQ(report.converged, expected.converged);
   EXPECT_EQ(report.stop_reason, expected.stop_reason);
   EXPECT_EQ(report.number_of_wanted_vertices, expected.number_of_wanted_vertices);
+  EXPECT_EQ(report.number_of_pins_outside, expected.number_of_pins_outside);
+  EXPECT_EQ(report.pin_outside_x, expected.pin_outside_x);
+  EXPECT_EQ(report.pin_outside_y, expected.pin_outside_y);
   for (std::size_t k = 0; k < report.forced_places.size(); ++k) {
     EXPECT_EQ(report.forced_places[k].number_of_vertices, expected.forced_places[k].number_of_vertices);
     EXPECT_EQ(report.forced_places[k].x, expected.forced_places[k].x);

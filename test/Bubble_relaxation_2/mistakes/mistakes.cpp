@@ -82,6 +82,8 @@ void wrong(CDT& cdt, Terrain& terrain)
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).face_region_map(CGAL::Constraint_marker_map_2<CDT>()));
   // wrong: vertex_is_constrained_map must be a property map
   CGAL::npbs_relax(cdt, P::vertex_is_constrained_map(std::set<CDT::Vertex_handle>()));
+  // wrong: is CGAL's and none of Bubble_relaxation_2
+  CGAL::npbs_relax(cdt, P::number_of_rounds(2).size(0.1));
 #elif MISTAKES == 2
   // wrong: edge_marker_map must be a property map
   CGAL::simplify_outline_2(cdt, P::sizing_function(0.1).edge_marker_map(

@@ -21,6 +21,8 @@
 
 #include <cmath>
 #include <map>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -107,6 +109,22 @@ TYPED_TEST(Write_back, inner_constraints_and_pinned_vertices_are_kept)
     EXPECT_NEAR(validation::domain_area(cdt), 1, 1e-9);
     EXPECT_GE(report.quality.mean_quality(), 0.96);
   }
+}
+
+TYPED_TEST(Write_back, pins_outside_are_counted)
+{
+  using Point = typename TypeParam::Point;
+  TypeParam cdt = domains::make<TypeParam>({slanted, hole});
+  std::set<typename TypeParam::Vertex_handle> pins;
+  for (const Point& p : {Point(0.2, 0.2), Point(3, -1), Point(0.53, 0.5), Point(0.1, 1.03)}) // the last is a corner
+    pins.insert(cdt.insert(p));
+  const auto report = CGAL::npbs_relax(cdt, size(0.1).vertex_is_constrained_map(CGAL::make_boolean_property_map(pins)));
+  EXPECT_EQ(report.number_of_pins_outside, 2u);
+  EXPECT_EQ(report.pin_outside_x, 0.53);
+  EXPECT_EQ(report.pin_outside_y, 0.5);
+  std::ostringstream text;
+  text << report;
+  EXPECT_NE(text.str().find("outside of the domain: 2, the first at (0.53, 0.5)"), std::string::npos) << text.str();
 }
 
 TYPED_TEST(Write_back, unpinned_split_vertices_may_go)

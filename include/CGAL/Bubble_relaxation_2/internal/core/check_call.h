@@ -97,6 +97,41 @@ constexpr bool returns_size()
   return true;
 }
 
+/// whether the package has a named parameter with this tag
+template <class Tag>
+struct Is_name : std::false_type {};
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                            \
+  template <>                                                                                        \
+  struct Is_name<internal_np::X> : std::true_type {};
+#include <CGAL/Bubble_relaxation_2/internal/core/parameters_interface.h>
+CGAL_add_named_parameter(callback_t, callback, callback)
+CGAL_add_named_parameter(neighbor_radius_t, neighbor_radius, neighbor_radius)
+CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)
+CGAL_add_named_parameter(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)
+CGAL_add_named_parameter(visitor_t, visitor, visitor)
+#if CGAL_VERSION_NR >= 1050600000
+CGAL_add_named_parameter(seeds_t, seeds, seeds)
+CGAL_add_named_parameter(seeds_are_in_domain_t, seeds_are_in_domain, seeds_are_in_domain)
+#endif
+#if CGAL_VERSION_NR >= 1060000000
+CGAL_add_named_parameter(sizing_function_t, sizing_function, sizing_function)
+CGAL_add_named_parameter(concurrency_tag_t, concurrency_tag, concurrency_tag)
+#endif
+#undef CGAL_add_named_parameter
+
+/// whether the package has all names of a pack
+struct Name_test
+{
+  template <class T, class Tag, class Base>
+  static constexpr bool test(const Named_function_parameters<T, Tag, Base>*)
+  {
+    return (Is_name<Tag>::value || std::is_same<Tag, internal_np::all_default_t>::value) &&
+           test(static_cast<const Base*>(nullptr));
+  }
+  static constexpr bool test(const void*) { return true; }
+};
+
 /// Whether a triangulation is one of those that can be meshed: with constraints, and of points in the plane.
 template <class Cdt>
 constexpr bool check_triangulation()
@@ -176,6 +211,9 @@ constexpr bool check_maps()
 template <class Cdt, class NamedParameters>
 constexpr bool check_values()
 {
+  constexpr bool has_names = Name_test::test(static_cast<const NamedParameters*>(nullptr));
+  static_assert(has_names, "one of the named parameters is CGAL's and none of Bubble_relaxation_2, which would not "
+                           "heed it; the wanted length of edges, for example, is sizing_function");
   using Callback = Value_of<NamedParameters, internal_np::callback_t>;
   constexpr bool has_callback = is_missing<Callback> || std::is_invocable_r<bool, Callback&, double>::value;
   static_assert(has_callback, "callback must be callable with a double, the progress, and return a bool, to go on or not");
@@ -191,7 +229,7 @@ constexpr bool check_values()
   constexpr bool has_elevation = !is_for_terrain || returns_elevation<Elevation, Cdt>();
   static_assert(has_elevation, "elevation_function must be callable, as a constant, with a Point_2, the place in the "
                                "plane of the projection, and return a number");
-  return has_callback && has_seeds && has_size && is_for_terrain && has_elevation &&
+  return has_names && has_callback && has_seeds && has_size && is_for_terrain && has_elevation &&
          check_maps<Cdt, NamedParameters>();
 }
 

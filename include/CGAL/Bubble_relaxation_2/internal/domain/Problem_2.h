@@ -51,6 +51,8 @@ struct Given_mesh_2
   std::vector<Mesh_star_2> around; ///< of the free ones, if that was asked for
   /// Corners of a part's rim that ask for no sizes, sorted: the mesh beyond goes on there as it is.
   std::vector<Point> silent_corners;
+  std::size_t number_of_pins_outside = 0; ///< of the domain
+  Point pin_outside{0, 0};                ///< the first of them, in lexicographic order
 };
 
 class Cut_domain_2;

@@ -89,7 +89,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Bubbles_2 make_nodes(const Problem_2& problem, Report& report)
 {
-  tell_wanted_number(problem, report);
+  tell_of_input(problem, report);
   Bubbles_2 bubbles = relax_bubbles(problem, report);
   if (is_treatment_due(problem.options, report))
     bubbles = triangulate_and_treat(problem, std::move(bubbles), report).bubbles;

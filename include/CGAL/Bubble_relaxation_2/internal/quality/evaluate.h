@@ -66,10 +66,13 @@ void for_each_own_edge(const Bubble_mesh_2& mesh, std::size_t first, std::size_t
   });
 }
 
-/// Puts into the report how many vertices d alone asks for.
-inline void tell_wanted_number(const Problem_2& problem, Report& report)
+/// Puts into the report how many vertices d alone asks for, and which pins are of no use.
+inline void tell_of_input(const Problem_2& problem, Report& report)
 {
   report.number_of_wanted_vertices = static_cast<std::size_t>(std::llround(problem.wanted.number_without_corners));
+  report.number_of_pins_outside = problem.given.number_of_pins_outside;
+  report.pin_outside_x = problem.given.pin_outside.x();
+  report.pin_outside_y = problem.given.pin_outside.y();
 }
 
 /// How much d changes from one vertex of a mesh to the next, which is what the mesh can see of its gradient, kinks and
@@ -307,7 +310,7 @@ inline void evaluate(const Bubble_mesh_2& mesh, const Problem_2& problem, Team& 
 {
   const Threads& threads = problem.options.threads;
   const Phase_timer timer(report.seconds.evaluation);
-  tell_wanted_number(problem, report);
+  tell_of_input(problem, report);
   report.quality = quality_of(mesh, &problem.sizes, threads, team);
   report.number_of_vertices = report.quality.number_of_vertices();
   report.number_of_triangles = report.quality.number_of_triangles();

@@ -34,6 +34,16 @@ namespace CGAL::Bubble_relaxation_2::internal {
 template <class Cdt>
 using Has_constraint_hierarchy = typename Cdt::Constraint_hierarchy_tag;
 
+/// the triangulation in which it keeps its constraints
+template <class Cdt>
+auto& without_hierarchy(Cdt& cdt)
+{
+  if constexpr (Has_constraint_hierarchy<Cdt>::value)
+    return static_cast<typename Cdt::Triangulation&>(cdt);
+  else
+    return cdt;
+}
+
 /// \throws std::invalid_argument if the hierarchy does not know of a constrained edge. An insertion that throws may
 /// leave such, and so may one that rounds the crossing of two constraints.
 template <class Cdt, class Vertex_handle>
@@ -153,6 +163,15 @@ public:
   }
 
   Vertex_handle vertex(Index v) const { return Handles<Cdt>::vertex(m_vertices.addresses[v]); }
+
+  /// Counts pinned vertices of which the mesh will have none.
+  template <class Is_pinned>
+  void find_pins_outside(const Is_pinned& is_pinned)
+  {
+    for (std::size_t v = 0; v < m_is_of_domain.size(); ++v)
+      if (!m_is_of_domain[v] && is_pinned(vertex(static_cast<Index>(v))) && given.number_of_pins_outside++ == 0)
+        given.pin_outside = m_vertices.points[v];
+  }
 
 private:
   /// Only vertices that were not given as points of a constraint, on pieces that belong to one constraint only, may

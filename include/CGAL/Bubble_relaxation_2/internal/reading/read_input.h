@@ -152,6 +152,7 @@ private:
       elevation(given_elevation<Cdt>(np))
   {
     check_regions<Cdt>(np, marks);
+    reading.find_pins_outside(is_pinned<Cdt>(np));
     options.threads = threads_of<Concurrency<NamedParameters>>();
     if (!options.placement_is_given) // then what fits of a mesh is kept
       reading.look_around(marks);

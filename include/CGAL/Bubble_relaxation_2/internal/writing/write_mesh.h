@@ -19,6 +19,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Direct_write_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/count_in_domain.h>
+#include <CGAL/Bubble_relaxation_2/internal/writing/split_constraint.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
 
 #include <algorithm>
@@ -62,9 +63,11 @@ public:
     }
     straighten_constraints();
     split_constraints();
-    make_hull_convex();
-    for (void* v : m_at_slivers)
-      restore_delaunay_around(vertex(v));
+    make_hull_convex(m_cdt, m_on_hull);
+    for (Vertex_handle v : m_at_slivers)
+      check_hull(v);
+    for (Vertex_handle v : m_at_slivers)
+      restore_delaunay_around(m_cdt, v);
     insert_in_faces();
     Domain_faces_2<Cdt> faces = mark_domain(m_cdt, [this](const auto& visit) {
       this->for_each_piece([&](const Edge& edge, Vertex_handle source, std::size_t chain) {
@@ -103,14 +106,6 @@ private:
     for (const Chain& c : m_reading.graph->chains())
       if (!c.splits.empty())
         planar.insert_constraint(corner(c.source), corner(c.target));
-  }
-
-  static auto& without_hierarchy(Cdt& cdt)
-  {
-    if constexpr (Has_constraint_hierarchy<Cdt>::value)
-      return static_cast<typename Cdt::Triangulation&>(cdt);
-    else
-      return cdt;
   }
 
   /// takes the vertices that only split the chain out of its polylines
@@ -174,11 +169,6 @@ private:
                                        : traits.compare_y_2_object()(p, q) == (dy > 0 ? SMALLER : LARGER);
   }
 
-  bool is_left_turn(const Cdt_point& p, const Cdt_point& q, const Cdt_point& r) const
-  {
-    return m_cdt.geom_traits().orientation_2_object()(p, q, r) == LEFT_TURN;
-  }
-
   /// splits the last part of the path to `target` at `p`
   void split(Vertex_handle target, const Cdt_point& p)
   {
@@ -191,11 +181,11 @@ private:
     const Cdt_point place = make_room_for(p, target, next);
     const Face_handle f = next.first.first;
     const bool on_hull = m_cdt.is_infinite(f) || m_cdt.is_infinite(f->neighbor(next.first.second));
-    add_to_path(insert_on_constraint(place, next.first, next.second));
+    add_to_path(split_constraint(m_cdt, place, f, next.first.second));
     if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value)
-      restore_delaunay_around(end_of_path());
+      restore_delaunay_around(m_cdt, end_of_path());
     if (on_hull)
-      m_on_hull.insert(m_on_hull.end(), {m_path->end()[-2], m_path->back(), &*next.second});
+      m_on_hull.insert(m_on_hull.end(), {vertex(m_path->end()[-2]), end_of_path(), next.second});
   }
 
   /// Where the edge `next` on the way to `target` can be split for `p`. If there is no room, slivers beside it are
@@ -228,56 +218,18 @@ private:
       const Face_handle n = f->neighbor(i);
       for (Vertex_handle v : {f->vertex(0), f->vertex(1), f->vertex(2), n->vertex(write.m_cdt.mirror_index(f, i))})
         if (!write.m_cdt.is_infinite(v)) {
-          write.m_at_slivers.push_back(&*v);
-          write.m_on_hull.push_back(&*v);
+          write.m_at_slivers.push_back(v);
+          write.m_on_hull.push_back(v);
         }
       write.m_cdt.flip(f, i);
     }
   };
 
-  /// splits the edge from the end of the path to `next` at `p`
-  Vertex_handle insert_on_constraint(const Cdt_point& p, const Edge& e, Vertex_handle next)
-  {
-    if constexpr (!std::is_same<typename Cdt::Intersection_tag, No_constraint_intersection_tag>::value) {
-      return m_cdt.insert(p, Cdt::EDGE, e.first, e.second);
-    } else { // CGAL does not split constraints with this tag: that would be an intersection
-      const Vertex_handle last = end_of_path();
-      set_constraint(e, false);
-      const Vertex_handle v = m_cdt.insert(p, Cdt::EDGE, e.first, e.second);
-      if constexpr (Has_constraint_hierarchy<Cdt>::value)
-        m_cdt.hierarchy_ref().split_constraint(last, next, v);
-      for (Vertex_handle end : {last, next})
-        set_constraint(next_towards(v, end).first, true);
-      return v;
-    }
-  }
-
-  void set_constraint(const Edge& e, bool is_constrained)
-  {
-    const Face_handle beyond = e.first->neighbor(e.second);
-    beyond->set_constraint(m_cdt.mirror_index(e.first, e.second), is_constrained);
-    e.first->set_constraint(e.second, is_constrained);
-  }
-
-  /// An insertion never flips edges at the new vertex, which is right for a point on the edge that it splits. Beside it
-  /// by a rounding, in a needle, it may see another vertex across the edge that was split.
-  void restore_delaunay_around(Vertex_handle v)
-  {
-    typename Cdt::List_edges edges;
-    auto e = m_cdt.incident_edges(v), first = e;
-    do
-      if (m_cdt.is_flipable(e->first, e->second, false))
-        edges.push_back(*e);
-    while (++e != first);
-    if (!edges.empty())
-      m_cdt.propagating_flip(edges);
-  }
-
   /// `p`, or a point some roundings away, so that splitting the edge at it leaves all triangles
   /// counterclockwise; none if there is no such point
   std::optional<Cdt_point> nearest_valid(const Cdt_point& p, Face_handle f, int i) const
   {
-    if (splits_validly(p, f, i))
+    if (splits_validly(m_cdt, p, f, i))
       return p;
     if constexpr (std::is_floating_point<typename Cdt::Geom_traits::FT>::value) {
       constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -290,7 +242,7 @@ private:
             y = sy[k] == 0 ? y : std::nextafter(y, sy[k] * infinity);
           }
           const Cdt_point near = moved(p, x, y);
-          if (splits_validly(near, f, i))
+          if (splits_validly(m_cdt, near, f, i))
             return near;
         }
     }
@@ -304,66 +256,6 @@ private:
       return Plane::point(x, y, Plane::elevation(p));
     else
       return Cdt_point(x, y);
-  }
-
-  bool splits_validly(const Cdt_point& p, Face_handle f, int i) const
-  {
-    return sees_edge(p, f, i) && sees_edge(p, f->neighbor(i), m_cdt.mirror_index(f, i));
-  }
-
-  // whether both parts of the triangle, cut from its vertex i to p, are counterclockwise
-  bool sees_edge(const Cdt_point& p, Face_handle f, int i) const
-  {
-    if (m_cdt.is_infinite(f))
-      return true;
-    const Cdt_point& c = f->vertex(i)->point();
-    return is_left_turn(c, f->vertex(m_cdt.ccw(i))->point(), p) && is_left_turn(c, p, f->vertex(m_cdt.cw(i))->point());
-  }
-
-  /// A bubble on an edge of the convex hull may lie inside of the edge by a rounding, or outside, and then its
-  /// neighbors may. The triangles between them and the hull are real, though outside of the domain.
-  void make_hull_convex()
-  {
-    std::vector<void*> doubtful = m_on_hull;
-    while (!doubtful.empty()) {
-      const Vertex_handle v = vertex(doubtful.back());
-      Face_handle after = dent_at(v);
-      if (after == Face_handle()) {
-        doubtful.pop_back();
-        continue;
-      }
-      const int i = m_cdt.ccw(after->index(v));
-      const Vertex_handle w = after->vertex(i), u = m_cdt.mirror_vertex(after, i);
-      m_cdt.flip(after, i);
-      restore_delaunay(v, u, w);
-      for (Vertex_handle neighbor : {u, w})
-        doubtful.push_back(&*neighbor);
-    }
-    for (void* v : m_at_slivers)
-      check_hull(vertex(v));
-  }
-
-  /// The infinite face after a vertex of the hull that lies in a dent of it, if there is one. While others hang on the
-  /// vertex there may be several: the one with the first vertex after it, in lexicographic order.
-  Face_handle dent_at(Vertex_handle v) const
-  {
-    Face_handle result;
-    Vertex_handle next;
-    auto f = m_cdt.incident_faces(v), first = f;
-    do {
-      const int i = f->index(v);
-      if (!m_cdt.is_infinite(f->vertex(m_cdt.cw(i))))
-        continue;
-      // counterclockwise in this face: v, the next vertex w of the hull, infinite. Seen from there the hull runs
-      // u, v, w clockwise, and a left turn is a dent.
-      const Vertex_handle u = m_cdt.mirror_vertex(f, m_cdt.ccw(i)), w = f->vertex(m_cdt.ccw(i));
-      if (is_left_turn(u->point(), v->point(), w->point()) &&
-          (result == Face_handle() || m_cdt.compare_xy(w->point(), next->point()) == SMALLER)) {
-        result = f;
-        next = w;
-      }
-    } while (++f != first);
-    return result;
   }
 
   /// Where slivers were opened, others may hang on single vertices of the hull.
@@ -383,19 +275,6 @@ private:
   {
     throw std::runtime_error("Bubble_relaxation_2: the triangulation is too flat beside a constraint to split it "
                              "there");
-  }
-
-  void restore_delaunay(Vertex_handle v, Vertex_handle u, Vertex_handle w)
-  {
-    typename Cdt::List_edges edges;
-    for (Vertex_handle other : {u, w}) {
-      Face_handle f;
-      int i;
-      if (m_cdt.is_edge(v, other, f, i) && m_cdt.is_flipable(f, i, false))
-        edges.push_back(Edge(f, i));
-    }
-    if (!edges.empty())
-      m_cdt.propagating_flip(edges);
   }
 
   void insert_in_faces()
@@ -425,8 +304,8 @@ private:
   std::vector<std::vector<void*>> m_paths; // the vertices of each chain in order
   std::vector<void*>* m_path = nullptr;    // that of the chain that is split
   std::size_t m_done = 0;                  // vertices that have gone or come
-  std::vector<void*> m_on_hull;            // bubbles on edges of the hull, and their neighbors
-  std::vector<void*> m_at_slivers;         // corners of those that were opened, and of faces beyond them
+  std::vector<Vertex_handle> m_on_hull;    // bubbles on edges of the hull, and their neighbors
+  std::vector<Vertex_handle> m_at_slivers; // corners of those that were opened, and of faces beyond them
 };
 
 /// Writes a mesh into the triangulation that its domain was read from: the triangles as they are if there is
