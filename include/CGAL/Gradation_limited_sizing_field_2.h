@@ -54,8 +54,8 @@ any more then. Copies share the triangulation; a query takes well under a micros
 - <b>What can be missed:</b> d is seen at all vertices of the triangulation, constrained or not, on constraints
   at least in each 128th, inside at least in each 32nd of the domain's extent, and finer where what was seen
   there asks for it. A dip of d that fits between is not found. A vertex inserted in the middle of it helps.
-- <b>Cost:</b> that of the triangulation, without a callback: where d is small in hundreds of points it takes
-  several times as long as the mesh. If there is a mesh that follows d, `Interpolated_sizing_field_2` limits the sizes
+- <b>Cost:</b> that of the triangulation: where d is small in hundreds of points it takes several times as long as the
+  mesh. If there is a mesh that follows d, `Interpolated_sizing_field_2` limits the sizes
   of its vertices far faster.
 
 The values are the same to the last bit for the same domain, in whatever order it was made, in whatever order
@@ -95,6 +95,13 @@ public:
       \cgalParamType{an integer, positive}
       \cgalParamDefault{200 000}
     \cgalParamNEnd
+    \cgalParamNBegin{callback}
+      \cgalParamDescription{a function that is called after each turn of refinement with how much is done, not falling,
+                            1 at the end. If it returns `false` there is no other: the field is as good as it is by then,
+                            with its gradient limited, and `is_resolved()` is `false`}
+      \cgalParamType{a type that `std::function<bool(double)>` can hold}
+      \cgalParamDefault{none}
+    \cgalParamNEnd
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument if a parameter is out of its range, if a coordinate or a size is not finite,
@@ -119,7 +126,7 @@ public:
     const Domain_reading_2<CDT> all(
       cdt, is_inside, [](typename CDT::Vertex_handle) { return true; }, [](const auto&...) {});
     Background_mesh_2 background(all.domain, all.given.pinned, sizes, m_gradation / margin, maximum);
-    m_is_resolved = background.build();
+    m_is_resolved = background.build(read_callback(np));
     Marked_triangulation_2& mesh = background.mesh();
     Gradient_limiter_2(mesh, m_gradation).clip(background.sizes());
     m_field = std::make_shared<const Field>(std::move(mesh), std::move(background.sizes()));
@@ -139,7 +146,7 @@ public:
   std::size_t number_of_vertices() const { return m_field->triangulation().points.size(); }
 
   /// returns whether the triangulation could be refined as far as d asked, and not only as far as
-  /// `maximum_number_of_vertices` or the rounding of coordinates allowed. Also if not, the gradient is limited.
+  /// `maximum_number_of_vertices`, the rounding of coordinates or the callback allowed. Also if not, the gradient is limited.
   bool is_resolved() const { return m_is_resolved; }
 
 private:

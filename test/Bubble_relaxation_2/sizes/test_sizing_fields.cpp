@@ -289,6 +289,23 @@ TEST(Gradation_limited_sizing_field, says_when_it_had_no_room)
   EXPECT_LE(steepest(h, 0.01), 0.2 * (1 + 1e-6));
 }
 
+TEST(Gradation_limited_sizing_field, can_be_stopped)
+{
+  std::vector<double> told;
+  const CGAL::Gradation_limited_sizing_field_2 whole(
+    square(), 0.2, P::sizing_function(cases[0].d).callback([&](double share) { told.push_back(share); return true; }));
+  EXPECT_TRUE(whole.is_resolved());
+  ASSERT_GT(told.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.front(), 0);
+  EXPECT_EQ(told.back(), 1);
+  const CGAL::Gradation_limited_sizing_field_2 h(
+    square(), 0.2, P::sizing_function(cases[0].d).callback([](double share) { return share < 0.5; }));
+  EXPECT_FALSE(h.is_resolved());
+  EXPECT_LT(h.number_of_vertices(), whole.number_of_vertices());
+  EXPECT_LE(steepest(h, 0.01), 0.2 * (1 + 1e-6));
+}
+
 TEST(Minimum_sizing_field, is_the_smallest_of_functions_and_numbers)
 {
   const auto d = [](const Point& p) { return p.x(); };

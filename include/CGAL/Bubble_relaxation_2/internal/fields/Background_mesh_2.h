@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -43,17 +44,21 @@ public:
     m_points.insert(m_points.end(), points.begin(), points.end());
   }
 
-  /// Makes the mesh. False if there is not enough room among the vertices or the numbers.
-  bool build()
+  /// Makes the mesh. False if there is not enough room among the vertices or the numbers, or if the callback said so.
+  bool build(const std::function<bool(double)>& callback)
   {
+    double done = 0;
     // vertices inside may lie on each other, or on the outline, by a rounding; then corners are tried, which do not
     for (bool is_made = triangulate() || triangulate(); is_made; is_made = triangulate()) {
-      m_given = given_sizes();
-      m_sizes = m_given;
+      ask_for_given_sizes();
+      const std::vector<double> last = std::exchange(m_sizes, m_given);
       Gradient_limiter_2(m_mesh, m_g).spread(m_sizes);
+      find_news(last);
       std::vector<Cut> cuts = find_cuts();
       const std::size_t room = m_maximum > m_points.size() ? m_maximum - m_points.size() : 0;
-      if (cuts.empty() || room == 0)
+      done = (std::max)(done, double(m_points.size()) / double(m_points.size() + cuts.size()));
+      const bool goes_on = !callback || callback(done);
+      if (cuts.empty() || room == 0 || !goes_on)
         return cuts.empty();
       if (cuts.size() > room)
         cuts.resize(room); // the worst ones come first
@@ -102,14 +107,28 @@ private:
   }
 
   /// d at the vertices, not limited
-  std::vector<double> given_sizes()
+  void ask_for_given_sizes()
   {
-    std::vector<double> sizes(m_points.size(), 0);
+    m_given.resize(m_points.size(), 0);
     for (std::size_t t = 0; t < m_mesh.number_of_triangles(); ++t)
       for (Index v : m_mesh.vertices[t])
-        if (m_mesh.inside[t] && sizes[v] == 0)
-          sizes[v] = size(m_points[v]);
-    return sizes;
+        if (m_mesh.inside[t] && m_given[v] == 0)
+          m_given[v] = size(m_points[v]);
+  }
+
+  /// An edge or a triangle that was fine is so as long as its vertices, and those of the triangles beside it, have the sizes
+  /// that they had: where there are new triangles, there are new vertices.
+  void find_news(const std::vector<double>& last)
+  {
+    m_has_news.resize(m_points.size(), 1);
+    for (std::size_t v = 0; v < last.size(); ++v)
+      m_has_news[v] |= m_sizes[v] != last[v];
+  }
+
+  bool has_news(Index t) const
+  {
+    const auto& v = m_mesh.vertices[t];
+    return m_has_news[v[0]] || m_has_news[v[1]] || m_has_news[v[2]];
   }
 
   /// d, which is asked once in each place
@@ -125,12 +144,16 @@ private:
   {
     std::vector<Cut> cuts;
     const Gradient_limiter_2 limiter(m_mesh, m_g);
+    m_is_doubtful.assign(m_points.size(), 0);
     for_each_edge(m_mesh, 0, m_mesh.number_of_triangles(), [&](Index t, int i) {
-      add_edge(t, i, edge_error(t, i), cuts);
+      const Index n = m_mesh.neighbors[t][i];
+      if (has_news(t) || (n != no_index && m_mesh.inside[n] && has_news(n)))
+        add_edge(t, i, edge_error(t, i), cuts);
     });
     for (std::size_t k = 0; k < m_mesh.number_of_triangles(); ++k)
-      if (m_mesh.inside[k])
+      if (m_mesh.inside[k] && has_news(static_cast<Index>(k)))
         add_triangle(static_cast<Index>(k), limiter.gradient(static_cast<Index>(k), m_sizes), cuts);
+    m_has_news = m_is_doubtful;
     std::sort(cuts.begin(), cuts.end());
     std::set<Point> seen;
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
@@ -187,10 +210,11 @@ private:
 
   /// Cuts a side, or instead the much longer one that the triangles beside it lead to: else a triangle with a
   /// long side that nobody asks to cut becomes flatter and flatter.
-  void add_edge(Index t, int i, double error, std::vector<Cut>& cuts) const
+  void add_edge(Index t, int i, double error, std::vector<Cut>& cuts)
   {
     if (!(error > 1))
       return;
+    look_again_at(t);
     for (double l = length(t, i), last = 0; l > last;) {
       last = l;
       l *= much_longer;
@@ -209,6 +233,13 @@ private:
                        m_mesh.edges[t][i]});
   }
 
+  /// what is cut need not be what is too coarse
+  void look_again_at(Index t)
+  {
+    for (Index v : m_mesh.vertices[t])
+      m_is_doubtful[v] = 1;
+  }
+
   /// A triangle is cut where d is smaller in its middle than its corners tell, and its longest side where it
   /// is too flat for the gradient.
   void add_triangle(Index t, double gradient, std::vector<Cut>& cuts)
@@ -222,8 +253,10 @@ private:
       return;
     const Point c = CGAL::centroid(m_mesh.point(t, 0), m_mesh.point(t, 1), m_mesh.point(t, 2));
     const double error = (1 - size(c) / ((value(t, 0) + value(t, 1) + value(t, 2)) / 3)) / tolerance;
-    if (error > 1)
+    if (error > 1) {
+      look_again_at(t);
       cuts.push_back(Cut{error, c, no_index});
+    }
   }
 
   /// in the order of a curve: triangulation is fast if points are near to those before them
@@ -259,6 +292,7 @@ private:
   Hilbert_curve_2 m_curve;
   Marked_triangulation_2 m_mesh;
   std::vector<double> m_given, m_sizes; // d at points, and limited: at first of corners
+  std::vector<char> m_has_news, m_is_doubtful; // points that are new or have another size, or of what is too coarse
   std::unordered_map<Point, double, Hash> m_known;
 };
 

@@ -62,8 +62,10 @@ public:
     sweep(values, little, [this](Index t, std::vector<double>& h) {
       std::array<double, 3> limits;
       for (int i = 0; i < 3; ++i) {
-        const Index a = m_tr.vertices[t][ccw(i)], b = m_tr.vertices[t][cw(i)];
-        limits[i] = front_from_segment(m_tr.points[a], h[a], m_tr.points[b], h[b], m_tr.point(t, i), m_g);
+        const Index v = m_tr.vertices[t][i], a = m_tr.vertices[t][ccw(i)], b = m_tr.vertices[t][cw(i)];
+        limits[i] = h[v]; // no front has less than what it comes from
+        if (h[v] > (std::min)(h[a], h[b]))
+          limits[i] = front_from_segment(m_tr.points[a], h[a], m_tr.points[b], h[b], m_tr.points[v], m_g);
       }
       return limits;
     });
