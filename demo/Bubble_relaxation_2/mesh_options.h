@@ -161,8 +161,10 @@ inline std::optional<Size_formula> size_formula(const po::variables_map& argumen
 }
 
 /// The size, limited as --gradation asks, and one by areas as --size-growth does at least: it jumps between regions.
+/// \param callback of the field, whose refinement it may end
 /// \throws std::runtime_error with the name of the input
-inline Size limited_size(Domain& domain, const po::variables_map& arguments, const Size& size)
+inline Size limited_size(Domain& domain, const po::variables_map& arguments, const Size& size,
+                         const std::function<bool(double)>& callback = nullptr)
 try {
   using Limited = CGAL::Gradation_limited_sizing_field_2<CDT>;
   using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
@@ -172,8 +174,8 @@ try {
   const double g = arguments[arguments.count("gradation") > 0 ? "gradation" : "size-growth"].as<double>();
   if (!size)
     return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::vertex_is_constrained_map(Pinned(domain.pinned))
-                                    .edge_marker_map(Segment_marker_map{&domain}));
-  return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::sizing_function(size));
+                                    .edge_marker_map(Segment_marker_map{&domain}).callback(callback));
+  return Limited(domain.cdt, g, CGAL::Bubble_relaxation_parameters::sizing_function(size).callback(callback));
 } catch (const std::exception& e) {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }

@@ -247,7 +247,8 @@ try {
   warn_of_domain();
   const Region_map regions = region_attributes(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });
-  const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula));
+  const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula),
+                                 [](double) { return is_interrupted == 0; });
   const Report report = mesh(domain, regions, arguments, size);
   if (report.number_of_vertices == 0)
     throw std::runtime_error("interrupted before there were bubbles, nothing is written");
