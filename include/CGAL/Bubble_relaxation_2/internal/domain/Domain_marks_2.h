@@ -113,6 +113,9 @@ protected:
   [[noreturn]] static void throw_seed(const Point& seed, const char* what);
 
 private:
+  /// whether no constraint parts triangles around a point
+  bool hang_together(const std::vector<Index>& triangles) const;
+
   void add_constraints(bool side_0, bool side_1, bool side_2)
   {
     m_constrained.push_back(static_cast<char>(side_0 | side_1 << 1 | side_2 << 2));

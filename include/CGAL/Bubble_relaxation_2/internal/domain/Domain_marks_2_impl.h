@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -124,9 +125,9 @@ void Marked_copy_2::check_seed(const Point& seed)
 CGAL_BUBBLE_RELAXATION_2_INLINE
 void Marked_copy_2::check_region(const Point& seed, const std::vector<Index>& around) const
 {
-  if (around.size() == 1)
+  if (hang_together(around))
     return;
-  std::vector<char> is_reached(tr.inside.size(), 0);
+  std::vector<char> is_reached(tr.inside.size(), 0); // by a way around the end of a constraint
   std::vector<Index> reached, behind;
   if (std::find(around.begin(), around.end(), no_index) != around.end())
     reach_from_beyond_hull(is_reached, reached, behind);
@@ -136,6 +137,18 @@ void Marked_copy_2::check_region(const Point& seed, const std::vector<Index>& ar
   for (Index t : around)
     if (t != no_index && !is_reached[t])
       throw_seed(seed, "lies on a constraint and does not tell which side is meant");
+}
+
+CGAL_BUBBLE_RELAXATION_2_INLINE
+bool Marked_copy_2::hang_together(const std::vector<Index>& triangles) const
+{
+  std::unordered_set<Index> others(triangles.begin() + 1, triangles.end());
+  std::vector<Index> reached{triangles.front()};
+  for (std::size_t k = 0; k < reached.size() && reached[k] != no_index; ++k)
+    for (int i = 0; i < 3; ++i)
+      if (const Index n = tr.neighbors[reached[k]][i]; !is_constrained(reached[k], i) && others.erase(n) > 0)
+        reached.push_back(n);
+  return others.empty();
 }
 
 CGAL_BUBBLE_RELAXATION_2_INLINE

@@ -55,7 +55,8 @@ enum class Marking_error
 };
 
 /// Triangulates `points` with the constraints `edges` and marks the domain: a triangle beside an
-/// edge gets the side's mark, and marks spread until the next edge. `sides`: per triangle, what edge is behind each
+/// edge gets the side's mark, and marks spread until the next edge. Points are looked for from one to the next, which
+/// should be near. `sides`: per triangle, what edge is behind each
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Marking_error mark_triangulation(const std::vector<Point>& points, const std::vector<Domain_edge_2>& edges,
                                  Triangles_2& result, std::vector<std::array<Index, 3>>& sides);

@@ -61,7 +61,7 @@ private:
   Marking_error triangulate()
   {
     m_handles.reserve(m_points.size());
-    Face_handle near; // consecutive points are near to each other: they need not be sorted again
+    Face_handle near; // of the point before
     for (const Point& p : m_points) {
       const Vertex_handle v = m_cdt.insert(p, near);
       if (m_cdt.number_of_vertices() == m_handles.size())

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_PLACEMENT_PLACE_RHOMBIC_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -85,6 +86,7 @@ private:
   void subdivide(Cell cell, const std::vector<Index>& boundary)
   {
     constexpr double half_diagonal = 0.8661; // of the side
+    tick(++m_number_of_cells);
     const double side = cell.side;
     const Point center = point(cell.u + 0.5 * side, cell.v + 0.5 * side);
     if (cell.ours != Share_of_disc::ALL)
@@ -122,6 +124,7 @@ private:
   Team& m_team;
   std::vector<Hole_2> m_centers; // of cells
   double m_x0 = 0, m_y0 = 0;
+  std::size_t m_number_of_cells = 0; // that were looked at
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_POPULATION_OVERLAP_POPULATION_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
@@ -17,8 +18,8 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Hole_choice_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,9 +52,11 @@ public:
     Neighbor_sets_2 neighbors(1.7);
     neighbors.build(b);
     std::vector<double> ratio(b.size(), 0);
-    for (std::size_t i = 0; i < b.size(); ++i)
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      tick(i);
       if (b.is_ours(i))
         ratio[i] = overlapping_ratio(b, neighbors, static_cast<Index>(i));
+    }
     m_team.share(ratio);
     const std::vector<char> is_deleted = delete_overlapping(b, neighbors, ratio);
     Population_change change;
@@ -91,6 +94,7 @@ private:
     Greedy_choice choice;
     choice.start(b.size());
     for (Index i : crowded) {
+      tick(static_cast<std::size_t>(i));
       Greedy_choice::Rivals& worse = choice.rivals(choice.add(i)); // in the same order
       std::copy_if(neighbors.begin(i), neighbors.end(i), std::back_inserter(worse),
                    [&](Index j) { return is_crowded(j) && is_worse(j, i); });
@@ -116,13 +120,17 @@ private:
   {
     const Point origin(m_domain.bbox().xmin(), m_domain.bbox().ymin());
     Bubble_buckets_2 buckets(least_distance, b.size() == 0 ? 1. : b.d[0], origin.x(), origin.y(), b.size());
-    for (std::size_t i = 0; i < b.size(); ++i)
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      tick(i);
       if (!is_deleted[i] && !b.is_gone(i))
         buckets.insert(static_cast<Index>(i), b.x[i], b.y[i], b.d[i]);
+    }
     std::vector<Hole_2> holes;
-    for (std::size_t i = 0; i < b.size(); ++i)
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      tick(i);
       if (b.is_ours(i) && b.is_in_face(i) && !is_deleted[i] && ratio[i] < smallest_ratio)
         add_place_beside(b, neighbors, static_cast<Index>(i), buckets, holes);
+    }
     fill_holes(
       holes, least_distance, m_team, Threads(), [](const Hole_2&) { return true; }, inserted);
   }

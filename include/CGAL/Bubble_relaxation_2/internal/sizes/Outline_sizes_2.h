@@ -202,6 +202,7 @@ private:
     for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
       place_on_edge(m_domain, static_cast<Index>(e), m_limited.sizes(), nodes);
     remove_coincident(m_domain, nodes);
+    sort_in_space(m_domain, nodes); // else the triangulation takes the square of the nodes of a long edge
     return nodes;
   }
 

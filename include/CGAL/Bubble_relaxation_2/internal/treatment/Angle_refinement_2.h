@@ -16,6 +16,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/outline.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Marked_triangulation_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/rebuild_outside.h>
@@ -101,12 +102,17 @@ public:
   /// `positions`: of the bubbles of all ranks
   Angle_refinement_2(const Problem_2& problem, const Bubble_mesh_2& mesh,
                      const std::vector<Position_on_edge>& positions)
-    : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh), m_on_edge(m_domain.edges().size())
+    : m_domain(problem.domain), m_sizes(problem.sizes), m_mesh(mesh), m_on_edge(m_domain.edges().size()),
+      m_pieces(1, extent(m_domain), m_domain.bbox().xmin(), m_domain.bbox().ymin(),
+               positions.size() + m_domain.edges().size())
   {
     for (const Position_on_edge& p : positions)
       m_on_edge[p.edge].push_back(p.s);
-    for (std::vector<double>& s : m_on_edge)
-      std::sort(s.begin(), s.end());
+    for (std::size_t e = 0; e < m_on_edge.size(); ++e) {
+      tick(e);
+      std::sort(m_on_edge[e].begin(), m_on_edge[e].end());
+      add_pieces(static_cast<Index>(e));
+    }
   }
 
   /// What triangle `t` asks for, if it can be had and is not far nearer to others than the size there.
@@ -156,9 +162,9 @@ private:
                            std::sqrt(CGAL::squared_distance(center, p)), end.triangle, Bubbles_2::FACE, t};
     if (end.is_blocked())
       return split(m_domain.edge(end.triangle, end.edge), crossing(end, centroid, center), result);
-    for (std::size_t e = 0; e < m_on_edge.size(); ++e)
-      if (const std::optional<double> s = encroached(static_cast<Index>(e), end.triangle, center))
-        return split(static_cast<Index>(e), *s, result);
+    for (Index e : edges_near(center))
+      if (const std::optional<double> s = encroached(e, end.triangle, center))
+        return split(e, *s, result);
     return result;
   }
 
@@ -185,10 +191,36 @@ private:
   /// the ends of the piece of an edge that a position is in
   std::array<double, 2> piece(Index e, double s) const
   {
-    std::array<double, 2> ends{0, 1};
-    for (double at : m_on_edge[e])
-      ends = at <= s ? std::array<double, 2>{at, ends[1]} : std::array<double, 2>{ends[0], (std::min)(ends[1], at)};
-    return ends;
+    const std::vector<double>& on_edge = m_on_edge[e];
+    const auto next = std::upper_bound(on_edge.begin(), on_edge.end(), s);
+    return {next == on_edge.begin() ? 0 : *(next - 1), next == on_edge.end() ? 1 : *next};
+  }
+
+  void add_pieces(Index e)
+  {
+    const auto add = [&](double from, double to) {
+      const Point middle = m_domain.point_on_edge(e, 0.5 * (from + to));
+      if (from < to)
+        m_pieces.insert(e, middle.x(), middle.y(), (to - from) * m_domain.length(e));
+    };
+    double last = 0;
+    for (double s : m_on_edge[e])
+      add(std::exchange(last, s), s);
+    add(last, 1);
+  }
+
+  /// those with pieces whose diametral circles may contain a point, in order
+  std::vector<Index> edges_near(const Point& p) const
+  {
+    constexpr double radius = 0.5 * (1 + 1e-6); // with roundings
+    std::vector<Index> result;
+    m_pieces.for_each_large(p.x(), p.y(), 0, radius, [&result](const Bubble_buckets_2::Entry& piece, double) {
+      result.push_back(piece.id);
+      return true;
+    });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
   }
 
   /// a position in a piece of an edge whose diametral circle contains a point that sees it
@@ -227,6 +259,7 @@ private:
   const Sizes_2& m_sizes;
   const Bubble_mesh_2& m_mesh;
   std::vector<std::vector<double>> m_on_edge; // positions, in order
+  Bubble_buckets_2 m_pieces;                  // of edges between these, with their lengths as sizes
   Index m_hint = 0;
 };
 
@@ -275,9 +308,11 @@ inline std::vector<Steiner_point_2> wanted_points(const Problem_2& problem, cons
 {
   std::vector<Steiner_point_2> result;
   Angle_refinement_2 refine(problem, mesh, positions);
-  for (Index t : triangles)
+  for (Index t : triangles) {
+    tick();
     if (const auto point = refine(t))
       result.push_back(*point);
+  }
   return result;
 }
 

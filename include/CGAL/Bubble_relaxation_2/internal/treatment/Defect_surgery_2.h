@@ -131,6 +131,7 @@ private:
     Greedy_choice choice;
     choice.start(worst.size());
     for (std::size_t k = 0; k < worst.size(); ++k) {
+      tick();
       triangles.push_back(triangles_around(m_mesh.triangles, worst[k].triangle));
       choice.add(static_cast<Index>(k));
       for (Index t : triangles[k]) {
@@ -141,6 +142,7 @@ private:
     }
     std::vector<Operation> result;
     choice.decide([&](Index k) {
+      tick();
       Operation operation{Mesh_patch_2(m_mesh, std::move(triangles[k])), {}};
       const bool has_helped = m_operate(operation.patch, worst[k].triangle, operation.outcome);
       if (has_helped)
