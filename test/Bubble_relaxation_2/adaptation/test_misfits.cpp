@@ -128,6 +128,23 @@ TEST(Misfits, are_none_at_sharp_corners_of_adapted_meshes)
     }
 }
 
+/// Rows of triangles come in whole numbers: between the edges of a wedge they cannot have all sizes.
+TEST(Misfits, are_none_between_edges_that_meet)
+{
+  for (double degrees : {9., 12., 48.})
+    for (int k = 0; k < 10; ++k) {
+      SCOPED_TRACE(testing::Message() << degrees << " degrees, " << k);
+      CDT cdt = domains::make({domains::square(0, 0, 1)});
+      const Point corner(0.5 + 0.003 * k, 0.5 + 0.001 * k);
+      const double length = degrees < 45 ? 0.2 : 0.08;
+      for (double turn : {0., degrees * 3.14159265358979 / 180})
+        cdt.insert_constraint(corner, Point(corner.x() + length * std::cos(0.3 + 0.1 * k + turn),
+                                            corner.y() + length * std::sin(0.3 + 0.1 * k + turn)));
+      CGAL::npbs_relax(cdt, size(0.05));
+      EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(0.05)).empty());
+    }
+}
+
 /// No mesh follows a jump, so what a relaxation makes of it fits: it is not meshed again and again, but when it moves.
 TEST(Misfits, are_none_where_sizes_jump)
 {

@@ -121,7 +121,9 @@ private:
 
   bool is_misfit(Face_handle f)
   {
-    return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge, m_criteria.shortest_edge);
+    constexpr double narrow = 0.84; // there one row of triangles may be too coarse, and two too fine
+    return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge,
+                     (is_at_constraint(f) ? narrow : 1) * m_criteria.shortest_edge);
   }
 
   bool is_slight_misfit(Face_handle f)
@@ -140,6 +142,12 @@ private:
     const Size_range range = sizes_around(f, m.center, size);
     return m.length > longest * range.largest || m.length < shortest * range.smallest ||
            m.sine < smallest_sine * range.flattening() || m.q < smallest_q * range.flattening();
+  }
+
+  bool is_at_constraint(Face_handle f) const
+  {
+    return m_cdt.are_there_incident_constraints(f->vertex(0)) || m_cdt.are_there_incident_constraints(f->vertex(1)) ||
+           m_cdt.are_there_incident_constraints(f->vertex(2));
   }
 
   struct Measures
