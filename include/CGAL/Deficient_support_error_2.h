@@ -61,6 +61,8 @@ private:
       text += "larger support radii would not help";
     if (points > 1)
       text += (enlargement > 0 ? " for all" : " all") + (" of " + std::to_string(points) + " such points");
+    if (!(enlargement > 0))
+      text += ": all nodes lie along a curve, or far away";
     return text;
   }
 };

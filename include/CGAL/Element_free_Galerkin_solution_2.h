@@ -63,7 +63,8 @@ public:
   const Report& report() const { return m_report; }
 
   /// returns u_h at `p`. Nobody looks whether it lies in the domain: outside, it is what the nodes around tell, as far
-  /// as they do; with the default of `deficient_support` any place has a value, worth less the farther it lies outside.
+  /// as they do: with the default of `deficient_support` places have a value, worth less the farther they lie outside,
+  /// until all nodes look like one from there, at the distance of the domain's width with the quadratic basis.
   /// \throws std::logic_error if the callback stopped the solver
   /// \throws std::invalid_argument if a coordinate is not finite
   /// \throws Deficient_support_error_2 as `Moving_least_squares_2`

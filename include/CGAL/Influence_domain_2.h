@@ -188,8 +188,11 @@ public:
   template <class OutputIterator>
   OutputIterator nodes_at(const Point_2& p, OutputIterator out, double factor = 1) const
   {
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    Bubble_relaxation_2::internal::check_point(x, y);
+    Bubble_relaxation_2::internal::check_positive("factor", factor);
     std::vector<Node_index> result;
-    Query(*this)(p, factor, result);
+    m_search->find_once(x, y, factor, result);
     return std::copy(result.begin(), result.end(), out);
   }
 

@@ -91,15 +91,17 @@ Element_free_Galerkin_error_2 error_of_solution(const Galerkin_discretization_2&
                                                 const std::function<double(const Point&)>& u,
                                                 const std::function<Direction(const Point&)>& gradient_of_u)
 {
-  const Cell_quadrature_2 rule((std::max)(d.options.gauss_points + 2, std::size_t(5)));
-  std::vector<Shape_block_2> blocks((std::min)(d.cells.size(), parts_at_once));
+  const std::size_t gauss_points = (std::max)(d.options.gauss_points + 2, std::size_t(5)),
+                    at_once = parts_at_once(gauss_points);
+  const Cell_quadrature_2 rule(gauss_points);
+  std::vector<Shape_block_2> blocks((std::min)(d.cells.size(), at_once));
   std::vector<std::array<double, 2>> errors(blocks.size());
   double values = 0, gradients = 0;
   const auto compute = [&](std::size_t i, std::size_t k) {
     d.evaluate_cell(i, rule, blocks[k]);
     errors[k] = squared_errors(blocks[k], coefficients, u, gradient_of_u);
   };
-  compute_in_order(d.threads, d.cells.size(), compute, [&](std::size_t n) {
+  compute_in_order(d.threads, d.cells.size(), at_once, compute, [&](std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
       values += errors[k][0];
       gradients += errors[k][1];

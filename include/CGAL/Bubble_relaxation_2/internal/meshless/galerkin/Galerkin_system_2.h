@@ -85,7 +85,8 @@ public:
   bool assemble()
   {
     const std::size_t number = m.cells.size() + m.segments.size();
-    m_parts.resize((std::min)(number, parts_at_once));
+    const std::size_t at_once = parts_at_once(m.options.gauss_points);
+    m_parts.resize((std::min)(number, at_once));
     std::size_t done = 0;
     const auto add_sums = [&](std::size_t n) {
       for (std::size_t k = 0; k < n; ++k)
@@ -94,7 +95,7 @@ public:
     };
     if (m_gradients.is_needed()) {
       const auto compute = [&](std::size_t i, std::size_t k) { correct(i, m_parts[k]); };
-      if (!compute_in_order(m.threads, number, compute, add_sums))
+      if (!compute_in_order(m.threads, number, at_once, compute, add_sums))
         return false;
       m_gradients.solve();
     }
@@ -106,8 +107,8 @@ public:
         count(m_parts[k]);
       return report_progress(m_gradients.is_needed() ? 0.5 : 0, done += n, number);
     };
-    const bool all =
-      compute_in_order(m.threads, number, [&](std::size_t i, std::size_t k) { integrate(i, m_parts[k]); }, add_rows);
+    const auto compute = [&](std::size_t i, std::size_t k) { integrate(i, m_parts[k]); };
+    const bool all = compute_in_order(m.threads, number, at_once, compute, add_rows);
     m_parts.clear();
     if (all) {
       check_rows();

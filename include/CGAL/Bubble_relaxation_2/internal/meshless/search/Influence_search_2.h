@@ -99,13 +99,13 @@ public:
         return;
       ++state.number_of_fallbacks;
     }
-    if (factor <= 1) {
-      m_lists.find(m_discs, x, y, factor, result);
-      return;
-    }
-    result.clear();
-    buckets().for_each(x, y, factor, [&result](std::int32_t i) { result.push_back(i); });
-    std::sort(result.begin(), result.end());
+    find_scaled(x, y, factor, result);
+  }
+
+  /// the same without a query before or after it: what an expansion needs takes longer to make
+  void find_once(double x, double y, double factor, std::vector<std::int32_t>& result) const
+  {
+    find_scaled(x * m_scale, y * m_scale, factor, result);
   }
 
   std::int32_t nearest(double x, double y) const
@@ -120,6 +120,17 @@ public:
   }
 
 private:
+  void find_scaled(double x, double y, double factor, std::vector<std::int32_t>& result) const
+  {
+    if (factor <= 1) {
+      m_lists.find(m_discs, x, y, factor, result);
+      return;
+    }
+    result.clear();
+    buckets().for_each(x, y, factor, [&result](std::int32_t i) { result.push_back(i); });
+    std::sort(result.begin(), result.end());
+  }
+
   static void check(const std::vector<Influence_disc_2>& discs)
   {
     if (discs.size() > static_cast<std::size_t>((std::numeric_limits<Index>::max)()))
