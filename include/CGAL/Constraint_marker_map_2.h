@@ -35,8 +35,9 @@ Markers of the constraints of a triangulation, such as numbers of boundary condi
 
 It holds a marker for each pair of vertices that it is told, whichever is named first. Copies share what they hold. When
 a triangulation is meshed, the markers of edges that go are forgotten; any other change of the triangulation leaves
-the map as it is: an edge that a later insertion cuts has no marker any more. So markers are set when all constraints
-are in, best by the `set()` that follows a line.
+the map as it is: an edge that a later insertion cuts has no marker any more, and new vertices may come to be where
+others were in memory. So markers are set when all constraints are in, best by the `set()` that follows a line, and
+after changes of your own again, after `clear()`.
 
 \cgalModels{ReadWritePropertyMap}
 
@@ -69,9 +70,9 @@ public:
 
   /// sets the marker of all edges of `cdt` on the straight line between two vertices, as `insert_constraint(u, v)` has
   /// left them: vertices on the line cut it.
-  /// \throws std::invalid_argument if constraints do not lead on to `v`, as where a crossing of them was rounded.
-  /// Then no marker is set. A `Constrained_triangulation_plus_2` knows where its constraints go, and
-  /// has the next function
+  /// \throws std::invalid_argument if constraints do not lead on to `v`, as where a crossing of them was rounded, or
+  /// a slanted line was meshed. Then no marker is set. A `Constrained_triangulation_plus_2` knows where its constraints
+  /// go, and has the next function
   void set(const CDT& cdt, Vertex_handle u, Vertex_handle v, const Marker& marker) const
   {
     std::vector<Vertex_handle> line{u};
@@ -84,7 +85,8 @@ public:
         const auto end = point_in_double<CDT>(line.back()->point()), aim = point_in_double<CDT>(v->point());
         throw std::invalid_argument("Bubble_relaxation_2: no constraint leads straight on from " +
                                     in_words(end.x(), end.y()) + " to " + in_words(aim.x(), aim.y()) +
-                                    ": a crossing was rounded, or there is none");
+                                    ": a crossing was rounded, the line was meshed, so that vertices lie "
+                                    "beside it by a rounding, or there is none");
       }
     for (std::size_t k = 1; k < line.size(); ++k)
       set(line[k - 1], line[k], marker);
@@ -99,6 +101,9 @@ public:
     for (auto v = std::next(u); v != end; u = v++)
       set(*u, *v, marker);
   }
+
+  /// forgets all markers.
+  void clear() const { m_markers.clear(); }
 
   friend const Marker& get(const Constraint_marker_map_2& map, const key_type& edge)
   {

@@ -29,7 +29,8 @@ The regions of the faces of a triangulation, such as numbers of materials, for t
 `npbs_relax()`, and for `Region_sizing_field_2`.
 
 Copies share what they hold. When a triangulation is meshed, the regions of faces that go are forgotten; any
-other change of the triangulation leaves the map as it is.
+other change of the triangulation leaves the map as it is. Then new faces may come to be where others were in memory, and
+have their regions: `clear()` the map and set regions again after insertions and removals of your own.
 
 \cgalModels{ReadWritePropertyMap}
 
@@ -67,6 +68,9 @@ public:
     std::unordered_set<const void*> reached;
     Bubble_relaxation_2::internal::flood_faces(f, reached, [&](Face_handle g) { set(g, region); });
   }
+
+  /// forgets all regions.
+  void clear() const { m_regions.clear(); }
 
   friend const Region& get(const Face_region_map_2& map, key_type f) { return map(f); }
 

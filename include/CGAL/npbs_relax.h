@@ -96,7 +96,9 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           no hole}
     \cgalParamType{a range of points}
     \cgalParamDefault{none: the domain are the faces that are marked as such, or else the faces in an odd
-                      number of outlines; what an open outline was meant to enclose counts as outside of it}
+                      number of outlines, that is behind an odd number of constraints; what an open outline was meant
+                      to enclose counts as outside of it, and cells behind other cells of a network are holes: for
+                      materials, give seeds in holes, or one outside, or mark the faces}
   \cgalParamNEnd
   \cgalParamNBegin{seeds_are_in_domain}
     \cgalParamDescription{whether the seeds lie in the domain}

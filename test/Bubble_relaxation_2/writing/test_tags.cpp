@@ -477,6 +477,12 @@ TEST(Tag_maps, tell_edges_on_a_line_and_faces_of_a_region)
   regions.set_all_around(cdt.locate(domains::Point(0.5, 0.5)), 7);
   for (auto f : cdt.finite_face_handles())
     EXPECT_EQ(regions(f), channel.is_left(f) ? 7 : 0);
+  markers.clear();
+  EXPECT_EQ(markers(at(1, 1), at(2, 1)), -1);
+  const CGAL::Face_region_map_2<domains::CDT> copy = regions; // they share what they hold
+  regions.clear();
+  for (auto f : cdt.finite_face_handles())
+    EXPECT_EQ(copy(f), 0);
 }
 
 /// mean lengths of edges whose middle lies left and right of `x`, but for those near to it

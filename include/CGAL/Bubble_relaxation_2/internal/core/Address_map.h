@@ -37,6 +37,7 @@ public:
 
   void set(const Addresses& key, const Value& value) const { (*m_values)[key] = value; }
   void forget(const Addresses& key) const { m_values->erase(key); }
+  void clear() const { m_values->clear(); }
 
 private:
   struct Hash
