@@ -28,8 +28,8 @@ namespace CGAL {
 The regions of the faces of a triangulation, such as numbers of materials, for the parameter `face_region_map` of
 `npbs_relax()`, and for `Region_sizing_field_2`.
 
-Copies share what they hold. When a triangulation is meshed, the regions of faces that go are forgotten; any
-other change of the triangulation leaves the map as it is. Then new faces may come to be where others were in memory, and
+Copies share what they hold. When a triangulation is meshed, the regions of faces that go are forgotten; any other
+change of the triangulation leaves the map as it is. Then new faces may come to be where others were in memory, and
 have their regions: `clear()` the map and set regions again after insertions and removals of your own.
 
 \cgalModels{ReadWritePropertyMap}

@@ -97,8 +97,8 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{callback}
       \cgalParamDescription{a function that is called after each turn of refinement with how much is done, not falling,
-                            1 at the end. If it returns `false` there is no other: the field is as good as it is by then,
-                            with its gradient limited, and `is_resolved()` is `false`}
+                            1 at the end. If it returns `false` there is no other: the field is as good as it is by
+                            then, with its gradient limited, and `is_resolved()` is `false`}
       \cgalParamType{a type that `std::function<bool(double)>` can hold}
       \cgalParamDefault{none}
     \cgalParamNEnd
@@ -146,7 +146,8 @@ public:
   std::size_t number_of_vertices() const { return m_field->triangulation().points.size(); }
 
   /// returns whether the triangulation could be refined as far as d asked, and not only as far as
-  /// `maximum_number_of_vertices`, the rounding of coordinates or the callback allowed. Also if not, the gradient is limited.
+  /// `maximum_number_of_vertices`, the rounding of coordinates or the callback allowed. Also if not, the gradient is
+  /// limited.
   bool is_resolved() const { return m_is_resolved; }
 
 private:

@@ -23,17 +23,17 @@ namespace CGAL {
 
 \brief inserts a point that is meant to lie on a constraint into that constraint.
 
-A point of a slanted constraint that was computed, or read from a file, lies beside it by a rounding, and so does the end
-of a constraint that is to meet another one there. Inserted by `CDT::insert()` it leaves a triangle without area between
-itself and the constraint, which every mesh then has, or it lies outside of the domain. Here the constraint is split, so
-that it passes the point, which keeps its coordinates.
+A point of a slanted constraint that was computed, or read from a file, lies beside it by a rounding, and so does the
+end of a constraint that is to meet another one there. Inserted by `CDT::insert()` it leaves a triangle without area
+between itself and the constraint, which every mesh then has, or it lies outside of the domain. Here the constraint is
+split, so that it passes the point, which keeps its coordinates.
 - If a vertex is no farther from `p` than the tolerance, it is taken, else `p` becomes one.
 - If it is no vertex of a constraint, the nearest of the constraints that are no farther from `p`, and beside which
   `p` lies between their ends, is split and passes it. A vertex without constraints between both comes to lie on its
   other side.
 
-As after `CDT::insert()`, faces that are new are not marked as in the domain and have no region: insert all points before
-those.
+As after `CDT::insert()`, faces that are new are not marked as in the domain and have no region: insert all points
+before those.
 
 \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, also of a terrain,
 whose points are near to each other where their places in the plane are

@@ -154,11 +154,10 @@ Triangles around sharp corners are what the corner makes of them, and fit.
 Where sizes jump, or change by more than half of the distance, no mesh follows them. There a face fits if it does so for
 one of the sizes that are wanted at its corners and at the neighbours of these.
 
-In a mesh that was made by `npbs_relax()` or `npbs_adapt()` with the same sizes nothing is a misfit, unless they jump by
-more than a factor of 2.5; now and then a defect is found, or a narrow between constraints whose rows of triangles do not
-come out well. From misfits the part grows over all faces that hang
-together with them and are off by the cube root of these factors, so that nothing is left where a change fades out,
-and then by `number_of_rings`.
+In a mesh that was made by `npbs_relax()` or `npbs_adapt()` with the same sizes nothing is a misfit, unless they jump
+by more than a factor of 2.5; now and then a defect is found, or a narrow between constraints whose rows of triangles
+do not come out well. From misfits the part grows over all faces that hang together with them and are off by the cube
+root of these factors, so that nothing is left where a change fades out, and then by `number_of_rings`.
 
 It takes a sweep over the faces, with a call of the sizing function for each, and memory for the outline and for what is
 found. A caller who knows where sizes have changed gives the faces there, `faces_to_check`. Then the sizing function is
@@ -182,8 +181,8 @@ which this is the beginning; and
     \cgalParamDefault{1.5}
   \cgalParamNEnd
   \cgalParamNBegin{shortest_edge}
-    \cgalParamDescription{the shortest mean edge of a face that fits, in units of the size; 0.84 times that if the face has
-    a vertex of a constraint: where the domain is narrow one row of triangles may be too coarse, and two too fine}
+    \cgalParamDescription{the shortest mean edge of a face that fits, in units of the size; 0.84 times that if the face
+    has a vertex of a constraint: where the domain is narrow one row of triangles may be too coarse, and two too fine}
     \cgalParamType{a number, not negative and less than 1}
     \cgalParamDefault{0.6}
   \cgalParamNEnd

@@ -219,7 +219,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           times that, and beside very sharp corners; and corners in which two edges meet in less than
                           45 degrees are surrounded by a circle of nodes, so that only the triangles in the circle have
                           the angles of the corner: see \ref BR2_outlines. Neither is done where a mesh is relaxed
-                          without a `sizing_function`}
+                          without a `sizing_function`. If not, what time and memory that takes grows with the square of
+                          the number of corners and pinned vertices that are nearer to each other than d}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`; the paper: `false`}
   \cgalParamNEnd

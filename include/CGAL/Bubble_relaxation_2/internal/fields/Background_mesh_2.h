@@ -116,8 +116,8 @@ private:
           m_given[v] = size(m_points[v]);
   }
 
-  /// An edge or a triangle that was fine is so as long as its vertices, and those of the triangles beside it, have the sizes
-  /// that they had: where there are new triangles, there are new vertices.
+  /// An edge or a triangle that was fine is so as long as its vertices, and those of the triangles beside it, have the
+  /// sizes that they had: where there are new triangles, there are new vertices.
   void find_news(const std::vector<double>& last)
   {
     m_has_news.resize(m_points.size(), 1);

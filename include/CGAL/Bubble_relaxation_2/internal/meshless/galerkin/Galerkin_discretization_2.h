@@ -199,10 +199,10 @@ inline std::size_t parts_at_once(std::size_t gauss_points)
   return (std::max)(least, most * points_of_a_part / (std::max)(points_of_a_part, gauss_points * gauss_points));
 }
 
-/// Computes `n` parts, `parts_at_once` of them at once, and hands them on in their order, so that sums do not depend on the number
-/// of threads: calls `compute(i, place)` for places from 0 to the number of parts that are computed at once, then
-/// `take(number)` for the parts in so many places. Of several exceptions that of the first part is the one that is
-/// thrown. Stops when `take` returns false, and returns that.
+/// Computes `n` parts, `parts_at_once` of them at once, and hands them on in their order, so that sums do not depend
+/// on the number of threads: calls `compute(i, place)` for places from 0 to the number of parts that are computed at
+/// once, then `take(number)` for the parts in so many places. Of several exceptions that of the first part is the one
+/// that is thrown. Stops when `take` returns false, and returns that.
 inline bool compute_in_order(const Threads& threads, std::size_t n, std::size_t parts_at_once,
                              const std::function<void(std::size_t i, std::size_t place)>& compute,
                              const std::function<bool(std::size_t number)>& take)
