@@ -13,6 +13,7 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
+#include <CGAL/Bubble_relaxation_2/internal/core/check_call.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/insert_on_constraint.h>
 #include <CGAL/Bubble_relaxation_parameters.h>
 
@@ -27,10 +28,10 @@ A point of a slanted constraint that was computed, or read from a file, lies bes
 end of a constraint that is to meet another one there. Inserted by `CDT::insert()` it leaves a triangle without area
 between itself and the constraint, which every mesh then has, or it lies outside of the domain. Here the constraint is
 split, so that it passes the point, which keeps its coordinates.
-- If a vertex is no farther from `p` than the tolerance, it is taken, else `p` becomes one.
-- If it is no vertex of a constraint, the nearest of the constraints that are no farther from `p`, and beside which
-  `p` lies between their ends, is split and passes it. A vertex without constraints between both comes to lie on its
-  other side.
+- If a vertex is no farther from `p` than the tolerance, the nearest is taken in the place of `p`, else `p` becomes one.
+- If that is no vertex of a constraint yet, the nearest of the constraints that are no farther from it, and beside which it
+  lies between their ends, is split and passes it. A vertex without constraints between both comes to lie on its other
+  side.
 
 As after `CDT::insert()`, faces that are new are not marked as in the domain and have no region: insert all points
 before those.
@@ -41,8 +42,8 @@ whose points are near to each other where their places in the plane are
 
 \param cdt the triangulation
 \param p the point
-\param tolerance how far from it a vertex or a constraint may be, in the units of the coordinates; less than some
-roundings of them, such as the default, is as much as those
+\param tolerance how far a vertex or a constraint may be, in the units of the coordinates. It is at least 16 roundings of
+the largest coordinate near by, also by default
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -55,9 +56,9 @@ roundings of them, such as the default, is as much as those
 
 \returns the vertex of `p`, or the one near to it
 
-\throws std::invalid_argument if the tolerance is negative or not finite, if a coordinate is not finite, if `cdt` has no
-faces yet, as with a single constraint in it, or if a constraint, or a vertex, is in the way of the one that is to
-pass `p`. Then `cdt` has what it had.
+\throws std::invalid_argument if the tolerance is negative or not finite, if a coordinate is not finite or beyond the
+bounds of `npbs_relax()`, if `cdt` has no faces yet, as with a single constraint in it, or if a constraint, or a vertex,
+is in the way of the one that is to pass `p`. Then `cdt` has the vertices and constraints that it had.
 
 \sa `npbs_relax()`
 */
@@ -65,7 +66,10 @@ template <class CDT, class NamedParameters = parameters::Default_named_parameter
 typename CDT::Vertex_handle insert_on_constraint_2(CDT& cdt, const typename CDT::Point& p, double tolerance = 0,
                                                    const NamedParameters& np = parameters::default_values())
 {
-  return Bubble_relaxation_2::internal::insert_on_constraint(cdt, p, tolerance, np);
+  using namespace Bubble_relaxation_2::internal;
+  return call_checked<CDT, typename CDT::Vertex_handle>(np, [&](const auto& pack) {
+    return insert_on_constraint(cdt, p, tolerance, pack);
+  });
 }
 
 } // namespace CGAL

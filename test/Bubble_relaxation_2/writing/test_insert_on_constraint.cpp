@@ -126,6 +126,24 @@ TYPED_TEST(Insert_on_constraint, tolerance_is_how_far_a_constraint_is_bent)
   }
 }
 
+TYPED_TEST(Insert_on_constraint, vertices_around_are_not_in_the_way)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  TypeParam cdt = domains::make<TypeParam>({domains::square(0, 0, 1)});
+  for (int k = 0; k < 60; ++k) {
+    const double x = uniform(random), y = uniform(random);
+    cdt.insert(point<TypeParam>(x, y));
+  }
+  const auto a = cdt.insert(point<TypeParam>(0.1, 0.2)), b = cdt.insert(point<TypeParam>(0.9, 0.7));
+  cdt.insert_constraint(a, b);
+  for (int k = 1; k < 20; ++k) {
+    const auto v = CGAL::insert_on_constraint_2(cdt, point<TypeParam>(0.1 + 0.04 * k, 0.2 + 0.025 * k), 1e-3);
+    EXPECT_GE(number_of_constraints_at(cdt, v), 2u);
+  }
+  EXPECT_TRUE(cdt.is_valid());
+}
+
 TYPED_TEST(Insert_on_constraint, a_vertex_that_is_there_is_taken)
 {
   TypeParam cdt = domains::make<TypeParam>({slanted});
@@ -136,6 +154,24 @@ TYPED_TEST(Insert_on_constraint, a_vertex_that_is_there_is_taken)
   EXPECT_EQ(CGAL::insert_on_constraint_2(cdt, point<TypeParam>(0.97, 1e-17)), corner);
   EXPECT_EQ(cdt.number_of_vertices(), 5u);
   EXPECT_TRUE(cdt.is_valid());
+}
+
+TYPED_TEST(Insert_on_constraint, a_vertex_beyond_the_end_is_taken_without_the_constraint)
+{
+  TypeParam cdt = domains::make<TypeParam>({domains::square(0, 0, 1)});
+  const auto v = cdt.insert(point<TypeParam>(-0.05, -0.2));
+  EXPECT_EQ(CGAL::insert_on_constraint_2(cdt, point<TypeParam>(0.02, -0.15), 0.15), v);
+  EXPECT_EQ(number_of_constraints_at(cdt, v), 0u);
+}
+
+TYPED_TEST(Insert_on_constraint, which_of_two_is_the_nearest_does_not_depend_on_their_order)
+{
+  for (bool is_first : {false, true}) {
+    TypeParam cdt = domains::make<TypeParam>({domains::square(0, 0, 1)});
+    for (double y : {0.25, 0.75})
+      cdt.insert(point<TypeParam>(0.5, is_first ? y : 1 - y));
+    EXPECT_EQ(CGAL::insert_on_constraint_2(cdt, point<TypeParam>(0.5, 0.5), 0.26)->point(), point<TypeParam>(0.5, 0.25));
+  }
 }
 
 TYPED_TEST(Insert_on_constraint, a_line_ends_on_another)
@@ -210,6 +246,9 @@ TEST(Insert_on_constraint, not_finite_is_refused)
   domains::CDT cdt = domains::make({slanted});
   expect_invalid([&] { CGAL::insert_on_constraint_2(cdt, K::Point_2(std::numeric_limits<double>::infinity(), 0)); },
                  {"inf"});
+  expect_invalid([&] { CGAL::insert_on_constraint_2(cdt, K::Point_2(1e91, 0)); }, {"1e+91"});
+  domains::CDT tiny = domains::make({{{0, 0.1e-170}, {1e-170, 0}, {0.1e-170, 1e-170}}});
+  expect_invalid([&] { CGAL::insert_on_constraint_2(tiny, K::Point_2(0.5e-170, 0.05e-170)); }, {"length", "5e-171"});
 }
 
 TEST(Insert_on_constraint, a_constraint_with_an_identifier_stays_one)

@@ -122,8 +122,11 @@ private:
   bool is_misfit(Face_handle f)
   {
     constexpr double narrow = 0.84; // there one row of triangles may be too coarse, and two too fine
-    return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge,
-                     (is_at_constraint(f) ? narrow : 1) * m_criteria.shortest_edge);
+    const auto is_misfit_by = [&](double shortest) {
+      return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge, shortest);
+    };
+    return is_misfit_by(m_criteria.shortest_edge) &&
+           (!is_at_constraint(f) || is_misfit_by(narrow * m_criteria.shortest_edge));
   }
 
   bool is_slight_misfit(Face_handle f)

@@ -10,6 +10,8 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_CONSTRAINT_SEARCH_2_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 
 #include <CGAL/number_utils.h>
@@ -18,7 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <stdexcept>
 #include <unordered_set>
 #include <vector>
 
@@ -59,6 +61,7 @@ public:
 
 private:
   using Place = std::array<double, 2>;
+  using Rank = std::array<double, 3>; ///< distance and place: which face is seen first must not matter
 
   static Place place(const typename Cdt::Point& p)
   {
@@ -91,25 +94,42 @@ private:
     const Place a = place(ends[0]->point()), b = place(ends[1]->point());
     const double dx = b[0] - a[0], dy = b[1] - a[1], px = m_place[0] - a[0], py = m_place[1] - a[1];
     const double length = length_of(dx, dy), along = (px * dx + py * dy) / length;
-    const double to_ends[] = {length_of(px, py), length_of(m_place[0] - b[0], m_place[1] - b[1])};
-    const double largest = (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(b[0]), std::abs(b[1]),
-                                       std::abs(m_place[0]), std::abs(m_place[1])});
-    constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
-    const double reach = (std::max)(m_tolerance, roundings * largest);
-    for (int k : {0, 1})
-      if (to_ends[k] <= reach && to_ends[k] < m_to_vertex) {
-        m_to_vertex = to_ends[k];
-        m_vertex = ends[k];
-      }
+    if (!is_within_magnitudes(length))
+      throw std::invalid_argument("Bubble_relaxation_2: the length " + in_words(length) + " of an edge near to " +
+                                  in_words(m_place[0], m_place[1]) + " must be " + required_of_length(length));
+    const bool is_near_end = is_near(ends[0], a) | is_near(ends[1], b); // of both
     if (!(along > 0 && along < length))
-      return (std::min)(to_ends[0], to_ends[1]) <= reach;
+      return is_near_end;
+    const double reach = reach_of((std::max)({magnitude(a), magnitude(b), magnitude(m_place)}));
     const double off = std::abs(px * dy - py * dx) / length;
-    const auto rank = std::make_tuple(off, a[0] + b[0], a[1] + b[1]); // which face is seen first must not matter
-    if (off <= reach && f->is_constrained(i) && (m_edge.first == Face_handle() || rank < m_rank)) {
-      m_rank = rank;
+    const Rank rank{off, a[0] + b[0], a[1] + b[1]};
+    if (off <= reach && f->is_constrained(i) && (m_edge.first == Face_handle() || rank < m_rank_of_edge)) {
+      m_rank_of_edge = rank;
       m_edge = {f, i};
     }
-    return off <= reach;
+    return off <= reach || is_near_end;
+  }
+
+  /// whether a vertex is near; notes it if it is the nearest
+  bool is_near(Vertex_handle v, const Place& p)
+  {
+    const double distance = length_of(m_place[0] - p[0], m_place[1] - p[1]);
+    if (!(distance <= reach_of((std::max)(magnitude(p), magnitude(m_place)))))
+      return false;
+    const Rank rank{distance, p[0], p[1]};
+    if (m_vertex == Vertex_handle() || rank < m_rank_of_vertex) {
+      m_rank_of_vertex = rank;
+      m_vertex = v;
+    }
+    return true;
+  }
+
+  static double magnitude(const Place& p) { return (std::max)(std::abs(p[0]), std::abs(p[1])); }
+
+  double reach_of(double largest_coordinate) const
+  {
+    constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+    return (std::max)(m_tolerance, roundings * largest_coordinate);
   }
 
   const Cdt& m_cdt;
@@ -119,9 +139,8 @@ private:
   std::unordered_set<const void*> m_reached;
   std::vector<Face_handle> m_stack; // faces to be looked at
   Vertex_handle m_vertex;
-  double m_to_vertex = std::numeric_limits<double>::infinity();
   typename Cdt::Edge m_edge{Face_handle(), 0};
-  std::tuple<double, double, double> m_rank; // of the edge
+  Rank m_rank_of_vertex, m_rank_of_edge;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

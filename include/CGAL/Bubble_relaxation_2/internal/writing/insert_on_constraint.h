@@ -13,13 +13,13 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/flood_faces.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Constraint_search_2.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/utility.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <unordered_set>
 
@@ -46,7 +46,8 @@ bool sees(const Cdt& cdt, typename Cdt::Vertex_handle v, typename Cdt::Vertex_ha
           return true;
         if (cdt.is_infinite(next) || side(next->vertex(apex)) == COLLINEAR)
           return false;
-        k = side(next->vertex(apex)) == LEFT_TURN ? Cdt::cw(apex) : Cdt::ccw(apex);
+        // seen from here, the next vertex counterclockwise from the apex is on the left, that clockwise on the right
+        k = side(next->vertex(apex)) == LEFT_TURN ? Cdt::ccw(apex) : Cdt::cw(apex);
         at = next;
       }
       return false;
@@ -157,6 +158,27 @@ private:
   Vertex_handle m_source, m_target;
 };
 
+/// The edge of a constraint that passes a point near to others, or beside which it lies; without a face if there is none.
+/// `taken`: a vertex that is to stand for the point, if there is one
+template <class Cdt>
+struct Constraint_nearby_2
+{
+  typename Cdt::Vertex_handle taken;
+  typename Cdt::Edge edge{typename Cdt::Face_handle(), 0};
+
+  Constraint_nearby_2(const Cdt& cdt, const typename Cdt::Point& p, double tolerance, typename Cdt::Locate_type where,
+                      typename Cdt::Face_handle face, int index)
+  {
+    const Constraint_search_2<Cdt> near_point(cdt, p, tolerance, face);
+    taken = near_point.vertex();
+    if (taken == typename Cdt::Vertex_handle())
+      // exactly on one constraint, another may still be nearer by roundings
+      edge = where == Cdt::EDGE && face->is_constrained(index) ? typename Cdt::Edge(face, index) : near_point.edge();
+    else if (!cdt.are_there_incident_constraints(taken))
+      edge = Constraint_search_2<Cdt>(cdt, taken->point(), tolerance, taken->face()).edge();
+  }
+};
+
 /// Inserts a point into the constraint that it lies beside, if there is one, and which it leads over it.
 template <class Cdt, class NamedParameters>
 typename Cdt::Vertex_handle insert_on_constraint(Cdt& cdt, const typename Cdt::Point& p, double tolerance,
@@ -164,19 +186,18 @@ typename Cdt::Vertex_handle insert_on_constraint(Cdt& cdt, const typename Cdt::P
 {
   check_not_negative("tolerance", tolerance);
   const double x = CGAL::to_double(Plane_2<Cdt>::x(p)), y = CGAL::to_double(Plane_2<Cdt>::y(p));
-  if (!std::isfinite(x) || !std::isfinite(y))
-    throw std::invalid_argument("Bubble_relaxation_2: the point " + in_words(x, y) + " is not finite");
+  if (!is_coordinate(x) || !is_coordinate(y))
+    throw std::invalid_argument("Bubble_relaxation_2: the coordinates of the point " + in_words(x, y) + " must be " +
+                                required_of_coordinates(x, y));
   if (cdt.dimension() < 2)
     throw std::invalid_argument("Bubble_relaxation_2: a triangulation without faces has no sides of constraints");
   typename Cdt::Locate_type where{};
   int index = 0;
   const auto face = cdt.locate(p, where, index);
-  const Constraint_search_2<Cdt> near(cdt, p, tolerance, face);
-  const bool has_edge = near.edge().first != typename Cdt::Face_handle(),
-             has_vertex = near.vertex() != typename Cdt::Vertex_handle();
-  if (has_edge && !(has_vertex && cdt.are_there_incident_constraints(near.vertex())))
-    return Constraint_bend_2<Cdt>(cdt, near.edge())(p, near.vertex(), np);
-  return has_vertex ? near.vertex() : cdt.insert(p, where, face, index);
+  const Constraint_nearby_2<Cdt> near(cdt, p, tolerance, where, face, index);
+  if (near.edge.first != typename Cdt::Face_handle())
+    return Constraint_bend_2<Cdt>(cdt, near.edge)(p, near.taken, np);
+  return near.taken != typename Cdt::Vertex_handle() ? near.taken : cdt.insert(p, where, face, index);
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal
