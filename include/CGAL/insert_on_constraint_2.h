@@ -29,9 +29,9 @@ end of a constraint that is to meet another one there. Inserted by `CDT::insert(
 between itself and the constraint, which every mesh then has, or it lies outside of the domain. Here the constraint is
 split, so that it passes the point, which keeps its coordinates.
 - If a vertex is no farther from `p` than the tolerance, the nearest is taken in the place of `p`, else `p` becomes one.
-- If that is no vertex of a constraint yet, the nearest of the constraints that are no farther from it, and beside which it
-  lies between their ends, is split and passes it. A vertex without constraints between both comes to lie on its other
-  side.
+- If that is no vertex of a constraint yet, the nearest of the constraints that are no farther from it, and beside which
+  it lies between their ends, is split and passes it. A vertex without constraints between both comes to lie on its
+  other side.
 
 As after `CDT::insert()`, faces that are new are not marked as in the domain and have no region: insert all points
 before those.
@@ -42,8 +42,8 @@ whose points are near to each other where their places in the plane are
 
 \param cdt the triangulation
 \param p the point
-\param tolerance how far a vertex or a constraint may be, in the units of the coordinates. It is at least 16 roundings of
-the largest coordinate near by, also by default
+\param tolerance how far a vertex or a constraint may be, in the units of the coordinates. It is at least 16 roundings
+of the largest coordinate near by, also by default
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin

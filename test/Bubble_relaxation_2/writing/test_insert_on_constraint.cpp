@@ -170,7 +170,8 @@ TYPED_TEST(Insert_on_constraint, which_of_two_is_the_nearest_does_not_depend_on_
     TypeParam cdt = domains::make<TypeParam>({domains::square(0, 0, 1)});
     for (double y : {0.25, 0.75})
       cdt.insert(point<TypeParam>(0.5, is_first ? y : 1 - y));
-    EXPECT_EQ(CGAL::insert_on_constraint_2(cdt, point<TypeParam>(0.5, 0.5), 0.26)->point(), point<TypeParam>(0.5, 0.25));
+    const auto v = CGAL::insert_on_constraint_2(cdt, point<TypeParam>(0.5, 0.5), 0.26);
+    EXPECT_EQ(v->point(), point<TypeParam>(0.5, 0.25));
   }
 }
 

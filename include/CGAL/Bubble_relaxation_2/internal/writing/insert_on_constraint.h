@@ -158,8 +158,8 @@ private:
   Vertex_handle m_source, m_target;
 };
 
-/// The edge of a constraint that passes a point near to others, or beside which it lies; without a face if there is none.
-/// `taken`: a vertex that is to stand for the point, if there is one
+/// What is near to a point. `taken`: a vertex that is to stand for it, if there is one; `edge`: that of a constraint
+/// which is to pass it, without a face if there is none
 template <class Cdt>
 struct Constraint_nearby_2
 {
