@@ -97,9 +97,9 @@ private:
     if (!is_within_magnitudes(length))
       throw std::invalid_argument("Bubble_relaxation_2: the length " + in_words(length) + " of an edge near to " +
                                   in_words(m_place[0], m_place[1]) + " must be " + required_of_length(length));
-    const bool is_near_end = is_near(ends[0], a) | is_near(ends[1], b); // of both
+    const bool is_near_source = is_near(ends[0], a), is_near_target = is_near(ends[1], b);
     if (!(along > 0 && along < length))
-      return is_near_end;
+      return is_near_source || is_near_target;
     const double reach = reach_of((std::max)({magnitude(a), magnitude(b), magnitude(m_place)}));
     const double off = std::abs(px * dy - py * dx) / length;
     const Rank rank{off, a[0] + b[0], a[1] + b[1]};
@@ -107,7 +107,7 @@ private:
       m_rank_of_edge = rank;
       m_edge = {f, i};
     }
-    return off <= reach || is_near_end;
+    return off <= reach || is_near_source || is_near_target;
   }
 
   /// whether a vertex is near; notes it if it is the nearest
