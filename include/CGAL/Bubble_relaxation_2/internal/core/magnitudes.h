@@ -12,6 +12,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -39,6 +40,12 @@ inline std::string required_of_length(double length)
   return length > 0 && std::isfinite(length)
            ? "at least " + in_words(smallest_length) + " and at most " + in_words(largest_magnitude)
            : "positive and finite";
+}
+
+/// how far a point whose coordinates were rounded a few times may lie beside where it is meant to be
+inline double rounding_of(double largest_coordinate)
+{
+  return 16 * std::numeric_limits<double>::epsilon() * largest_coordinate;
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
@@ -16,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -157,7 +157,7 @@ private:
     const double largest = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(a.x()),
                                        std::abs(a.y()), std::abs(b.x()), std::abs(b.y())});
     // a few roundings of the coordinates, but never a bend that could be meant
-    return off <= 16 * std::numeric_limits<double>::epsilon() * largest &&
+    return off <= rounding_of(largest) &&
            off <= 1e-3 * (std::min)(length_of(ux, uy), length_of(vx, vy));
   }
 

@@ -9,17 +9,14 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_CONSTRAINT_SEARCH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_CONSTRAINT_SEARCH_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <unordered_set>
 #include <vector>
@@ -33,12 +30,11 @@ class Constraint_search_2
 {
   using Face_handle = typename Cdt::Face_handle;
   using Vertex_handle = typename Cdt::Vertex_handle;
-  using Plane = Plane_2<Cdt>;
 
 public:
   /// \param start the face, infinite perhaps, in which `p` lies
   Constraint_search_2(const Cdt& cdt, const typename Cdt::Point& p, double tolerance, Face_handle start)
-    : m_cdt(cdt), m_point(p), m_tolerance(tolerance), m_place(place(p))
+    : m_cdt(cdt), m_point(p), m_tolerance(tolerance), m_place(point_in_double<Cdt>(p))
   {
     reach(start);
     while (!m_stack.empty()) {
@@ -60,13 +56,7 @@ public:
   typename Cdt::Edge edge() const { return m_edge; }
 
 private:
-  using Place = std::array<double, 2>;
   using Rank = std::array<double, 3>; ///< distance and place: which face is seen first must not matter
-
-  static Place place(const typename Cdt::Point& p)
-  {
-    return {CGAL::to_double(Plane::x(p)), CGAL::to_double(Plane::y(p))};
-  }
 
   void reach(Face_handle f)
   {
@@ -91,18 +81,18 @@ private:
   bool is_near(Face_handle f, int i)
   {
     const Vertex_handle ends[] = {f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i))};
-    const Place a = place(ends[0]->point()), b = place(ends[1]->point());
-    const double dx = b[0] - a[0], dy = b[1] - a[1], px = m_place[0] - a[0], py = m_place[1] - a[1];
+    const Point a = point_in_double<Cdt>(ends[0]->point()), b = point_in_double<Cdt>(ends[1]->point());
+    const double dx = b.x() - a.x(), dy = b.y() - a.y(), px = m_place.x() - a.x(), py = m_place.y() - a.y();
     const double length = length_of(dx, dy), along = (px * dx + py * dy) / length;
     if (!is_within_magnitudes(length))
       throw std::invalid_argument("Bubble_relaxation_2: the length " + in_words(length) + " of an edge near to " +
-                                  in_words(m_place[0], m_place[1]) + " must be " + required_of_length(length));
+                                  in_words(m_place.x(), m_place.y()) + " must be " + required_of_length(length));
     const bool is_near_source = is_near(ends[0], a), is_near_target = is_near(ends[1], b);
     if (!(along > 0 && along < length))
       return is_near_source || is_near_target;
     const double reach = reach_of((std::max)({magnitude(a), magnitude(b), magnitude(m_place)}));
     const double off = std::abs(px * dy - py * dx) / length;
-    const Rank rank{off, a[0] + b[0], a[1] + b[1]};
+    const Rank rank{off, a.x() + b.x(), a.y() + b.y()};
     if (off <= reach && f->is_constrained(i) && (m_edge.first == Face_handle() || rank < m_rank_of_edge)) {
       m_rank_of_edge = rank;
       m_edge = {f, i};
@@ -111,12 +101,12 @@ private:
   }
 
   /// whether a vertex is near; notes it if it is the nearest
-  bool is_near(Vertex_handle v, const Place& p)
+  bool is_near(Vertex_handle v, const Point& p)
   {
-    const double distance = length_of(m_place[0] - p[0], m_place[1] - p[1]);
+    const double distance = length_of(m_place.x() - p.x(), m_place.y() - p.y());
     if (!(distance <= reach_of((std::max)(magnitude(p), magnitude(m_place)))))
       return false;
-    const Rank rank{distance, p[0], p[1]};
+    const Rank rank{distance, p.x(), p.y()};
     if (m_vertex == Vertex_handle() || rank < m_rank_of_vertex) {
       m_rank_of_vertex = rank;
       m_vertex = v;
@@ -124,18 +114,17 @@ private:
     return true;
   }
 
-  static double magnitude(const Place& p) { return (std::max)(std::abs(p[0]), std::abs(p[1])); }
+  static double magnitude(const Point& p) { return (std::max)(std::abs(p.x()), std::abs(p.y())); }
 
   double reach_of(double largest_coordinate) const
   {
-    constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
-    return (std::max)(m_tolerance, roundings * largest_coordinate);
+    return (std::max)(m_tolerance, rounding_of(largest_coordinate));
   }
 
   const Cdt& m_cdt;
   const typename Cdt::Point& m_point;
   double m_tolerance;
-  Place m_place;
+  Point m_place;
   std::unordered_set<const void*> m_reached;
   std::vector<Face_handle> m_stack; // faces to be looked at
   Vertex_handle m_vertex;

@@ -9,15 +9,14 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_INSERT_ON_CONSTRAINT_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_WRITING_INSERT_ON_CONSTRAINT_H
 
-#include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/flood_faces.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 #include <CGAL/Bubble_relaxation_2/internal/writing/Constraint_search_2.h>
 
-#include <CGAL/number_utils.h>
 #include <CGAL/utility.h>
 
 #include <stdexcept>
@@ -61,7 +60,7 @@ template <class Cdt>
 class Constraint_bend_2
 {
   using Vertex_handle = typename Cdt::Vertex_handle;
-  using Point = typename Cdt::Point;
+  using Cdt_point = typename Cdt::Point;
 
 public:
   Constraint_bend_2(Cdt& cdt, const typename Cdt::Edge& e)
@@ -71,11 +70,11 @@ public:
   /// \param v the vertex of the point, if it has one
   /// \throws std::invalid_argument if constraints, or a vertex, are in the way
   template <class NamedParameters>
-  Vertex_handle operator()(const Point& p, Vertex_handle v, [[maybe_unused]] const NamedParameters& np)
+  Vertex_handle operator()(const Cdt_point& p, Vertex_handle v, [[maybe_unused]] const NamedParameters& np)
   {
     using Maps = Tag_maps<NamedParameters>;
     const bool is_new = v == Vertex_handle();
-    const Point place = is_new ? p : v->point();
+    const Cdt_point place = is_new ? p : v->point();
     const bool is_beside =
       m_cdt.geom_traits().orientation_2_object()(m_source->point(), m_target->point(), place) != COLLINEAR;
     if (!is_beside)
@@ -87,9 +86,9 @@ public:
         planar().remove(v);
       if (!is_beside)
         planar().insert_constraint(m_source, m_target);
-      throw std::invalid_argument(
-        "Bubble_relaxation_2: a constraint, or a vertex, is in the way of the constraint that is to pass " +
-        in_words(CGAL::to_double(Plane_2<Cdt>::x(place)), CGAL::to_double(Plane_2<Cdt>::y(place))));
+      const Point at = point_in_double<Cdt>(place);
+      throw std::invalid_argument("Bubble_relaxation_2: a constraint, or a vertex, is in the way of the constraint "
+                                  "that is to pass " + in_words(at.x(), at.y()));
     }
     if constexpr (Has_constraint_hierarchy<Cdt>::value)
       m_cdt.hierarchy_ref().split_constraint(m_source, m_target, v);
@@ -185,10 +184,10 @@ typename Cdt::Vertex_handle insert_on_constraint(Cdt& cdt, const typename Cdt::P
                                                  const NamedParameters& np)
 {
   check_not_negative("tolerance", tolerance);
-  const double x = CGAL::to_double(Plane_2<Cdt>::x(p)), y = CGAL::to_double(Plane_2<Cdt>::y(p));
-  if (!is_coordinate(x) || !is_coordinate(y))
-    throw std::invalid_argument("Bubble_relaxation_2: the coordinates of the point " + in_words(x, y) + " must be " +
-                                required_of_coordinates(x, y));
+  const Point q = point_in_double<Cdt>(p);
+  if (!is_coordinate(q.x()) || !is_coordinate(q.y()))
+    throw std::invalid_argument("Bubble_relaxation_2: the coordinates of the point " + in_words(q.x(), q.y()) +
+                                " must be " + required_of_coordinates(q.x(), q.y()));
   if (cdt.dimension() < 2)
     throw std::invalid_argument("Bubble_relaxation_2: a triangulation without faces has no sides of constraints");
   typename Cdt::Locate_type where{};
