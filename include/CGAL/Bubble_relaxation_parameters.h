@@ -215,6 +215,7 @@ using Bubble_relaxation_parameters::npbs_paper_parameters;
 CGAL_bubble_relaxation_start(callback)
 CGAL_bubble_relaxation_start(neighbor_radius)
 CGAL_bubble_relaxation_start(number_of_iterations)
+CGAL_bubble_relaxation_start(protect_constraints)
 CGAL_bubble_relaxation_start(vertex_is_constrained_map)
 CGAL_bubble_relaxation_start(visitor)
 #if CGAL_VERSION_NR >= 1060000000

@@ -120,7 +120,7 @@ public:
                                    std::size_t(200000)), 1,
       static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
     const Domain_marks_2<CDT> is_inside(cdt, np);
-    const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np), Marker_changes<NamedParameters>{np});
+    const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np), Said_of_constraints<NamedParameters>{np});
     const Sizes_2 sizes = wanted_sizes(np, is_inside, reading);
     // every vertex of the user's is a place to look at d: none is taken as a mere split of a constraint
     const Domain_reading_2<CDT> all(

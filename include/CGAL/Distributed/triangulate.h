@@ -41,7 +41,7 @@ auto triangulate_by_all(const PointSet& points, const Cdt& domain, MPI_Comm comm
   ranks.agree_after([&] {
     const Domain_marks_2<Cdt> is_inside(domain, np);
     reading = std::make_unique<Domain_reading_2<Cdt>>(domain, is_inside, is_pinned<Cdt>(np),
-                                                      Marker_changes<NamedParameters>{np});
+                                                      Said_of_constraints<NamedParameters>{np});
     check_regions<Cdt>(np, is_inside);
   });
   check_same_domain(ranks, reading->domain);

@@ -93,7 +93,7 @@ public:
       }
     };
     for (std::size_t e = 0; e < m_changes.size(); ++e)
-      if (m_changes[e].before != m_changes[e].after && m_reading.graph->chains()[e].takes_bubbles)
+      if (m_changes[e].before != m_changes[e].after && m_reading.graph->chains()[e].kind == Edge_kind::TAKES_BUBBLES)
         for_each_stretch(m_changes[e].before, m_changes[e].after, change);
   }
 

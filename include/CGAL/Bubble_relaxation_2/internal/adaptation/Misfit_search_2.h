@@ -13,6 +13,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
 
 #include <CGAL/Bubble_relaxation_report_2.h>
@@ -36,13 +37,6 @@ struct Misfit_criteria
   std::size_t number_of_rings = 4;
 };
 
-/// A place whose triangles are what the outline forces them to be.
-struct Forced_place_2
-{
-  Point center;
-  double size; ///< that is wanted there
-};
-
 /// Finds the faces of a mesh that do not fit sizes. In a good mesh the mean length of a face's edges differs from the
 /// size by up to a third here and there, so only larger misfits tell that sizes have changed. But then all counts
 /// that hangs together with them and is off by the cube root of their factor, so that nothing is left over where
@@ -54,8 +48,9 @@ public:
   using Face_handle = typename Cdt::Face_handle;
   using Vertex_handle = typename Cdt::Vertex_handle;
 
+  /// `forced`: places, with the sizes that are wanted there, whose triangles are what the outline forces them to be
   Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Misfit_criteria& criteria,
-                  const std::vector<Forced_place_2>& forced)
+                  const Bubble_buckets_2& forced)
     : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria), m_forced(forced),
       m_smallest_sine(sine_of(criteria.misfit_angle * CGAL_PI / 180)), m_part(cdt, is_in_domain, {}),
       m_star_numbers(sizeof(typename Cdt::Vertex))
@@ -88,18 +83,13 @@ private:
   }
 
   /// A sharp corner makes edges short and angles small, never edges long.
-  /// \pre called for misfits only, of which there are few
   bool is_forced(Face_handle f) const
   {
     constexpr double reach = 0.5; // of circles, in sizes, with what is refined around them
     const std::array<Point, 3> corners = corners_of(f).points;
-    const double length = measure(f).length;
-    return std::any_of(m_forced.begin(), m_forced.end(), [&](const Forced_place_2& forced) {
-      const double radius = reach * forced.size;
-      return length <= m_criteria.longest_edge * forced.size &&
-             std::any_of(corners.begin(), corners.end(), [&](const Point& p) {
-               return CGAL::squared_distance(p, forced.center) < radius * radius;
-             });
+    const double least = measure(f).length / m_criteria.longest_edge;
+    return std::any_of(corners.begin(), corners.end(), [&](const Point& p) {
+      return !m_forced.for_each_large(p.x(), p.y(), least, reach, [](const auto&, double) { return false; });
     });
   }
 
@@ -264,7 +254,7 @@ private:
   const Is_inside& m_is_in_domain;
   const Sizes_2& m_sizes;
   Misfit_criteria m_criteria;
-  const std::vector<Forced_place_2>& m_forced;
+  const Bubble_buckets_2& m_forced;
   double m_smallest_sine;
   Part_growth_2<Cdt, Is_inside> m_part; // what was found
   Address_numbers m_star_numbers; // of vertices beside misfits

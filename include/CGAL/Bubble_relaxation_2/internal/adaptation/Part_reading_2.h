@@ -33,7 +33,7 @@ public:
   {
     const auto is_pinned = internal::is_pinned<Cdt>(np);
     check_regions<Cdt>(np, copy);
-    Marker_changes<NamedParameters>{np}(m_edges, [this](Index v) { return vertex(v); }, m_is_given);
+    Said_of_constraints<NamedParameters>{np}(m_edges, [this](Index v) { return vertex(v); }, m_is_given);
     for (std::size_t v = 0; v < m_is_pinned.size(); ++v)
       m_is_pinned[v] = is_pinned(vertex(static_cast<Index>(v)));
     keep_ends_of_others(cdt);
@@ -65,7 +65,7 @@ private:
   void read_hierarchy(const Cdt& cdt)
   {
     for (Constrained_edge_2& e : m_edges) {
-      if (!e.takes_bubbles)
+      if (e.kind != Edge_kind::TAKES_BUBBLES)
         continue;
       const Vertex_handle u = vertex(e.source), v = vertex(e.target);
       check_is_of_constraint(cdt, u, v);

@@ -16,7 +16,9 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/corners/Cut_domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Bubble_buckets_2.h>
 
 #include <algorithm>
 #include <vector>
@@ -36,17 +38,15 @@ public:
   template <class NamedParameters>
   Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const NamedParameters& np, const Sizes_2& wanted,
                     const Relaxation_options& options, const Part_growth_2<Cdt, Is_inside>* where)
-    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_where(where), m_reading(cdt, copy_at_outline(), np), m_wanted(wanted)
+    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_where(where), m_reading(cdt, copy_at_outline(), np), m_wanted(wanted),
+      m_forced(1, extent(m_reading.domain), m_reading.domain.bbox().xmin(), m_reading.domain.bbox().ymin(), 0)
   {
     add_pins(is_pinned<Cdt>(np));
     m_reading.given.silent_corners = corners_on_rim(m_reading.domain);
+    m_wanted = no_finer_than_edges(m_reading.domain, m_reading.given, m_wanted, options.size_growth);
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
-    for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, options.size_growth)) {
-      const Point& p = m_reading.domain.corners()[c.corner];
-      const std::vector<Point>& silent = m_reading.given.silent_corners;
-      if (!std::binary_search(silent.begin(), silent.end(), p))
-        m_forced.push_back(Forced_place_2{p, m_wanted(p)});
-    }
+    add_sharp_corners(options.size_growth);
+    add_long_edges();
   }
 
   const Sizes_2& sizes() const { return m_limits.sizes; }
@@ -54,10 +54,45 @@ public:
   /// The same without those beyond circles around sharp corners: a part that has such a corner cuts it off by them.
   const Sizes_2& sizes_of_parts() const { return m_limits.before_cut; }
 
-  /// around corners in which two edges of the domain meet in less than 45 degrees
-  const std::vector<Forced_place_2>& forced_places() const { return m_forced; }
+  /// around corners in which two edges of the domain meet in less than 45 degrees, and beside constraints that stay
+  /// though they are too long
+  const Bubble_buckets_2& forced_places() const { return m_forced; }
 
 private:
+  void add_forced(const Point& p, double size)
+  {
+    m_forced.insert(0, p.x(), p.y(), size);
+  }
+
+  void add_sharp_corners(double growth)
+  {
+    const std::vector<Point>& silent = m_reading.given.silent_corners;
+    for (const Sharp_corner_2& c : sharp_corners(m_reading.domain, growth)) {
+      const Point& p = m_reading.domain.corners()[c.corner];
+      if (!std::binary_search(silent.begin(), silent.end(), p))
+        add_forced(p, m_wanted(p));
+    }
+  }
+
+  /// constraints that stay, and are far longer than sizes there
+  void add_long_edges()
+  {
+    constexpr double tolerated = 1.5, reach = 1.5; // as far as fans of triangles go from their ends
+    const Domain_2& domain = m_reading.domain;
+    for (std::size_t k = 0; k < domain.edges().size(); ++k) {
+      const Index e = static_cast<Index>(k);
+      if (domain.edges()[k].kind != Edge_kind::PROTECTED)
+        continue;
+      const double length = domain.length(e);
+      const Point middle = domain.point_on_edge(e, 0.5);
+      double least = m_limits.sizes(middle);
+      for (const Point& end : {domain.source(e), domain.target(e)})
+        least = (std::min)(least, m_limits.sizes(end));
+      if (length > tolerated * least)
+        add_forced(middle, reach * length);
+    }
+  }
+
   /// whether a face of the domain is read
   bool is_read(Face_handle f) const
   {
@@ -128,7 +163,7 @@ private:
   Part_reading_2<Cdt> m_reading;
   Sizes_2 m_wanted;
   Limits_of_outline_2 m_limits{m_wanted, nullptr, nullptr, m_wanted};
-  std::vector<Forced_place_2> m_forced;
+  Bubble_buckets_2 m_forced;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal

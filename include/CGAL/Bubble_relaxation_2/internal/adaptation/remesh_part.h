@@ -111,7 +111,7 @@ private:
   Sizes_2 sizes_from_rim(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes)
   {
     m_reading.given.silent_corners = rim_at_jumps(cdt, is_in_domain, m_reading, sizes);
-    return no_finer_than_rim(m_reading.domain, sizes, m_reading.given.silent_corners, m_options.size_growth);
+    return no_finer_than_edges(m_reading.domain, m_reading.given, sizes, m_options.size_growth);
   }
 
   Relaxation_options m_options;
@@ -195,7 +195,7 @@ inline std::vector<Index> rim_defects(const Domain_2& part, const Bubble_mesh_2&
   constexpr double bad = 0.92; // few are worse in a mesh that is made at once
   std::vector<char> is_on_rim(part.corners().size(), 0), is_defect(is_on_rim);
   for (const Domain_edge_2& e : part.edges())
-    if (!e.takes_bubbles)
+    if (e.kind == Edge_kind::RIM)
       is_on_rim[e.source] = is_on_rim[e.target] = 1;
   const Bubbles_2& b = mesh.bubbles;
   for (std::size_t t = 0; t < mesh.triangles.number_of_triangles(); ++t) {

@@ -19,23 +19,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// The length of the shorter edge of the rim at each corner of a part, infinite where there is none.
+/// the length of the shorter edge of the rim at each corner of a part, infinite where there is none
 inline std::vector<double> lengths_at_rim(const Domain_2& part)
 {
-  std::vector<double> length(part.corners().size(), std::numeric_limits<double>::infinity());
-  for (std::size_t e = 0; e < part.edges().size(); ++e)
-    if (!part.edges()[e].takes_bubbles)
-      for (Index end : {part.edges()[e].source, part.edges()[e].target})
-        length[end] = (std::min)(length[end], part.length(static_cast<Index>(e)));
-  return length;
+  return lengths_at_corners(part, [](const Domain_edge_2& e) { return e.kind == Edge_kind::RIM; });
 }
 
 /// those that the rim of a part has, sorted
@@ -128,33 +121,6 @@ std::vector<Point> rim_at_jumps(const Cdt& cdt, const Is_inside& is_in_domain, c
   }
   std::sort(result.begin(), result.end());
   return result;
-}
-
-/// The wanted sizes, and larger ones beside edges of the rim that are far longer: from there they shrink by no more
-/// than `growth` per unit of length, else triangles at the rim would be needles. The corners `at_jumps` do not count.
-inline Sizes_2 no_finer_than_rim(const Domain_2& part, const Sizes_2& wanted, const std::vector<Point>& at_jumps,
-                                 double growth)
-{
-  constexpr double tolerated = 1.25; // edges that are longer make needles
-  const std::vector<double> length = lengths_at_rim(part);
-  std::vector<Size_source_2> sources;
-  double longest = 0;
-  for (std::size_t c = 0; c < length.size(); ++c) {
-    const Point& p = part.corners()[c];
-    if (!std::isinf(length[c]) && length[c] > tolerated * wanted(p) &&
-        !std::binary_search(at_jumps.begin(), at_jumps.end(), p)) {
-      sources.push_back(Size_source_2{p, length[c]});
-      longest = (std::max)(longest, length[c]);
-    }
-  }
-  if (sources.empty())
-    return wanted;
-  for (Size_source_2& s : sources) // the largest of d_s - g |x - s| is less than the longest by the least of these
-    s.d = longest - s.d;
-  Outline_field_2 less(sources, part.bbox(), growth);
-  return Sizes_2([wanted, less = std::move(less), longest](double x, double y) {
-    return (std::max)(wanted(x, y), longest - less(x, y));
-  });
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

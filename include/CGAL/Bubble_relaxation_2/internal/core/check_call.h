@@ -109,6 +109,7 @@ CGAL_add_named_parameter(callback_t, callback, callback)
 CGAL_add_named_parameter(neighbor_radius_t, neighbor_radius, neighbor_radius)
 CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)
 CGAL_add_named_parameter(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)
+CGAL_add_named_parameter(protect_constraints_t, protect_constraints, protect_constraints)
 CGAL_add_named_parameter(visitor_t, visitor, visitor)
 #if CGAL_VERSION_NR >= 1050600000
 CGAL_add_named_parameter(seeds_t, seeds, seeds)
@@ -201,10 +202,15 @@ constexpr bool check_maps()
     Has_keys<Value_of<NamedParameters, internal_np::edge_marker_t>, std::pair<Vertex_handle, Vertex_handle>>();
   static_assert(has_edges, "edge_marker_map must be a property map with std::pair<Vertex_handle, Vertex_handle> as "
                            "key, such as Constraint_marker_map_2");
+  using Protection = Value_of<NamedParameters, internal_np::protect_constraints_t>;
+  constexpr bool has_protection =
+    std::is_same<Protection, bool>::value || Has_keys<Protection, std::pair<Vertex_handle, Vertex_handle>>::value;
+  static_assert(has_protection, "protect_constraints must be a bool or a property map with std::pair<Vertex_handle, "
+                                "Vertex_handle> as key, such as the Boolean_property_map of a set");
   constexpr bool has_faces =
     Has_keys<Value_of<NamedParameters, internal_np::face_region_t>, typename Cdt::Face_handle>();
   static_assert(has_faces, "face_region_map must be a property map with Face_handle as key, such as Face_region_map_2");
-  return has_vertices && has_edges && has_faces;
+  return has_vertices && has_edges && has_protection && has_faces;
 }
 
 /// Whether the values of parameters are of types that can be meant.

@@ -72,7 +72,7 @@ public:
   {
     std::vector<std::vector<Point>> on_edge(m_domain.edges().size());
     for (std::size_t k = 0; k < m_pieces.size(); ++k)
-      if (m_domain.edges()[k].takes_bubbles)
+      if (m_domain.edges()[k].takes_bubbles())
         for (const Point& p : given.on_edge[m_pieces[k].edge]) {
           const double s = position_on_edge(m_whole, m_pieces[k].edge, p);
           if (s > m_pieces[k].begin && s < m_pieces[k].end)
@@ -146,12 +146,12 @@ private:
     const auto [first, last] = m_nodes_on_arms[e];
     if (first != no_index) {
       begin = node(first).s;
-      add_piece(Domain_edge_2{edge.source, first, false, false, false}, Piece{e, 0, begin});
+      add_piece(Domain_edge_2{edge.source, first, false, false, Edge_kind::RIM}, Piece{e, 0, begin});
       edge.source = first;
     }
     if (last != no_index) {
       end = node(last).s;
-      add_piece(Domain_edge_2{last, edge.target, false, false, false}, Piece{e, end, 1});
+      add_piece(Domain_edge_2{last, edge.target, false, false, Edge_kind::RIM}, Piece{e, end, 1});
       edge.target = last;
     }
     add_piece(edge, Piece{e, begin, end});
@@ -165,7 +165,7 @@ private:
     const double start = angle_of(arm.to_other_end.x(), arm.to_other_end.y());
     Index last = node_on_arm(arm);
     const auto add_chord = [&](Index next) { // counterclockwise, so the corner is on its left
-      add_piece(Domain_edge_2{last, next, false, true, false}, Piece{no_index, 0, 0});
+      add_piece(Domain_edge_2{last, next, false, true, Edge_kind::RIM}, Piece{no_index, 0, 0});
       last = next;
     };
     const std::vector<double> angles = c.nodes(sector);

@@ -175,7 +175,7 @@ inline void find_circles(const Domain_2& domain, const Sizes_2& sizes, std::vect
 {
   const auto takes_no_nodes = [&](const Sharp_corner_2& c) {
     return std::any_of(c.arms().begin(), c.arms().end(),
-                       [&](const Sharp_corner_2::Arm& a) { return !domain.edges()[a.edge].takes_bubbles; });
+                       [&](const Sharp_corner_2::Arm& a) { return !domain.edges()[a.edge].takes_bubbles(); });
   };
   corners.erase(std::remove_if(corners.begin(), corners.end(), takes_no_nodes), corners.end());
   std::vector<int> number_at(domain.edges().size(), 0); // of the ends of each edge

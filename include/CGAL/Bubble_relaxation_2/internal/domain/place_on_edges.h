@@ -89,7 +89,7 @@ inline double position_on_edge(const Domain_2& domain, Index e, const Point& p)
 /// Places bubbles on an edge so that they cut it in equal parts of the integral of ds/d.
 inline void place_on_edge(const Domain_2& domain, Index e, const Sizes_2& sizing, Bubbles_2& bubbles)
 {
-  if (!domain.edges()[e].takes_bubbles)
+  if (!domain.edges()[e].takes_bubbles())
     return;
   const Edge_integral integral = integrate_edge(domain, e, sizing);
   const double parts = integral.parts();

@@ -38,6 +38,10 @@ Sizes_2 sizes_of_mesh(const Triangulation_copy_2& mesh);
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, double growth);
 
+/// The wanted sizes, and larger ones beside edges that take no bubbles and are far longer.
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 no_finer_than_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth);
+
 /// What the simulation follows and where it is made.
 struct Limits_of_outline_2
 {

@@ -37,6 +37,12 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
   return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox(), growth));
 }
 
+CGAL_BUBBLE_RELAXATION_2_INLINE
+Sizes_2 no_finer_than_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth)
+{
+  return raise_beside_edges(domain, given, wanted, growth);
+}
+
 /// A given mesh is far finer than sizes ask for, and none of its vertices may go: then the ratios of sizes count, and all of
 /// them get smaller. Else each bubble would push all others near by, thousands of them.
 inline void make_room_for_all(const Domain_2& domain, const Given_mesh_2& given, const Relaxation_options& options,

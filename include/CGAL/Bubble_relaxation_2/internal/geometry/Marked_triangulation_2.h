@@ -24,15 +24,25 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A straight edge of the domain between two corners. Bubbles slide on it, unless it takes none. `inside_left` and
-/// `inside_right` tell whether the domain lies on these sides, seen from source to target.
+/// What may become of an edge of the domain.
+enum class Edge_kind : char
+{
+  TAKES_BUBBLES, ///< they slide on it
+  PROTECTED,     ///< the user wants it to stay as it is
+  RIM            ///< what lies behind it is not meshed now, and it is not to be split
+};
+
+/// A straight edge of the domain between two corners. `inside_left` and `inside_right` tell whether the domain lies on
+/// these sides, seen from source to target.
 struct Domain_edge_2
 {
   Index source;
   Index target;
   bool inside_left;
   bool inside_right;
-  bool takes_bubbles = true;
+  Edge_kind kind = Edge_kind::TAKES_BUBBLES;
+
+  bool takes_bubbles() const { return kind == Edge_kind::TAKES_BUBBLES; }
 };
 
 /// The triangles of a constrained Delaunay triangulation with the domain marked.

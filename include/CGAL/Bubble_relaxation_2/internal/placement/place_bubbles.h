@@ -47,7 +47,7 @@ inline Bubbles_2 place_on_outline(const Domain_2& domain, const Given_mesh_2& me
     const Index e = static_cast<Index>(k);
     const std::vector<Point>& splits = mesh.on_edge[k];
     const auto is_right_number = [&] { // the integral over an edge that takes none may be without end: nobody counts it
-      return domain.edges()[k].takes_bubbles &&
+      return domain.edges()[k].takes_bubbles() &&
              static_cast<double>(splits.size()) + 1 == integrate_edge(domain, e, sizing).parts();
     };
     if (way == On_edges::KEEP || (way == On_edges::KEEP_THE_RIGHT_NUMBER && is_right_number()))

@@ -29,7 +29,7 @@ struct Constrained_edge_2
   Index source, target;
   bool inside_left, inside_right;
   bool is_of_one_constraint; ///< as far as the triangulation knows
-  bool takes_bubbles = true; ///< else it is not to be split: what lies behind it is not meshed
+  Edge_kind kind = Edge_kind::TAKES_BUBBLES;
 
   bool is_in_domain() const { return inside_left || inside_right; }
 };
@@ -50,7 +50,7 @@ public:
     Index source, target;
     bool inside_left, inside_right;
     std::vector<Index> splits;
-    bool takes_bubbles = true;
+    Edge_kind kind = Edge_kind::TAKES_BUBBLES;
   };
 
   /// `is_fixed`: of each vertex whether it is a corner wherever it lies
@@ -187,7 +187,7 @@ private:
         }
         const std::array<bool, 2> inside = sides(first, static_cast<Index>(v));
         Chain chain{corner_number[v], corner_number[path.back()], inside[0], inside[1], {},
-                    m_constraints[first].takes_bubbles};
+                    m_constraints[first].kind};
         for (std::size_t k = 1; k + 1 < path.size(); ++k)
           chain.splits.push_back(m_vertices[path[k]]);
         m_chains.push_back(std::move(chain));

@@ -79,36 +79,6 @@ private:
   const NamedParameters& m_np;
 };
 
-/// Finds the vertices at which the user's markers of constraints change: they are not mere splits of a line.
-template <class NamedParameters>
-struct Marker_changes
-{
-  const NamedParameters& np;
-
-  /// \param vertex `vertex(i)`: the handle of a vertex
-  /// \param stays set for these vertices
-  template <class Vertex>
-  void operator()([[maybe_unused]] const std::vector<Constrained_edge_2>& edges, [[maybe_unused]] const Vertex& vertex,
-                  [[maybe_unused]] std::vector<char>& stays) const
-  {
-    if constexpr (Tag_maps<NamedParameters>::has_markers) {
-      const auto map = Tag_maps<NamedParameters>(np).markers();
-      using Marker = Tag_type<NamedParameters, internal_np::edge_marker_t>;
-      std::vector<std::optional<Marker>> first(stays.size()); // around each vertex
-      for (const Constrained_edge_2& e : edges) {
-        if (!e.is_in_domain() || !e.takes_bubbles) // what takes none stays as it is
-          continue;
-        const auto marker = get(map, CGAL::make_sorted_pair(vertex(e.source), vertex(e.target)));
-        for (Index v : {e.source, e.target})
-          if (!first[v])
-            first[v] = marker;
-          else if (!(*first[v] == marker))
-            stays[v] = 1;
-      }
-    }
-  }
-};
-
 /// \throws std::invalid_argument if regions of the user's meet where no constraint is, which no mesh would keep
 template <class Cdt, class NamedParameters>
 void check_regions([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] const Marked_copy_2& marks)
@@ -230,7 +200,7 @@ public:
     if constexpr (Maps::has_markers)
       for (const Chain& c : reading.graph->chains()) {
         const std::vector<Vertex_handle> path = path_of(reading, c);
-        for (std::size_t k = 1; k < path.size() && c.takes_bubbles; ++k)
+        for (std::size_t k = 1; k < path.size() && c.kind != Edge_kind::RIM; ++k)
           forget_if_possible(m_maps.markers(), CGAL::make_sorted_pair(path[k - 1], path[k]));
       }
     if constexpr (Maps::has_regions)
@@ -290,7 +260,7 @@ private:
   {
     if constexpr (Maps::has_markers) {
       m_markers.emplace_back(); // a rim of a part is no constraint, or stays
-      if (c.takes_bubbles)
+      if (c.kind != Edge_kind::RIM)
         m_markers.back() = get(m_maps.markers(), CGAL::make_sorted_pair(path[0], path[1]));
     }
     if constexpr (Maps::has_regions) {

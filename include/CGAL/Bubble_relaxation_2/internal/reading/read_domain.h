@@ -146,14 +146,14 @@ class Domain_reading_2 : public Read_domain_2
 public:
   using Vertex_handle = typename Cdt::Vertex_handle;
 
-  /// `is_pinned(vertex)`: what the user pinned; `find_changes(edges, vertex, stays)` sets which vertices of edges
-  /// are no mere splits of a line
-  template <class Is_pinned, class Find_changes>
+  /// `is_pinned(vertex)`: what the user pinned; `said_of_constraints(edges, vertex, stays)` sets which edges are to stay,
+  /// and which vertices of edges are no mere splits of a line
+  template <class Is_pinned, class Said>
   Domain_reading_2(const Cdt& cdt, const Domain_marks_2<Cdt>& marks, const Is_pinned& is_pinned,
-                   const Find_changes& find_changes)
+                   const Said& said_of_constraints)
     : Read_domain_2(marks, Vertex_order<Cdt>::is_before())
   {
-    find_changes(m_edges, [this](Index v) { return vertex(v); }, m_is_given);
+    said_of_constraints(m_edges, [this](Index v) { return vertex(v); }, m_is_given);
     for (std::size_t v = 0; v < m_is_pinned.size(); ++v)
       if (m_is_of_domain[v])
         m_is_pinned[v] = is_pinned(vertex(static_cast<Index>(v)));

@@ -108,12 +108,12 @@ void Read_domain_2::add_edge(const Marked_copy_2& copy, Index t, int i)
 {
   const Index u = m_vertices.number[copy.tr.vertices[t][ccw(i)]], v = m_vertices.number[copy.tr.vertices[t][cw(i)]],
               n = copy.tr.neighbors[t][i];
-  const bool takes_bubbles = !copy.is_rim(t, i);
+  const Edge_kind kind = copy.is_rim(t, i) ? Edge_kind::RIM : Edge_kind::TAKES_BUBBLES;
   if (u < v)
-    m_edges.push_back(Constrained_edge_2{u, v, copy.is_inside(t), copy.is_inside(n), true, takes_bubbles});
+    m_edges.push_back(Constrained_edge_2{u, v, copy.is_inside(t), copy.is_inside(n), true, kind});
   else if (n == no_index) // else it is seen from the other side
-    m_edges.push_back(Constrained_edge_2{v, u, false, copy.is_inside(t), true, takes_bubbles});
-  if (!takes_bubbles)
+    m_edges.push_back(Constrained_edge_2{v, u, false, copy.is_inside(t), true, kind});
+  if (kind == Edge_kind::RIM)
     m_is_given[u] = m_is_given[v] = 1;
 }
 
@@ -123,7 +123,7 @@ Marking_error Read_domain_2::build(const std::vector<char>& is_fixed)
   graph = std::make_unique<Constraint_graph_2>(m_vertices.points, m_edges, is_fixed);
   std::vector<Domain_edge_2> edges;
   for (const Constraint_graph_2::Chain& c : graph->chains())
-    edges.push_back(Domain_edge_2{c.source, c.target, c.inside_left, c.inside_right, c.takes_bubbles});
+    edges.push_back(Domain_edge_2{c.source, c.target, c.inside_left, c.inside_right, c.kind});
   return domain.build(points(graph->corners()), std::move(edges));
 }
 

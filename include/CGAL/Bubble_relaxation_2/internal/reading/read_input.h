@@ -18,6 +18,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/engine/engine.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Checked_sizing_field_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/reading/Said_of_constraints.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/Tags_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/elevations.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_domain.h>
@@ -56,18 +57,18 @@ std::optional<Sizes_2> given_sizes([[maybe_unused]] const NamedParameters& np)
 }
 
 /// The sizes that the user wants: the sizing function, or by default those of the mesh that is there, or else what the
-/// outline asks for.
+/// outline asks for; larger beside longer constraints that stay as they are.
 template <class Cdt, class NamedParameters>
 Sizes_2 wanted_sizes(const NamedParameters& np, const Domain_marks_2<Cdt>& marks,
                      const Domain_reading_2<Cdt>& reading)
 {
-  if (const std::optional<Sizes_2> sizes = given_sizes<Place_2<Cdt>>(np))
-    return *sizes;
-  if (!reading.free.empty())
+  const std::optional<Sizes_2> sizes = given_sizes<Place_2<Cdt>>(np);
+  if (!sizes && !reading.free.empty())
     return sizes_of_mesh(marks);
-  double growth = default_size_growth; // there is no mesh yet
+  double growth = default_size_growth;
   take(np, internal_np::size_growth, growth);
-  return sizes_of_domain(reading.domain, reading.given, growth);
+  return no_finer_than_edges(reading.domain, reading.given,
+                             sizes ? *sizes : sizes_of_domain(reading.domain, reading.given, growth), growth);
 }
 
 /// A visitor of the user's, or a reference to one.
@@ -145,7 +146,8 @@ private:
 
   template <class NamedParameters>
   Input_2(const NamedParameters& np, const Cdt& cdt, const Relaxation_options& o, const Domain_marks_2<Cdt>& marks)
-    : options(o), reading(cdt, marks, is_pinned<Cdt>(np), Marker_changes<NamedParameters>{np}), wanted(wanted_sizes(np, marks, reading)),
+    : options(o), reading(cdt, marks, is_pinned<Cdt>(np), Said_of_constraints<NamedParameters>{np}),
+      wanted(wanted_sizes(np, marks, reading)),
       limits(limit_by_outline(reading.domain, reading.given, wanted, options,
                               options.limit_by_outline &&
                                 (reading.free.empty() || has_sizing_function<NamedParameters>))),

@@ -77,6 +77,46 @@ inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
   return result;
 }
 
+/// At each corner the length of the shortest edge there for which `is_counted(edge)` holds, infinite where there is none.
+template <class Is_counted>
+std::vector<double> lengths_at_corners(const Domain_2& domain, const Is_counted& is_counted)
+{
+  std::vector<double> length(domain.corners().size(), std::numeric_limits<double>::infinity());
+  for (std::size_t e = 0; e < domain.edges().size(); ++e)
+    if (const Domain_edge_2& edge = domain.edges()[e]; is_counted(edge))
+      for (Index end : {edge.source, edge.target})
+        length[end] = (std::min)(length[end], domain.length(static_cast<Index>(e)));
+  return length;
+}
+
+/// The wanted sizes, and larger ones beside edges that take no bubbles and are far longer: from there they shrink by no
+/// more than `growth` per unit of length, else triangles at these edges would be needles. Silent corners do not count.
+inline Sizes_2 raise_beside_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
+                                  double growth)
+{
+  constexpr double tolerated = 1.25; // edges that are longer make needles
+  const std::vector<double> length =
+    lengths_at_corners(domain, [](const Domain_edge_2& e) { return !e.takes_bubbles(); });
+  std::vector<Size_source_2> sources;
+  double longest = 0;
+  for (std::size_t c = 0; c < length.size(); ++c) {
+    const Point& p = domain.corners()[c];
+    if (!std::isinf(length[c]) && length[c] > tolerated * wanted(p) &&
+        !std::binary_search(given.silent_corners.begin(), given.silent_corners.end(), p)) {
+      sources.push_back(Size_source_2{p, length[c]});
+      longest = (std::max)(longest, length[c]);
+    }
+  }
+  if (sources.empty())
+    return wanted;
+  for (Size_source_2& s : sources) // the largest of d_s - g |x - s| is less than the longest by the least of these
+    s.d = longest - s.d;
+  Outline_field_2 less(sources, domain.bbox(), growth);
+  return Sizes_2([wanted, less = std::move(less), longest](double x, double y) {
+    return (std::max)(wanted(x, y), longest - less(x, y));
+  });
+}
+
 /// The wanted sizes, and smaller ones where the outline asks for it.
 class Limited_sizes_2
 {
@@ -188,7 +228,7 @@ private:
         if (mesh.edges[t][i] == no_index)
           add_distance(nodes, v[ccw(i)], v[cw(i)]);
         else if (!is_in_corner(nodes, v[i], v[ccw(i)], v[cw(i)]))
-          add_width(mesh, static_cast<Index>(t), i);
+          add_width(nodes, mesh, static_cast<Index>(t), i);
       }
   }
 
@@ -228,6 +268,15 @@ private:
     return std::any_of(corners.begin(), corners.end(), [&side](Index c) { return c == side.source || c == side.target; });
   }
 
+  /// whether a side is a constraint that stays and is so much longer than `width` that bubbles of that size would only
+  /// make a fan of needles on it
+  bool is_too_long(const Bubbles_2& nodes, Index p, Index q, double width) const
+  {
+    constexpr double tolerated = 1.5;
+    const Index e = edge_of_piece(m_domain, nodes, p, q);
+    return m_domain.edges()[e].kind == Edge_kind::PROTECTED && m_domain.length(e) > tolerated * width;
+  }
+
   /// the corners at the ends of the edge that a node lies on; none of a pinned vertex
   std::array<Index, 2> ends(const Bubbles_2& nodes, Index i) const
   {
@@ -238,7 +287,7 @@ private:
   }
 
   /// the distance of the vertex `i` of a triangle from the constraint opposite to it
-  void add_width(const Marked_triangulation_2& mesh, Index t, int i)
+  void add_width(const Bubbles_2& nodes, const Marked_triangulation_2& mesh, Index t, int i)
   {
     const Point &p = mesh.point(t, i), &a = mesh.point(t, ccw(i)), &b = mesh.point(t, cw(i));
     const Kernel::Vector_2 u = b - a;
@@ -250,6 +299,8 @@ private:
       return;
     const Point foot = a + (std::max)(0., (std::min)(1., s)) * u;
     const double width = std::sqrt(CGAL::squared_distance(p, foot));
+    if (is_too_long(nodes, mesh.vertices[t][ccw(i)], mesh.vertices[t][cw(i)], width))
+      return;
     for (const Point& end : {p, foot})
       if (width > narrowest * m_limited.wanted()(end))
         limit(end, width);

@@ -80,7 +80,7 @@ public:
   double integral_over_edge(Index e)
   {
     m_sum = 0;
-    if (m_domain.edges()[e].takes_bubbles)
+    if (m_domain.edges()[e].takes_bubbles())
       add(m_domain.source(e), m_domain.target(e), 0);
     return m_sum;
   }

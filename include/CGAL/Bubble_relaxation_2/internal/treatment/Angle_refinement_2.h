@@ -242,7 +242,7 @@ private:
   /// the middle of a piece of an edge instead
   std::optional<Steiner_point_2> split(Index e, double s, Steiner_point_2 result) const
   {
-    if (!m_domain.edges()[e].takes_bubbles)
+    if (!m_domain.edges()[e].takes_bubbles())
       return std::nullopt;
     const std::array<double, 2> ends = piece(e, s);
     result.s = 0.5 * (ends[0] + ends[1]);

@@ -180,7 +180,7 @@ private:
     const Index u = m_patch.indices()[m_mesh.triangles.vertices[t][ccw(i)]],
                 v = m_patch.indices()[m_mesh.triangles.vertices[t][cw(i)]];
     const Index e = edge_of_piece(m_domain, m_whole.bubbles, u, v);
-    if (e == no_index || !m_domain.edges()[e].takes_bubbles)
+    if (e == no_index || !m_domain.edges()[e].takes_bubbles())
       return;
     const double s =
       0.5 * (position_on(m_domain, m_whole.bubbles, e, u) + position_on(m_domain, m_whole.bubbles, e, v));

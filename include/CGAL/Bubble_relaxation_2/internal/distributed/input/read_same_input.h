@@ -38,7 +38,7 @@ public:
 
   void add(const Domain_edge_2& e)
   {
-    for (Index number : {e.source, e.target, Index(e.inside_left), Index(e.inside_right)})
+    for (Index number : {e.source, e.target, Index(e.inside_left), Index(e.inside_right), Index(e.kind)})
       add(static_cast<std::uint64_t>(number));
   }
 
