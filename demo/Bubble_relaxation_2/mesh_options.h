@@ -53,6 +53,8 @@ inline po::options_description mesh_options()
      "by how much the length grows per unit of length away from where the domain is finer than it")
     ("minimum-angle", po::value<double>()->default_value(defaults::default_minimum_angle),
      "smaller angles are refined, in degrees, but for those between two segments; 0: never")
+    ("protect", po::value<std::string>()->default_value(""),
+     "segments that get no new vertices and keep theirs: all, or the markers of those, such as 1,2")
     ("tolerance", po::value<double>(), "replace the outline by one with pieces as long as --size, within this share of "
                                        "it, such as 0.1")
     ("min-island", po::value<double>()->default_value(0), "with --tolerance: drop islands with a smaller area")
@@ -83,6 +85,8 @@ inline void check_mesh_options(const po::variables_map& arguments)
   }
   if (arguments.count("tolerance") > 0 && arguments.count("size") == 0)
     throw std::runtime_error("--tolerance needs --size");
+  if (arguments.count("tolerance") > 0 && !arguments["protect"].defaulted())
+    throw std::runtime_error("--protect does not go with --tolerance, which replaces the outline");
   if (arguments.count("tolerance") == 0 && arguments.count("simplification-report") > 0)
     throw std::runtime_error("--simplification-report needs --tolerance");
   if (arguments.count("tolerance") == 0 && !(arguments["min-island"].defaulted() && arguments["min-gap"].defaulted()))
@@ -99,6 +103,36 @@ int count(const po::variable_value& argument, const Parameters& parameters, Tag 
   return static_cast<int>(choose_parameter(get_parameter(parameters, tag), argument.as<int>()));
 }
 
+/// The segments of a domain that --protect names, as `npbs_relax()` takes them.
+class Protected_segments
+{
+public:
+  using key_type = std::pair<CDT::Vertex_handle, CDT::Vertex_handle>;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  /// \throws std::runtime_error if the option is no list of markers, or no segment has one of them
+  Protected_segments(const Domain& domain, const std::string& option) : m_domain(&domain), m_all(option == "all")
+  {
+    if (m_all)
+      return;
+    m_markers = markers("--protect", option);
+    check_markers(domain, "--protect", m_markers);
+  }
+
+  friend bool get(const Protected_segments& map, const key_type& edge)
+  {
+    return map.m_all || (!map.m_markers.empty() && map.m_markers.count(segment_marker(
+                                                     *map.m_domain, edge.first->point(), edge.second->point())) > 0);
+  }
+
+private:
+  const Domain* m_domain;
+  bool m_all;
+  std::set<int> m_markers;
+};
+
 /// what the options say, on top of `parameters`
 template <class Parameters>
 auto mesh_parameters(Domain& domain, const Region_map& regions, const po::variables_map& arguments,
@@ -113,7 +147,8 @@ auto mesh_parameters(Domain& domain, const Region_map& regions, const po::variab
     .minimum_angle(arguments["minimum-angle"].as<double>())
     .vertex_is_constrained_map(Pinned(domain.pinned))
     .edge_marker_map(Segment_marker_map{&domain})
-    .face_region_map(regions);
+    .face_region_map(regions)
+    .protect_constraints(Protected_segments(domain, arguments["protect"].as<std::string>()));
 }
 
 /// what npbs_relax says, in the words of the command line

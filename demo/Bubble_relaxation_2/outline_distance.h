@@ -18,8 +18,6 @@
 
 #include <memory>
 #include <set>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 /// How far it is from places to the nearest segment of a domain that has one of some markers, across islands too.
@@ -34,17 +32,14 @@ public:
   /// \throws std::runtime_error if no segment has one of them
   Outline_distance(const Domain& domain, const std::set<int>& markers)
   {
+    check_markers(domain, "--distance-to", markers);
     std::vector<Segment> segments;
-    std::set<int> missing = markers;
     for (const auto& e : domain.cdt.constrained_edges()) {
       const Point &p = e.first->vertex(CDT::ccw(e.second))->point(), &q = e.first->vertex(CDT::cw(e.second))->point();
       const int marker = segment_marker(domain, p, q);
-      missing.erase(marker);
       if (markers.empty() || markers.count(marker) > 0)
         segments.emplace_back(Place(p.x(), p.y()), Place(q.x(), q.y()));
     }
-    if (!missing.empty())
-      throw std::runtime_error("--distance-to: no segment has the marker " + std::to_string(*missing.begin()));
     m_tree = std::make_shared<const Tree>(segments.begin(), segments.end());
   }
 

@@ -46,8 +46,8 @@ marked if the face base has marks.
 - Every constraint of the input is the union of constraints of the output: exactly with exact
   constructions, else up to the rounding of the vertices that split it. A vertex with two constrained
   edges, straight up to rounding, only splits a constraint: it is a bubble of an edge and may slide and go,
-  unless it is pinned. A `Constrained_triangulation_plus_2` knows which vertices these are, and its
-  constraints keep their identifiers.
+  unless it is pinned, or one of these edges is protected. A `Constrained_triangulation_plus_2` knows which
+  vertices these are, and its constraints keep their identifiers.
 - A vertex inside the domain that is no end of a constraint is a free bubble, which moves and may go.
   CGAL's triangulations know constraints as edges only: an isolated vertex that is to stay, and to carry a
   bubble as the boundary does, is pinned by `vertex_is_constrained_map`.
@@ -110,6 +110,15 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
                           those that only split a constraint as well}
     \cgalParamType{a model of `ReadablePropertyMap` with `CDT::Vertex_handle` as key and `bool` as value}
     \cgalParamDefault{no vertex is pinned}
+  \cgalParamNEnd
+  \cgalParamNBegin{protect_constraints}
+    \cgalParamDescription{which constraints stay as they are: no vertex comes on them, and both their ends stay. Beside
+                          those that are longer than d sizes are larger, and shrink from there by 0.7, or by
+                          `size_growth` if that is more, per unit of length; see \ref BR2_protect}
+    \cgalParamType{`bool`, for all; or a model of `ReadablePropertyMap` with
+                   `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key, the ends of an edge as
+                   `make_sorted_pair()` sorts them, and `bool` as value}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{edge_marker_map}
     \cgalParamDescription{markers of constraints, see \ref BR2_tags. `get()` is called for edges on constraints that

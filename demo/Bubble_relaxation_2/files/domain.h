@@ -206,6 +206,16 @@ inline int point_marker(const Domain& domain, const Point& p)
   return found == domain.point_markers.end() ? 0 : found->second;
 }
 
+/// \throws std::runtime_error if no segment of a domain has one of the markers that an option names
+inline void check_markers(const Domain& domain, const std::string& option, std::set<int> markers)
+{
+  for (const auto& e : domain.cdt.constrained_edges())
+    markers.erase(segment_marker(domain, e.first->vertex(CDT::ccw(e.second))->point(),
+                                 e.first->vertex(CDT::cw(e.second))->point()));
+  if (!markers.empty())
+    throw std::runtime_error(option + ": no segment has the marker " + std::to_string(*markers.begin()));
+}
+
 /// The markers of a domain's segments as `npbs_relax()` takes them.
 struct Segment_marker_map
 {

@@ -46,6 +46,7 @@ void right(CDT& cdt, Terrain& terrain)
   CGAL::npbs_relax(terrain, [](const K::Point_2& p) { return 0.1 + p.x(); });
   CGAL::npbs_relax(terrain, P::elevation_function([](const K::Point_2&) { return 1; }));
   CGAL::npbs_relax(terrain, P::edge_marker_map(CGAL::Constraint_marker_map_2<Terrain>()));
+  CGAL::npbs_relax(cdt, P::protect_constraints(true));
 }
 
 #if MISTAKES
@@ -78,6 +79,8 @@ void wrong(CDT& cdt, Terrain& terrain)
   CGAL::npbs_relax(terrain, P::elevation_function([](const K::Point_3& p) { return p.z(); }));
   // wrong: edge_marker_map must be a property map
   CGAL::npbs_relax(cdt, P::edge_marker_map(CGAL::Face_region_map_2<CDT>()));
+  // wrong: protect_constraints must be a bool or a property map
+  CGAL::npbs_relax(cdt, P::protect_constraints(std::set<CDT::Vertex_handle>()));
   // wrong: face_region_map must be a property map
   CGAL::npbs_relax(cdt, P::sizing_function(0.1).face_region_map(CGAL::Constraint_marker_map_2<CDT>()));
   // wrong: vertex_is_constrained_map must be a property map

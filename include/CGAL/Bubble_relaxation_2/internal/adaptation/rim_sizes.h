@@ -28,7 +28,7 @@ namespace CGAL::Bubble_relaxation_2::internal {
 /// the length of the shorter edge of the rim at each corner of a part, infinite where there is none
 inline std::vector<double> lengths_at_rim(const Domain_2& part)
 {
-  return lengths_at_corners(part, [](const Domain_edge_2& e) { return e.kind == Edge_kind::RIM; });
+  return lengths_at_corners(part, Edge_kind::RIM);
 }
 
 /// those that the rim of a part has, sorted

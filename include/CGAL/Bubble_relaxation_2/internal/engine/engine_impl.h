@@ -20,6 +20,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/sizes/Outline_sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/treatment/treat_defects.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -40,7 +41,11 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 no_finer_than_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth)
 {
-  return raise_beside_edges(domain, given, wanted, growth);
+  // A part is to go on beyond its rim. What the user protects may be far too long, and he still wants his sizes: by this
+  // they follow as fast as angles beside it stay above 30 degrees.
+  constexpr double steep = 0.7;
+  return raise_beside_edges(domain, given, raise_beside_edges(domain, given, wanted, Edge_kind::RIM, growth),
+                            Edge_kind::PROTECTED, (std::max)(growth, steep));
 }
 
 /// A given mesh is far finer than sizes ask for, and none of its vertices may go: then the ratios of sizes count, and all of

@@ -77,26 +77,25 @@ inline std::vector<Size_source_2> sizes_of_pieces(const Domain_2& domain,
   return result;
 }
 
-/// At each corner the length of the shortest edge there for which `is_counted(edge)` holds, infinite where there is none.
-template <class Is_counted>
-std::vector<double> lengths_at_corners(const Domain_2& domain, const Is_counted& is_counted)
+/// at each corner the length of the shortest edge of a kind, infinite where there is none
+inline std::vector<double> lengths_at_corners(const Domain_2& domain, Edge_kind kind)
 {
   std::vector<double> length(domain.corners().size(), std::numeric_limits<double>::infinity());
   for (std::size_t e = 0; e < domain.edges().size(); ++e)
-    if (const Domain_edge_2& edge = domain.edges()[e]; is_counted(edge))
+    if (const Domain_edge_2& edge = domain.edges()[e]; edge.kind == kind)
       for (Index end : {edge.source, edge.target})
         length[end] = (std::min)(length[end], domain.length(static_cast<Index>(e)));
   return length;
 }
 
-/// The wanted sizes, and larger ones beside edges that take no bubbles and are far longer: from there they shrink by no
-/// more than `growth` per unit of length, else triangles at these edges would be needles. Silent corners do not count.
+/// The wanted sizes, and larger ones beside edges of a kind that takes no bubbles and that are far longer: from there they
+/// shrink by no more than `growth` per unit of length, else triangles at these edges would be needles. Silent corners
+/// do not count.
 inline Sizes_2 raise_beside_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
-                                  double growth)
+                                  Edge_kind kind, double growth)
 {
   constexpr double tolerated = 1.25; // edges that are longer make needles
-  const std::vector<double> length =
-    lengths_at_corners(domain, [](const Domain_edge_2& e) { return !e.takes_bubbles(); });
+  const std::vector<double> length = lengths_at_corners(domain, kind);
   std::vector<Size_source_2> sources;
   double longest = 0;
   for (std::size_t c = 0; c < length.size(); ++c) {
