@@ -136,6 +136,27 @@ TEST(Domain_reading, a_fine_circle_keeps_its_corners)
   }
 }
 
+/// where coordinates are so large that each vertex of an arc lies between its neighbours up to roundings: bends are found
+/// in a time that is nearly linear, else this takes half a minute
+TEST(Domain_reading, a_finely_sampled_arc_keeps_its_bends)
+{
+  const double x = 500000, y = 5.4e6, radius = 50, step = 0.001;
+  const int n = 40000;
+  domains::Outline arc{{x, y + radius}};
+  for (int i = 0; i <= n; ++i)
+    arc.push_back({x + radius * std::sin(i * step / radius), y + radius * (1 - std::cos(i * step / radius))});
+  CDT cdt = domains::make({arc});
+  const auto reading = read(cdt);
+  const std::size_t corners = reading->domain.corners().size();
+  EXPECT_GT(corners, 100u);
+  EXPECT_LT(corners, 30000u); // many are mere splits
+  for (std::size_t e = 0; e < corners; ++e)
+    if (const double length = reading->domain.length(static_cast<Index>(e)); length < 0.9 * radius) {
+      const double sagitta = length * length / (8 * radius);
+      EXPECT_LT(sagitta, 10 * y * std::numeric_limits<double>::epsilon());
+    }
+}
+
 TEST(Domain_reading, a_crossing_of_constraints_is_a_corner)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1)});

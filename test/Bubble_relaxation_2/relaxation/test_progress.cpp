@@ -404,6 +404,25 @@ TEST(Progress_of_adaptation, a_search_for_misfits_may_be_stopped)
   }
 }
 
+/// counts how often d is asked for between two calls of the callback; it takes a millisecond each time
+TEST(Progress_of_adaptation, callbacks_do_not_wait_for_many_slow_sizes)
+{
+  std::size_t asked = 0, most = 0;
+  const auto callback = [&](double) {
+    most = (std::max)(most, asked);
+    asked = 0;
+    return true;
+  };
+  const auto d = [&](const Point& p) {
+    ++asked;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return p.x() < 0 ? 0.2 : 0.1;
+  };
+  CDT cdt = domains::mesh({domains::polygon(0, 0, 1, 20)}, 0.2);
+  CGAL::npbs_misfit_faces(cdt, P::sizing_function(d).callback(callback));
+  EXPECT_LT(most, 40u);
+}
+
 TEST(Progress_of_adaptation, may_be_stopped_while_a_domain_without_marks_is_found)
 {
   using Plain = CGAL::Constrained_Delaunay_triangulation_2<domains::K>;

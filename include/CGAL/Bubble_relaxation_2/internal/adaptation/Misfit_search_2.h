@@ -61,16 +61,18 @@ public:
   std::vector<Face_handle> operator()(const Face_range& faces)
   {
     for (Face_handle f : faces) {
-      tick(); // asking for a size may take long
+      tick();
       if (m_is_in_domain(f) && is_misfit(f) && !is_forced(f))
         m_part.add(f);
     }
-    for (std::size_t k = 0; k < m_part.faces().size(); ++k)
+    for (std::size_t k = 0; k < m_part.faces().size(); ++k) {
+      tick(k);
       for (int i = 0; i < 3; ++i) {
         const Face_handle n = m_part.faces()[k]->neighbor(i);
         if (is_other(n) && is_slight_misfit(n))
           m_part.add(n);
       }
+    }
     m_part.add_rings(m_criteria.number_of_rings);
     return m_part.faces();
   }

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_READING_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_ADAPTATION_PART_READING_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/reading/read_input.h>
 
@@ -52,12 +53,14 @@ private:
     for (const Constrained_edge_2& e : m_edges)
       for (Index v : {e.source, e.target})
         ++degree[v];
-    for (std::size_t v = 0; v < degree.size(); ++v)
+    for (std::size_t v = 0; v < degree.size(); ++v) {
+      tick(v);
       if (degree[v] == 2 && !m_is_given[v]) {
         std::size_t all = 0;
         cdt.incident_constraints(vertex(static_cast<Index>(v)), CGAL::Counting_output_iterator(&all));
         m_is_given[v] = all != 2;
       }
+    }
   }
 
   /// Only vertices that were not given as points of a constraint, on pieces that belong to one constraint only, may

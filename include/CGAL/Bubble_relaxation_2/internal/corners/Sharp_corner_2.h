@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_SHARP_CORNER_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_CORNERS_SHARP_CORNER_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
@@ -153,6 +154,7 @@ inline std::vector<Sharp_corner_2> sharp_corners(const Domain_2& domain, double 
 {
   std::vector<std::vector<Sharp_corner_2::Arm>> arms(domain.corners().size());
   for (std::size_t k = 0; k < domain.edges().size(); ++k) {
+    tick(k);
     const Index e = static_cast<Index>(k);
     const Domain_edge_2& edge = domain.edges()[k];
     const Kernel::Vector_2 u = domain.target(e) - domain.source(e);
@@ -161,6 +163,7 @@ inline std::vector<Sharp_corner_2> sharp_corners(const Domain_2& domain, double 
   }
   std::vector<Sharp_corner_2> result;
   for (std::size_t c = 0; c < arms.size(); ++c) {
+    tick(c);
     Sharp_corner_2 corner(static_cast<Index>(c), std::move(arms[c]), domain, growth);
     if (corner.is_sharp())
       result.push_back(std::move(corner));

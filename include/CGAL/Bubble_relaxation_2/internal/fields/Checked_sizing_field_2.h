@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_CHECKED_SIZING_FIELD_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_CHECKED_SIZING_FIELD_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Flat_triangulation_2.h>
@@ -59,10 +60,12 @@ public:
 private:
   double value([[maybe_unused]] double x, [[maybe_unused]] double y) const
   {
-    if constexpr (is_function)
+    if constexpr (is_function) {
+      tick(); // it may take long
       return CGAL::to_double(std::as_const(m_f)(User_point(x, y)));
-    else
+    } else {
       return m_number;
+    }
   }
 
   Held m_f;

@@ -49,6 +49,7 @@ public:
     copy_to_arrays();
     Index edge_index = 0;
     for (const auto& e : m_edges) {
+      tick(static_cast<std::size_t>(edge_index));
       const Marking_error edge_error = enter_edge(e, edge_index++);
       if (edge_error != Marking_error::NONE)
         return edge_error;
@@ -72,8 +73,10 @@ private:
       tick(m_handles.size());
     }
     try {
-      for (const auto& e : m_edges)
-        m_cdt.insert_constraint(m_handles[e.source], m_handles[e.target]);
+      for (std::size_t k = 0; k < m_edges.size(); ++k) {
+        tick(k);
+        m_cdt.insert_constraint(m_handles[m_edges[k].source], m_handles[m_edges[k].target]);
+      }
     } catch (const Cdt::Intersection_of_constraints_exception&) {
       return Marking_error::EDGES_CROSS;
     }

@@ -9,9 +9,12 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_READING_CONSTRAINT_GRAPH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 
 #include <algorithm>
 #include <array>
@@ -60,10 +63,12 @@ public:
   {
     number_nodes(points);
     add_edges();
-    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      tick(v);
       m_is_corner.push_back(is_fixed[m_vertices[v]] || !only_splits(v));
-    while (!find_chains())
-      ;
+    }
+    find_bends();
+    find_chains();
     for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (m_is_corner[v])
         m_corners.push_back(m_vertices[v]);
@@ -101,13 +106,13 @@ private:
   /// enters the edges at their ends; there they are in the order of the other ends, since they are sorted here
   void add_edges()
   {
-    std::sort(m_constraints.begin(), m_constraints.end(),
-              [](const Constrained_edge_2& e, const Constrained_edge_2& f) {
-                return e.source != f.source ? e.source < f.source : e.target < f.target;
-              });
-    m_edges.resize(m_vertices.size());
-    m_degrees.resize(m_vertices.size());
-    for (std::size_t k = 0; k < m_constraints.size(); ++k)
+    parallel_sort(Threads(), m_constraints, [](const Constrained_edge_2& e, const Constrained_edge_2& f) {
+      return e.source != f.source ? e.source < f.source : e.target < f.target;
+    });
+    resize_in_turn(m_edges, m_vertices.size());
+    resize_in_turn(m_degrees, m_vertices.size());
+    for (std::size_t k = 0; k < m_constraints.size(); ++k) {
+      tick(k);
       for (Index end : {m_constraints[k].source, m_constraints[k].target}) {
         const Index v = m_node[end];
         if (v == no_index)
@@ -116,6 +121,7 @@ private:
         if (m_constraints[k].is_in_domain())
           m_edges[v].push_back(static_cast<Index>(k));
       }
+    }
   }
 
   /// the other end of an edge at a node
@@ -161,30 +167,65 @@ private:
            off <= 1e-3 * (std::min)(length_of(ux, uy), length_of(vx, vy));
   }
 
-  /// follows the edges from corner to corner; returns false when a vertex had to become a corner
-  bool find_chains()
+  /// Makes corners where paths from corner to corner are not straight, and of one vertex of each cycle without a corner.
+  void find_bends()
   {
-    m_chains.clear();
+    std::vector<char> is_seen(m_vertices.size(), 0);
+    const auto look_from = [&](Index v) {
+      for (Index first : m_edges[v]) {
+        const std::vector<Index> path = follow(v, first);
+        for (Index u : path)
+          is_seen[u] = 1;
+        if (path.back() >= v) // else it is found from its other end
+          bend(path);
+      }
+    };
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      if (m_is_corner[v])
+        look_from(static_cast<Index>(v));
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      if (!is_seen[v]) {
+        m_is_corner[v] = 1;
+        look_from(static_cast<Index>(v));
+      }
+  }
+
+  /// makes corners of vertices of a path until all parts between two of them are straight
+  void bend(const std::vector<Index>& path)
+  {
+    std::vector<std::vector<Index>> parts{path};
+    while (!parts.empty()) {
+      tick();
+      std::vector<Index> part = std::move(parts.back());
+      parts.pop_back();
+      if (part.back() < part.front()) // whence it is looked at must not depend on what it is a part of
+        std::reverse(part.begin(), part.end());
+      const std::size_t k = farthest_off(part);
+      if (k == 0)
+        continue;
+      m_is_corner[part[k]] = 1;
+      const auto middle = part.begin() + static_cast<std::ptrdiff_t>(k);
+      parts.emplace_back(part.begin(), middle + 1);
+      parts.emplace_back(middle, part.end());
+    }
+  }
+
+  /// follows the edges from corner to corner
+  void find_chains()
+  {
     std::vector<Index> corner_number(m_vertices.size(), no_index);
     Index n = 0;
     for (std::size_t v = 0; v < m_vertices.size(); ++v)
       if (m_is_corner[v])
         corner_number[v] = n++;
-    std::vector<char> seen(m_vertices.size(), 0);
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      tick(v);
       if (!m_is_corner[v])
         continue;
       for (Index first : m_edges[v]) {
         const std::vector<Index> path = follow(static_cast<Index>(v), first);
-        for (std::size_t k = 1; k + 1 < path.size(); ++k)
-          seen[path[k]] = 1;
         if (path.back() < static_cast<Index>(v))
           continue; // found from its other end
-        const Index bend = farthest_off(path);
-        if (bend != no_index) {
-          m_is_corner[bend] = 1;
-          return false;
-        }
         const std::array<bool, 2> inside = sides(first, static_cast<Index>(v));
         Chain chain{corner_number[v], corner_number[path.back()], inside[0], inside[1], {},
                     m_constraints[first].kind};
@@ -193,12 +234,6 @@ private:
         m_chains.push_back(std::move(chain));
       }
     }
-    for (std::size_t v = 0; v < m_vertices.size(); ++v)
-      if (!m_is_corner[v] && !seen[v]) { // a cycle without a corner
-        m_is_corner[v] = 1;
-        return false;
-      }
-    return true;
   }
 
   std::vector<Index> follow(Index v, Index first) const
@@ -211,11 +246,12 @@ private:
     return path;
   }
 
-  /// a vertex of the path that is not on the segment between its ends, although each piece is straight
-  Index farthest_off(const std::vector<Index>& path) const
+  /// the place in a path of a vertex that is not on the segment between its ends, although each piece is straight; 0 if
+  /// all are
+  std::size_t farthest_off(const std::vector<Index>& path) const
   {
     const Point &a = m_points[path.front()], &b = m_points[path.back()];
-    Index worst = no_index;
+    std::size_t worst = 0;
     double largest = 0;
     for (std::size_t k = 1; k + 1 < path.size(); ++k) {
       const Point& p = m_points[path[k]];
@@ -223,8 +259,8 @@ private:
         continue;
       const double off =
         std::abs((p.x() - a.x()) * (b.y() - a.y()) - (p.y() - a.y()) * (b.x() - a.x()));
-      if (worst == no_index || off > largest) {
-        worst = path[k];
+      if (worst == 0 || off > largest) {
+        worst = k;
         largest = off;
       }
     }

@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_SIZES_OUTLINE_SIZES_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Problem_2.h>
@@ -219,16 +220,16 @@ private:
     Marked_triangulation_2 mesh;
     if (mark_triangulation(points_of(nodes), cut_edges(m_domain, nodes), mesh) != Marking_error::NONE)
       return; // rounded across each other: there is nothing to measure
-    for (std::size_t t = 0; t < mesh.inside.size(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        if (!mesh.inside[t])
-          continue;
+    for (std::size_t t = 0; t < mesh.inside.size(); ++t) {
+      tick(t);
+      for (int i = 0; i < 3 && mesh.inside[t]; ++i) {
         const auto& v = mesh.vertices[t];
         if (mesh.edges[t][i] == no_index)
           add_distance(nodes, v[ccw(i)], v[cw(i)]);
         else if (!is_in_corner(nodes, v[i], v[ccw(i)], v[cw(i)]))
           add_width(nodes, mesh, static_cast<Index>(t), i);
       }
+    }
   }
 
   Bubbles_2 nodes_on_constraints() const
@@ -238,8 +239,10 @@ private:
       nodes.add(m_domain.corners()[c], extent(m_domain), Bubbles_2::CORNER, static_cast<Index>(c));
     for (const Point& p : m_given.pinned)
       nodes.add(p, extent(m_domain), Bubbles_2::CORNER, no_index);
-    for (std::size_t e = 0; e < m_domain.edges().size(); ++e)
+    for (std::size_t e = 0; e < m_domain.edges().size(); ++e) {
+      tick(e);
       place_on_edge(m_domain, static_cast<Index>(e), m_limited.sizes(), nodes);
+    }
     remove_coincident(m_domain, nodes);
     sort_in_space(m_domain, nodes); // else the triangulation takes the square of the nodes of a long edge
     return nodes;
