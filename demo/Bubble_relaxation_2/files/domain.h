@@ -156,6 +156,20 @@ inline std::string open_end_in_words(const CDT& cdt)
   return "";
 }
 
+/// the face that a point of a hole or a region lies in
+/// \throws std::runtime_error if it lies on a segment
+inline CDT::Face_handle face_around(const CDT& cdt, const std::string& what, const Point& p)
+{
+  CDT::Locate_type place;
+  int side = 0;
+  const CDT::Face_handle f = cdt.locate(p, place, side);
+  if ((place == CDT::VERTEX && cdt.are_there_incident_constraints(f->vertex(side))) ||
+      (place == CDT::EDGE && f->is_constrained(side)))
+    throw std::runtime_error("the " + what + " " + to_string(p) +
+                             " lies on a segment and does not tell which side is meant");
+  return f;
+}
+
 /// Marks the faces that are reached neither from outside nor from holes.
 inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
 {
@@ -168,11 +182,7 @@ inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
   flood(domain.cdt.infinite_face(), mark_in(is_outside));
   std::vector<Point> useless;
   for (const Point& hole : holes) {
-    CDT::Locate_type place;
-    int side = 0;
-    const CDT::Face_handle f = domain.cdt.locate(hole, place, side);
-    if (place == CDT::VERTEX || (place == CDT::EDGE && f->is_constrained(side)))
-      throw std::runtime_error("the hole " + to_string(hole) + " lies on a segment and does not tell which side is meant");
+    const CDT::Face_handle f = face_around(domain.cdt, "hole", hole);
     if (is_outside[f])
       useless.push_back(hole);
     flood(f, mark_in(is_hole));
@@ -191,6 +201,51 @@ inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
     throw std::runtime_error(
       "no face lies in the domain: the segments close no region, or all regions are holes" +
       open_end_in_words(domain.cdt));
+}
+
+/// Warns of the points of regions that lie outside of the domain, and of those that no segment parts from a later one.
+inline void warn_of_useless_regions(Domain& domain, const std::vector<Point>& outside,
+                                    const std::vector<std::pair<Point, Point>>& same)
+{
+  if (outside.size() == 1)
+    domain.warnings.push_back("the region " + to_string(outside[0]) + " lies outside of the domain and is none");
+  else if (!outside.empty())
+    domain.warnings.push_back(std::to_string(outside.size()) +
+                              " regions lie outside of the domain and are none, such as " + to_string(outside[0]));
+  if (!same.empty())
+    domain.warnings.push_back(std::to_string(same.size()) +
+                              (same.size() == 1 ? " region is none: no segment parts it from a later one"
+                                                : " regions are none: no segments part them from later ones") +
+                              "; the last counts, such as " + to_string(same[0].second) + " after " +
+                              to_string(same[0].first));
+}
+
+/// Keeps the regions that have faces of the domain, the last one where no segment parts several, and warns of others.
+/// \throws std::runtime_error if the point of one lies on a segment
+inline void keep_regions_with_faces(Domain& domain)
+{
+  if (domain.cdt.dimension() < 2)
+    return;
+  std::vector<Region> regions;
+  std::vector<Point> outside;
+  std::vector<std::pair<Point, Point>> same; // one that does not count, and that which does
+  constexpr std::size_t none = 0;
+  CGAL::Unique_hash_map<CDT::Face_handle, std::size_t> number(none); // of a face's region, from one
+  for (auto region = domain.regions.rbegin(); region != domain.regions.rend(); ++region) {
+    const CDT::Face_handle f = face_around(domain.cdt, "region", region->point);
+    if (!f->is_in_domain()) {
+      outside.push_back(region->point);
+    } else if (number[f] == none) {
+      regions.push_back(*region);
+      flood(f, [&](CDT::Face_handle g) { return std::exchange(number[g], regions.size()) == none; });
+    } else {
+      const Region& other = regions[number[f] - 1];
+      if (region->attribute != other.attribute || region->area != other.area)
+        same.emplace_back(region->point, other.point);
+    }
+  }
+  domain.regions = std::move(regions);
+  warn_of_useless_regions(domain, outside, same);
 }
 
 /// the marker of a constrained edge of `domain.cdt`

@@ -274,6 +274,7 @@ inline Domain read_poly(std::istream& in, const std::string& name)
   }
   read_regions(reader, domain);
   mark_all_but_holes(domain, holes);
+  keep_regions_with_faces(domain);
   pin_lonely_points(domain);
   return domain;
 }
