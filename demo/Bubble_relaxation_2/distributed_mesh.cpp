@@ -125,7 +125,7 @@ int run(const Mpi_session& session, int argc, char** argv)
     tags->set_raster(raster);
     if (formula)
       formula->set_raster(raster);
-    prepare(*domain, arguments, formula, session.is_first());
+    prepare(*domain, arguments, formula, *tags, session.is_first());
     regions = region_attributes(*domain);
     size = limited_size(*domain, arguments, wanted_size(*domain, arguments, formula));
   });

@@ -12,6 +12,7 @@
 #include "files/domain.h"
 #include "files/simplify_domain.h"
 #include "marker_list.h"
+#include "output_options.h"
 #include "size_formula.h"
 
 #include <CGAL/Bubble_relaxation_parameters.h>
@@ -261,15 +262,19 @@ inline void simplify(Domain& domain, const po::variables_map& arguments, const s
     write_simplification(arguments["simplification-report"].as<std::string>(), report);
 }
 
-/// Makes what is meshed of what was read: by --tolerance and --largest-part.
+/// Makes what is meshed of what was read: by --tolerance and --largest-part. Checks what the mesh's files need of the
+/// boundary, before and after it.
 /// \throws std::runtime_error with the name of the input
 inline void prepare(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
-                    bool tells = true)
+                    const Output_tags& tags, bool tells = true)
 try {
+  tags.check_open(domain);
   if (arguments.count("tolerance") > 0)
     simplify(domain, arguments, formula, tells);
   if (arguments.count("largest-part") > 0)
     keep_largest_part(domain);
+  tags.check_open(domain, " any more: --min-gap, --min-island, --tolerance or --largest-part took all of them");
+  tags.check_depth(domain);
 } catch (const std::exception& e) {
   throw std::runtime_error(input_name(arguments) + ": " + in_words_of_options(e.what()));
 }

@@ -243,7 +243,7 @@ try {
   tags.set_raster(raster);
   if (formula)
     formula->set_raster(raster);
-  prepare(domain, arguments, formula);
+  prepare(domain, arguments, formula, tags);
   warn_of_domain();
   const Region_map regions = region_attributes(domain);
   std::signal(SIGINT, [](int) { is_interrupted = 1; });

@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_DEMO_OUTPUT_OPTIONS_H
 
 #include "files/domain.h"
+#include "files/domain_boundary.h"
 #include "files/mesh_file.h"
 #include "formula.h"
 #include "marker_list.h"
@@ -90,6 +91,33 @@ public:
         throw std::runtime_error("--name: no region has the attribute of '" + name.second + "'");
   }
 
+  /// \param reason why there may be none, for the message
+  /// \throws std::runtime_error if a marker of --open is on no segment of the boundary
+  void check_open(const Domain& domain, const std::string& reason = "") const
+  {
+    if (m_open.empty())
+      return;
+    std::set<int> missing = m_open;
+    for (const auto& ends : boundary_segments(domain)) {
+      const int marker = segment_marker(domain, ends.first, ends.second);
+      missing.erase(marker != 0 ? marker : 1); // as the boundary of a mesh is marked
+    }
+    if (!missing.empty())
+      throw std::runtime_error("--open: no segment of the boundary has the marker " + std::to_string(*missing.begin()) +
+                               reason);
+  }
+
+  /// \throws std::runtime_error if a depth on the outline is not finite; elsewhere only the mesh tells
+  void check_depth(const Domain& domain) const
+  {
+    if (!m_depth)
+      return;
+    for (const auto& ends : boundary_segments(domain)) {
+      depth(ends.first);
+      depth(ends.second);
+    }
+  }
+
   /// \throws std::runtime_error if a raster is needed and there is none
   void set_raster(const Raster_values& raster)
   {
@@ -107,14 +135,19 @@ public:
     if (!m_depth)
       return;
     std::vector<double>& depths = mesh.vertex_data["depth"];
-    for (const Point& p : mesh.points) {
-      depths.push_back((*m_depth)(p.x(), p.y()));
-      if (!std::isfinite(depths.back()))
-        throw std::runtime_error("--depth: at " + to_string(p) + " it must be finite");
-    }
+    for (const Point& p : mesh.points)
+      depths.push_back(depth(p));
   }
 
 private:
+  double depth(const Point& p) const
+  {
+    const double result = (*m_depth)(p.x(), p.y());
+    if (!std::isfinite(result))
+      throw std::runtime_error("--depth: at " + to_string(p) + " it must be finite");
+    return result;
+  }
+
   void read_name(const std::string& text)
   {
     const std::string region = "region:";
