@@ -56,11 +56,13 @@ public:
     if (arguments.count("name") > 0)
       for (const std::string& text : arguments["name"].as<std::vector<std::string>>())
         read_name(text);
+    const bool is_of_ocean = arguments.count("output") > 0 && is_of_adcirc(arguments["output"].as<std::string>());
     if (arguments.count("open") > 0) {
-      if (arguments.count("output") == 0 || !is_of_adcirc(arguments["output"].as<std::string>()))
+      if (!is_of_ocean)
         throw std::runtime_error("--open needs --output with the ending .14, .grd or .gr3");
       m_open = markers("--open", arguments["open"].as<std::string>());
     }
+    m_lacks_depth = is_of_ocean && arguments.count("depth") == 0;
     if (arguments.count("depth") > 0)
       m_depth.emplace("--depth", arguments["depth"].as<std::string>());
     if (m_depth && m_depth->uses("distance"))
@@ -69,8 +71,9 @@ public:
       throw std::runtime_error("--depth: a node may lie in several regions; a formula in x and y is needed");
   }
 
+  /// Warns, in the domain, of a depth that nobody gave.
   /// \throws std::runtime_error if a marker or a region that is named is not in the domain
-  void check(const Domain& domain) const
+  void check(Domain& domain) const
   {
     std::set<int> markers{1}; // of what has none on the boundary
     for (const auto& s : domain.segment_markers)
@@ -89,6 +92,8 @@ public:
     for (const auto& name : m_region_names)
       if (regions.count(name.first) == 0)
         throw std::runtime_error("--name: no region has the attribute of '" + name.second + "'");
+    if (m_lacks_depth)
+      domain.warnings.push_back("without --depth the depth of all nodes is 0 in the output");
   }
 
   /// \param reason why there may be none, for the message
@@ -163,6 +168,7 @@ private:
   std::map<int, std::string> m_marker_names;
   std::map<double, std::string> m_region_names;
   std::set<int> m_open;
+  bool m_lacks_depth = false; // although the format of the output has one
   std::optional<Formula> m_depth;
 };
 
