@@ -39,6 +39,7 @@
 #include <unistd.h>
 
 volatile std::sig_atomic_t is_interrupted = 0;
+constexpr int interrupted_exit = 128 + SIGINT; // as shells have it
 
 /// A bar on a terminal, nothing elsewhere. Its line ends with its life, however far it is: what is printed
 /// next, an error too, starts on a line of its own.
@@ -250,16 +251,19 @@ try {
   const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula),
                                  [](double) { return is_interrupted == 0; });
   const Report report = mesh(domain, regions, arguments, size);
-  if (report.number_of_vertices == 0)
-    throw std::runtime_error("interrupted before there were bubbles, nothing is written");
-
+  if (report.number_of_vertices == 0) {
+    std::cerr << "npbs_mesh: interrupted before there were bubbles, nothing is written\n";
+    return interrupted_exit;
+  }
   if (arguments.count("quiet") == 0)
     print_statistics(report);
-  if (report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK)
+  const bool is_stopped = report.stop_reason == CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
+  if (is_stopped)
     std::cerr << "npbs_mesh: interrupted, the mesh is as the bubbles were\n";
   hint_at_outline("npbs_mesh", arguments, report);
   warn_of_mesh(domain, report, arguments, size, warn);
   write_files(domain, regions, report, arguments, size, tags);
+  return is_stopped ? interrupted_exit : 0;
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';
   return 1;
