@@ -11,6 +11,7 @@
 
 #include "domain.h"
 #include "file_names.h"
+#include "in_quotes.h"
 
 #include <algorithm>
 #include <array>
@@ -53,8 +54,8 @@ public:
       for (std::string token; tokens >> token;) {
         char* end;
         numbers.push_back(std::strtod(token.c_str(), &end));
-        if (*end != '\0' || !std::isfinite(numbers.back()))
-          fail("'" + token + "' is not a finite number");
+        if (end != token.c_str() + token.size() || !std::isfinite(numbers.back())) // a token may have zeros in it
+          fail(in_quotes(token) + " is not a finite number");
       }
     }
     return numbers;

@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_DEMO_WKT_FILE_H
 
 #include "domain.h"
+#include "in_quotes.h"
 
 #include <algorithm>
 #include <cctype>
@@ -71,7 +72,7 @@ private:
     else if (whole.empty())
       fail("a geometry is missing" + what_is_there());
     else
-      fail("'" + whole + "' is not WKT of points, lines and polygons");
+      fail(in_quotes(whole) + " is not WKT of points, lines and polygons");
   }
 
   /// calls `read` for what stands between parentheses with commas between, unless it is EMPTY
@@ -169,7 +170,7 @@ private:
   {
     if (m_at >= m_text.size())
       return " at the end of the file";
-    return " before '" + m_text.substr(m_at, m_text.find_first_of(" ,)\r\n", m_at + 1) - m_at) + "'";
+    return " before " + in_quotes(m_text.substr(m_at, m_text.find_first_of(" ,)\r\n", m_at + 1) - m_at));
   }
 
   /// letters, in upper case
