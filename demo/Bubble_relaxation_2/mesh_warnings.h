@@ -68,8 +68,19 @@ inline void print_statistics(const Report& report)
   row("seconds") << report.seconds.total() << '\n';
 }
 
+/// what makes an outline force fewer vertices
+inline std::string advice_on_outline(const po::variables_map& arguments)
+{
+  constexpr double usual = 0.1; // leaves pieces about as long as d; a smaller one needs short pieces where it bends
+  if (arguments.count("tolerance") == 0)
+    return "--tolerance 0.1 replaces it, but for pins, by one with longer pieces";
+  const std::string longer = "a larger --tolerance, such as 0.1, makes pieces longer where it bends, ";
+  return (arguments["tolerance"].as<double>() < usual ? longer : "") +
+         "larger --min-island and --min-gap take islands and narrows away, if there are any";
+}
+
 /// what to say if most of the vertices are there for the outline, and what can be done
-inline std::string forced_by_outline_message(const Report& report, bool is_simplified, bool may_grow_faster)
+inline std::string forced_by_outline_message(const Report& report, const po::variables_map& arguments)
 {
   std::ostringstream text;
   text << "--size alone asks for about " << report.number_of_wanted_vertices << " vertices, the outline forces "
@@ -78,10 +89,9 @@ inline std::string forced_by_outline_message(const Report& report, bool is_simpl
   constexpr std::size_t most_places = 3;
   for (std::size_t k = 0; k < most_places && report.forced_places[k].number_of_vertices > 0; ++k)
     text << (k > 0 ? "," : "") << ' ' << in_words(Point(report.forced_places[k].x, report.forced_places[k].y));
-  text << "; "
-       << (is_simplified ? "larger --min-island and --min-gap take islands and narrows away"
-                         : "--tolerance 0.1 replaces it, but for pins, by one with longer pieces")
-       << (may_grow_faster ? ", a larger --size-growth makes fewer triangles, and worse ones" : "");
+  text << "; " << advice_on_outline(arguments);
+  if (arguments["size-growth"].as<double>() < 1)
+    text << ", a larger --size-growth makes fewer triangles, and worse ones";
   return text.str();
 }
 
@@ -89,9 +99,7 @@ inline std::string forced_by_outline_message(const Report& report, bool is_simpl
 inline void hint_at_outline(const std::string& program, const po::variables_map& arguments, const Report& report)
 {
   if (arguments.count("quiet") == 0 && arguments.count("size") > 0 && report.is_forced_by_outline())
-    std::cerr << program << ": hint: " << input_name(arguments) << ": "
-              << forced_by_outline_message(report, arguments.count("tolerance") > 0,
-                                           arguments["size-growth"].as<double>() < 1)
+    std::cerr << program << ": hint: " << input_name(arguments) << ": " << forced_by_outline_message(report, arguments)
               << '\n';
 }
 
