@@ -101,6 +101,22 @@ TEST(Misfits, outlines_are_known)
   }
 }
 
+/// nor are those that sizes grow through from there, as beside rounded corners
+TEST(Misfits, are_none_beside_rounded_corners)
+{
+  for (int n : {60, 120, 300}) { // pieces of each corner
+    domains::Outline plate;
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i <= n; ++i) {
+        const double angle = CGAL_PI / 2 * (k + double(i) / n);
+        plate.push_back({(k == 0 || k == 3 ? 9 : 1) + std::cos(angle), (k < 2 ? 9 : 1) + std::sin(angle)});
+      }
+    const auto d = [](const Point& p) { return 0.2 + 0.02 * p.x(); };
+    const CDT cdt = domains::mesh({plate}, d);
+    EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(d)).empty()) << n;
+  }
+}
+
 /// but they do not ask for large ones
 TEST(Misfits, are_large_faces_at_sharp_corners)
 {

@@ -48,11 +48,12 @@ public:
   using Face_handle = typename Cdt::Face_handle;
   using Vertex_handle = typename Cdt::Vertex_handle;
 
-  /// `forced`: places, with the sizes that are wanted there, whose triangles are what the outline forces them to be
-  Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Misfit_criteria& criteria,
-                  const Bubble_buckets_2& forced)
-    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_criteria(criteria), m_forced(forced),
-      m_smallest_sine(sine_of(criteria.misfit_angle * CGAL_PI / 180)), m_part(cdt, is_in_domain, {}),
+  /// `sizes`: what a mesh follows of those that are `wanted`; `forced`: places, with the sizes that are wanted there,
+  /// whose triangles are what the outline forces them to be
+  Misfit_search_2(const Cdt& cdt, const Is_inside& is_in_domain, const Sizes_2& sizes, const Sizes_2& wanted,
+                  const Misfit_criteria& criteria, const Bubble_buckets_2& forced)
+    : m_cdt(cdt), m_is_in_domain(is_in_domain), m_sizes(sizes), m_wanted(wanted), m_criteria(criteria),
+      m_forced(forced), m_smallest_sine(sine_of(criteria.misfit_angle * CGAL_PI / 180)), m_part(cdt, is_in_domain, {}),
       m_star_numbers(sizeof(typename Cdt::Vertex))
   {}
 
@@ -113,12 +114,14 @@ private:
 
   bool is_misfit(Face_handle f)
   {
-    constexpr double narrow = 0.84; // there one row of triangles may be too coarse, and two too fine
+    // Beside a constraint one row of triangles may be too coarse, and two too fine; and where sizes grow away from a
+    // fine outline rows end.
+    constexpr double narrow = 0.84;
     const auto is_misfit_by = [&](double shortest) {
       return is_misfit(f, m_criteria.misfit_quality, m_smallest_sine, m_criteria.longest_edge, shortest);
     };
     return is_misfit_by(m_criteria.shortest_edge) &&
-           (!is_at_constraint(f) || is_misfit_by(narrow * m_criteria.shortest_edge));
+           (!(is_at_constraint(f) || is_limited(f)) || is_misfit_by(narrow * m_criteria.shortest_edge));
   }
 
   bool is_slight_misfit(Face_handle f)
@@ -143,6 +146,14 @@ private:
   {
     return m_cdt.are_there_incident_constraints(f->vertex(0)) || m_cdt.are_there_incident_constraints(f->vertex(1)) ||
            m_cdt.are_there_incident_constraints(f->vertex(2));
+  }
+
+  /// whether the outline asks for smaller triangles than the user
+  bool is_limited(Face_handle f) const
+  {
+    constexpr double much = 0.9;
+    const Point center = measure(f).center;
+    return m_sizes(center) < much * m_wanted(center);
   }
 
   struct Measures
@@ -254,7 +265,7 @@ private:
 
   const Cdt& m_cdt;
   const Is_inside& m_is_in_domain;
-  const Sizes_2& m_sizes;
+  const Sizes_2 &m_sizes, &m_wanted;
   Misfit_criteria m_criteria;
   const Bubble_buckets_2& m_forced;
   double m_smallest_sine;

@@ -90,7 +90,8 @@ Faces_and_sizes<Cdt> find_misfits(const Cdt& cdt, const Is_inside& is_in_domain,
   const Sizes_2 wanted = *given_sizes<Place_2<Cdt>>(np);
   const auto search_by_outline = [&](const Part_growth_2<Cdt, Is_inside>* where) -> Faces_and_sizes<Cdt> {
     const Sizes_of_outline_2<Cdt, Is_inside> outline(cdt, is_in_domain, np, wanted, options, where);
-    Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), criteria, outline.forced_places());
+    Misfit_search_2<Cdt, Is_inside> search(cdt, is_in_domain, outline.sizes(), wanted, criteria,
+                                           outline.forced_places());
     return {search(faces), outline.sizes_of_parts()};
   };
   if constexpr (Is_given<NamedParameters, internal_np::faces_to_check_t>::value) {
