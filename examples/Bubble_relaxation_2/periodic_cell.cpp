@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-// A cell whose opposite sides have the same nodes, as periodic boundary conditions need: it is meshed once, its left and
-// lower sides are copied to the others, and it is meshed again with sides that stay as they are.
+// A cell whose opposite sides have the same nodes, as periodic boundary conditions need: it is meshed once, its left
+// and lower sides are copied to the others, and it is meshed again with sides that stay as they are.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

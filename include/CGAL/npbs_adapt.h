@@ -183,7 +183,8 @@ which this is the beginning; and
   \cgalParamNEnd
   \cgalParamNBegin{shortest_edge}
     \cgalParamDescription{the shortest mean edge of a face that fits, in units of the size; 0.84 times that if the face
-    has a vertex of a constraint: where the domain is narrow one row of triangles may be too coarse, and two too fine}
+    has a vertex of a constraint: where the domain is narrow one row of triangles may be too coarse, and two too fine;
+    and where the outline asks for smaller triangles than `sizing_function`: rows end where they grow}
     \cgalParamType{a number, not negative and less than 1}
     \cgalParamDefault{0.6}
   \cgalParamNEnd

@@ -13,8 +13,8 @@
 #include <cstddef>
 #include <string>
 
-/// What a file has where a number or a word should be, for messages. It may be any file: only the beginning, and question
-/// marks for what would change a terminal.
+/// What a file has where a number or a word should be, for messages. It may be any file: only the beginning, and
+/// question marks for what would change a terminal.
 inline std::string in_quotes(const std::string& text)
 {
   constexpr std::size_t longest = 40;
