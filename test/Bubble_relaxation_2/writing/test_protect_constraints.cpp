@@ -141,9 +141,9 @@ TEST(Protect_constraints, vertices_that_only_split_a_line_stay)
 TEST(Protect_constraints, sizes_are_larger_beside_long_ones)
 {
   for (double d : {0.2, 0.05, 0.02}) {
-    CDT cdt = domains::make({outer(12)});
+    CDT cdt = domains::make({outer(20)});
     CGAL::npbs_relax(cdt, np::sizing_function(d).protect_constraints(true));
-    EXPECT_GT(minimum_angle(cdt), 30) << d;
+    EXPECT_GT(minimum_angle(cdt), 34) << d;
     CDT::Face_handle in_center = cdt.locate(Point(0.01, 0.02));
     for (int i = 0; i < 3; ++i) // and go back to what is wanted
       EXPECT_LT(std::sqrt(cdt.segment(in_center, i).squared_length()), d < 0.1 ? 2 * d : 0.3) << d;

@@ -41,9 +41,9 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 no_finer_than_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth)
 {
-  // A part is to go on beyond its rim. What the user protects may be far too long, and he still wants his sizes: by this
-  // they follow as fast as angles beside it stay above 30 degrees.
-  constexpr double steep = 0.7;
+  // A part is to go on beyond its rim. What the user protects may be far too long, and he still wants his sizes, as soon
+  // as a mesh can have them.
+  constexpr double steep = Report::steep_size_gradient;
   return raise_beside_edges(domain, given, raise_beside_edges(domain, given, wanted, Edge_kind::RIM, growth),
                             Edge_kind::PROTECTED, (std::max)(growth, steep));
 }
