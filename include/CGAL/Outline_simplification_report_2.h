@@ -53,8 +53,8 @@ struct Outline_simplification_report_2
     bool is_new; ///< made by a rule
   };
 
-  std::size_t number_of_old_segments = 0; ///< of the outline as it was
-  std::size_t number_of_segments = 0;     ///< of the new outline
+  std::size_t number_of_old_segments = 0; ///< of the outline as it was, without constraints outside of the domain
+  std::size_t number_of_segments = 0;     ///< of the new outline, without these
   std::size_t number_of_corners = 0;      ///< vertices with two segments that were kept because they are sharp
 
   /// \name Fidelity

@@ -75,7 +75,7 @@ alone, a number or a function of points, which is `sizing_function`
   \cgalParamNBegin{sizing_function}
     \cgalParamDescription{the wanted length d of pieces, in the units of the coordinates; it is asked at vertices and
                           pieces of the outline, and, for the number of wanted vertices in the report, everywhere in
-                          the domain}
+                          the domain, but not on constraints outside of it, which stay}
     \cgalParamType{a model of `BubbleSizingField_2`, or a number that converts to the kernel's `FT`}
     \cgalParamDefault{ten times `outline_tolerance`; one of both must be given}
   \cgalParamNEnd

@@ -154,6 +154,7 @@ struct Outline_span_2
   bool inside_left = false, inside_right = false; ///< seen from the first vertex to the last
 
   std::size_t size() const { return segments.size(); }
+  bool is_in_domain() const { return inside_left || inside_right; }
 
   /// the place of a segment in `segments`; a ring goes on around from both ends
   std::size_t place(Index segment) const
@@ -177,6 +178,15 @@ struct Fitted_vertex_2
 };
 
 using Fitted_path_2 = std::vector<Fitted_vertex_2>;
+
+/// a span as it is
+inline Fitted_path_2 path_along(const Outline_2& outline, const Outline_span_2& span)
+{
+  Fitted_path_2 path;
+  for (std::size_t k = 0; k <= span.size(); ++k)
+    path.push_back({outline.points[span.vertices[k]], static_cast<Index>(k), span.vertices[k]});
+  return path;
+}
 
 inline double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 

@@ -55,9 +55,7 @@ public:
     }
     if (!is_possible) {
       put_back();
-      path.clear();
-      for (std::size_t k = 0; k <= m_span.size(); ++k)
-        path.push_back({m_outline.points[m_span.vertices[k]], static_cast<Index>(k), m_span.vertices[k]});
+      return path_along(m_outline, m_span);
     }
     return path;
   }

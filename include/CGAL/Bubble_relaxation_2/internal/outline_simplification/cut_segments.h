@@ -138,7 +138,7 @@ inline void check_number_of_pieces(double n)
 }
 
 /// Cuts segments in halves until d between their ends is what it is at these, which is about the same, and they are no
-/// longer than some hundred pieces.
+/// longer than some hundred pieces. Segments outside of the domain stay as they are.
 class Even_parts_2
 {
 public:
@@ -152,6 +152,8 @@ public:
   {
     const Outline_segment_2& s = m_outline.segments[e];
     std::vector<Point> cuts;
+    if (!s.is_in_domain())
+      return cuts;
     cut(m_outline.points[s.source], m_outline.points[s.target], m_size[s.source], m_size[s.target], 0, cuts);
     return cuts;
   }

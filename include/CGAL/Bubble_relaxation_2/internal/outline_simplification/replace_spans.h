@@ -46,15 +46,32 @@ inline double tolerance_at(const Point& p, double size, const Simplification_opt
                               in_words(p.x(), p.y()));
 }
 
-/// sizes and tolerances at the vertices
+/// of each vertex whether it is of segments outside of the domain only
+inline std::vector<char> are_outside(const Outline_2& outline)
+{
+  std::vector<char> result(outline.points.size(), 0);
+  for (const bool is_in_domain : {false, true})
+    for (const Outline_segment_2& s : outline.segments)
+      if (s.is_in_domain() == is_in_domain)
+        result[s.source] = result[s.target] = !is_in_domain;
+  return result;
+}
+
+/// Sizes and tolerances at the vertices. Outside of the domain, where d may be anything, the least ones do: what is
+/// there stays.
 inline Outline_demands_2 demands_of(const Outline_2& outline, const Sizes_2& sizes,
                                     const Simplification_options& options)
 {
-  Outline_demands_2 result;
-  for (const Point& p : outline.points) {
-    result.size.push_back(sizes(p));
-    result.tolerance.push_back(tolerance_at(p, result.size.back(), options));
-  }
+  constexpr double none = (std::numeric_limits<double>::infinity)();
+  const std::vector<char> is_outside = are_outside(outline);
+  Outline_demands_2 result{std::vector<double>(is_outside.size(), none), std::vector<double>(is_outside.size(), none)};
+  for (std::size_t v = 0; v < is_outside.size(); ++v)
+    if (!is_outside[v]) {
+      result.size[v] = sizes(outline.points[v]);
+      result.tolerance[v] = tolerance_at(outline.points[v], result.size[v], options);
+    }
+  for (std::vector<double>* demands : {&result.size, &result.tolerance})
+    std::replace(demands->begin(), demands->end(), none, *std::min_element(demands->begin(), demands->end()));
   return result;
 }
 
@@ -68,7 +85,7 @@ inline Outline_demands_2 with_caution(Outline_demands_2 demands, const Outline_2
   return demands;
 }
 
-/// the paths that take the places of the spans
+/// the paths that take the places of the spans; those outside of the domain stay
 /// \param obstacles points that no span may pass
 inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const std::vector<Outline_span_2>& spans,
                                                 const Outline_demands_2& demands, const std::vector<Point>& obstacles)
@@ -86,6 +103,10 @@ inline std::vector<Fitted_path_2> replace_spans(const Outline_2& outline, const 
   std::vector<Index> order = indices_below(spans.size()); // long ones first, since they have more to gain
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return spans[a].size() > spans[b].size(); });
   for (Index s : order) {
+    if (!spans[s].is_in_domain()) {
+      paths[s] = path_along(outline, spans[s]);
+      continue;
+    }
     Span_replacement_2 replacement(outline, spans[s], demands, ids[s], movable);
     paths[s] = replacement(Piece_fitting_2(outline, spans[s], demands));
     ids[s] = replacement.ids();

@@ -87,13 +87,21 @@ double area_of_domain(const Outline& outline, const Point& origin)
   return std::accumulate(terms.begin(), terms.end(), 0.);
 }
 
+/// what is outside of the domain stays and does not count
+inline std::size_t number_of_domain_segments(const std::vector<Outline_segment_2>& segments)
+{
+  return static_cast<std::size_t>(
+    std::count_if(segments.begin(), segments.end(), [](const Outline_segment_2& s) { return s.is_in_domain(); }));
+}
+
 /// the lengths of pieces in the report, and what they stand for
 inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplified_outline_2& result)
 {
   auto& report = result.report;
   const auto place = [](const Point& p) { return Outline_simplification_report_2::Place{p.x(), p.y()}; };
   std::size_t fitting = 0;
-  report.number_of_segments = result.segments.size();
+  report.number_of_old_segments = number_of_domain_segments(given.segments);
+  report.number_of_segments = number_of_domain_segments(result.segments);
   report.shortest_piece = (std::numeric_limits<double>::infinity)();
   for (const Outline_segment_2& s : result.segments) {
     const Point &a = result.points[s.source], &b = result.points[s.target];
@@ -101,6 +109,8 @@ inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplifi
     const Point &c = is_new ? a : given.points[given.segments[s.origin].source],
                 &d = is_new ? b : given.points[given.segments[s.origin].target];
     report.pieces.push_back({place(a), place(b), place(c), place(d), is_new});
+    if (!s.is_in_domain())
+      continue;
     const Point middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
     const double length = distance(a, b) / sizes(middle);
     fitting += length >= 0.6 && length <= 1.5;
@@ -109,7 +119,7 @@ inline void report_pieces(const Outline_2& given, const Sizes_2& sizes, Simplifi
       report.shortest_place = place(middle);
     }
   }
-  report.share_of_fitting_pieces = static_cast<double>(fitting) / static_cast<double>(result.segments.size());
+  report.share_of_fitting_pieces = static_cast<double>(fitting) / static_cast<double>(report.number_of_segments);
 }
 
 /// On which side of the boundary of the domain points are, as the parity of the boundary segments below each tells. A
@@ -151,15 +161,23 @@ inline void report_seeds(const Simplification_problem_2& problem, Simplified_out
       result.report.seeds.push_back({problem.seeds[k].x(), problem.seeds[k].y()});
 }
 
-/// the two-sided Hausdorff distance between the outline that was replaced and the new one, up to a relative error
+template <class Outline>
+One_sided_distance_2::Segments points_of_segments(const Outline& outline, bool all)
+{
+  One_sided_distance_2::Segments result;
+  for (const Outline_segment_2& s : outline.segments)
+    if (all || s.is_in_domain())
+      result.emplace_back(outline.points[s.source], outline.points[s.target]);
+  return result;
+}
+
+/// The two-sided Hausdorff distance between the outline that was replaced and the new one, up to a relative error.
+/// What is outside of the domain is in both, so none of it is far from the other one.
 inline double distance_between(const Outline_2& outline, const Simplified_outline_2& result, double size)
 {
-  One_sided_distance_2::Segments before, after;
-  for (const Outline_segment_2& s : outline.segments)
-    before.emplace_back(outline.points[s.source], outline.points[s.target]);
-  for (const Outline_segment_2& s : result.segments)
-    after.emplace_back(result.points[s.source], result.points[s.target]);
-  return One_sided_distance_2(before, size)(after, One_sided_distance_2(after, size)(before, 0)); // not less than it is
+  One_sided_distance_2 to_before(points_of_segments(outline, true), size),
+    to_after(points_of_segments(result, true), size);
+  return to_before(points_of_segments(result, false), to_after(points_of_segments(outline, false), 0));
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

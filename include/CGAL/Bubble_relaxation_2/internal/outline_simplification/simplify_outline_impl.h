@@ -71,8 +71,9 @@ inline void check_number_of_pieces(const Outline_2& outline, const Outline_deman
 {
   double n = static_cast<double>(outline.segments.size()) / Piece_fitting_2::parts_of_size;
   for (const Outline_segment_2& s : outline.segments)
-    n += distance(outline.points[s.source], outline.points[s.target]) /
-         (std::min)(demands.size[s.source], demands.size[s.target]);
+    if (s.is_in_domain())
+      n += distance(outline.points[s.source], outline.points[s.target]) /
+           (std::min)(demands.size[s.source], demands.size[s.target]);
   check_number_of_pieces(n);
 }
 
@@ -146,7 +147,6 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
   report.largest_share_of_tolerance = check.largest_share();
   report.hausdorff_distance =
     distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));
-  report.number_of_old_segments = problem.outline.segments.size();
   const Point& origin = problem.outline.points.front();
   report.old_area = area_of_domain(problem.outline, origin);
   report.area = area_of_domain(result, origin);
