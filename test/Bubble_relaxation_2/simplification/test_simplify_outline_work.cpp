@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace test_simplify_outline_work {
@@ -99,6 +100,24 @@ TEST(Simplify_outline_work, constraints_outside_of_the_domain_are_not_passed)
   const std::vector<Segment> after = validation::snapshot(cdt).constraints;
   for (const Segment& rod : rods)
     EXPECT_EQ(std::count(after.begin(), after.end(), rod), 1);
+}
+
+TEST(Simplify_outline_work, a_thousand_vertices_in_each_piece)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-1, 1);
+  for (double share : {0.1, 0.3, 0.6}) { // of the tolerance
+    Outline rough;
+    for (int k = 0; k < 12000; ++k) {
+      const double t = 2 * CGAL_PI * k / 12000, r = 1 + 0.06 * share * noise(random);
+      rough.emplace_back(r * std::cos(t), r * std::sin(t));
+    }
+    CDT cdt = make({rough});
+    const Report report = CGAL::simplify_outline_2(cdt, sizing_function(0.4).outline_tolerance(0.06));
+    EXPECT_LE(report.largest_share_of_tolerance, 1);
+    EXPECT_EQ(report.share_of_fitting_pieces, 1);
+    EXPECT_NEAR(static_cast<double>(report.number_of_segments), 2 * CGAL_PI / 0.4, 2);
+  }
 }
 
 } // namespace test_simplify_outline_work

@@ -32,6 +32,8 @@ class Piece_fitting_2
   // places are this far from each other, in units of d and of the span, where all vertices between are within this
   // share of the tolerance
   static constexpr double dense = 1. / 32, nearly_straight = 0.25;
+  // where it is rough, up to twice as many places are within d/2 of one as were if they were this far from each other
+  static constexpr std::size_t many = 16;
   // the pieces from a place take most of a kilobyte; from more places than these they are found again in each sweep
   static constexpr std::size_t most_places_with_pieces = 200000;
 
@@ -164,16 +166,31 @@ private:
   {
     const double reach = (std::min)(longest, dense * m_demands.size[m_span.vertices[k]]);
     std::size_t next = k + 1;
-    while (next < m_span.size() && distance(point(k), point(next + 1)) <= reach && is_nearly_straight(k, next + 1))
+    while (next < m_span.size() && distance(point(k), point(next + 1)) <= reach &&
+           is_straight(k, next + 1, nearly_straight))
       ++next;
+    return next > k + 1 ? next : next_of_many(k, longest);
+  }
+
+  /// The same where the span is rough, though within the tolerance: of many vertices every one in so many is a place, if
+  /// a piece can go there.
+  std::size_t next_of_many(std::size_t k, double longest) const
+  {
+    const double reach = (std::min)(longest, 0.5 * m_demands.size[m_span.vertices[k]]);
+    std::size_t end = k;
+    while (end < m_span.size() && distance(point(k), point(end + 1)) <= reach)
+      ++end;
+    std::size_t next = (std::max)(k + 1, k + (end - k) / many);
+    while (!is_straight(k, next, 1))
+      --next;
     return next;
   }
 
-  bool is_nearly_straight(std::size_t from, std::size_t to) const
+  /// up to a share of the tolerance
+  bool is_straight(std::size_t from, std::size_t to, double share) const
   {
     for (std::size_t m = from + 1; m < to; ++m)
-      if (!(distance_to_segment(point(m), point(from), point(to)) <=
-            nearly_straight * m_demands.tolerance[m_span.vertices[m]]))
+      if (!(distance_to_segment(point(m), point(from), point(to)) <= share * m_demands.tolerance[m_span.vertices[m]]))
         return false;
     return true;
   }
