@@ -39,14 +39,14 @@ public:
   /// Whether the segments `removed`, which are the path `from`, may be replaced by the path `to` with the same ends.
   bool is_free(const std::vector<Index>& removed, const Path& from, const Path& to) const
   {
-    Bbox_2 box;
-    for (const Path* path : {&from, &to})
-      for (const Point& p : *path)
-        box += p.bbox();
+    const Bbox_2 box = bbox_2(from.begin(), from.end()) + bbox_2(to.begin(), to.end());
+    // all of both but the last segments, which may be long: what they leave of an old one
+    const Bbox_2 head = bbox_2(from.begin(), from.end() - 1) + bbox_2(to.begin(), to.end() - 1);
+    const double reach = (std::max)(head.xmax() - head.xmin(), head.ymax() - head.ymin());
     bool is_free = is_simple(to);
     m_between = from;
     m_between.insert(m_between.end(), to.rbegin() + 1, to.rend() - 1);
-    m_grid.for_each_near(box, [&](Index id) {
+    m_grid.for_each_near(to.end()[-2], to.back(), reach, box, [&](Index id) {
       if (!is_free || std::find(removed.begin(), removed.end(), id) != removed.end())
         return;
       const Point &a = m_grid.source(id), &b = m_grid.target(id);

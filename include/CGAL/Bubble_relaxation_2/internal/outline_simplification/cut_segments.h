@@ -75,7 +75,7 @@ inline std::vector<std::vector<Stretch>> stretches_near_others(const Outline_2& 
     std::vector<Stretch> near;
     const Bbox_2 box = grid.box(static_cast<Index>(e));
     grid.for_each_near(
-      {box.xmin() - reach, box.ymin() - reach, box.xmax() + reach, box.ymax() + reach}, [&](Index other) {
+      a, b, reach, {box.xmin() - reach, box.ymin() - reach, box.xmax() + reach, box.ymax() + reach}, [&](Index other) {
         const Outline_segment_2& t = segments[other];
         if (other != static_cast<Index>(e) && !meet_bluntly(s, t))
           near.push_back(stretch_near(a, b, point(t.source), point(t.target), reach));

@@ -161,23 +161,39 @@ inline void report_seeds(const Simplification_problem_2& problem, Simplified_out
       result.report.seeds.push_back({problem.seeds[k].x(), problem.seeds[k].y()});
 }
 
-template <class Outline>
-One_sided_distance_2::Segments points_of_segments(const Outline& outline, bool all)
+/// adds a segment, in halves until they are no longer than `longest`
+inline void add_halves(const Point& a, const Point& b, double longest, One_sided_distance_2::Segments& halves)
 {
-  One_sided_distance_2::Segments result;
-  for (const Outline_segment_2& s : outline.segments)
-    if (all || s.is_in_domain())
-      result.emplace_back(outline.points[s.source], outline.points[s.target]);
-  return result;
+  if (distance(a, b) <= longest) {
+    halves.emplace_back(a, b);
+    return;
+  }
+  const Point middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
+  add_halves(a, middle, longest, halves);
+  add_halves(middle, b, longest, halves);
 }
 
 /// The two-sided Hausdorff distance between the outline that was replaced and the new one, up to a relative error.
 /// What is outside of the domain is in both, so none of it is far from the other one.
-inline double distance_between(const Outline_2& outline, const Simplified_outline_2& result, double size)
+inline double distance_between(const Outline_2& outline, const std::vector<double>& size_at_vertices,
+                               const Simplified_outline_2& result)
 {
-  One_sided_distance_2 to_before(points_of_segments(outline, true), size),
-    to_after(points_of_segments(result, true), size);
-  return to_before(points_of_segments(result, false), to_after(points_of_segments(outline, false), 0));
+  constexpr double longest = 4; // of what is looked at at once, in units of d: near to it are few pieces
+  One_sided_distance_2::Segments old, halves, pieces, all_pieces;
+  for (const Outline_segment_2& s : outline.segments) {
+    const Point &a = outline.points[s.source], &b = outline.points[s.target];
+    old.emplace_back(a, b);
+    if (s.is_in_domain())
+      add_halves(a, b, longest * (std::min)(size_at_vertices[s.source], size_at_vertices[s.target]), halves);
+  }
+  for (const Outline_segment_2& s : result.segments) {
+    all_pieces.emplace_back(result.points[s.source], result.points[s.target]);
+    if (s.is_in_domain())
+      pieces.push_back(all_pieces.back());
+  }
+  const double least_size = *std::min_element(size_at_vertices.begin(), size_at_vertices.end());
+  const double from_old = One_sided_distance_2(all_pieces, least_size)(halves, 0);
+  return One_sided_distance_2(old, least_size)(pieces, from_old); // not less than it is
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -145,8 +145,7 @@ Simplified_outline_2 simplify_outline(const Simplification_problem_2& problem)
     check(spans[s], paths[s]);
   Simplified_outline_2 result = assemble(outline, spans, paths);
   report.largest_share_of_tolerance = check.largest_share();
-  report.hausdorff_distance =
-    distance_between(outline, result, *std::min_element(demands.size.begin(), demands.size.end()));
+  report.hausdorff_distance = distance_between(outline, demands.size, result);
   const Point& origin = problem.outline.points.front();
   report.old_area = area_of_domain(problem.outline, origin);
   report.area = area_of_domain(result, origin);
