@@ -105,7 +105,8 @@ alone, a number or a function of points, which is `sizing_function`
                           constraint outside of the domain, or a constraint within it: such vertices may have more
                           edges, and so may those at which two parts of the domain meet that hold some, and such
                           parts stay, however small. Pinned vertices and constraints in the midst of the domain make
-                          it no narrower}
+                          it no narrower. Choose three times the tolerance or more, or ends of what is filled, which
+                          are about as wide as this, may become sharp corners}
     \cgalParamType{a number, not negative}
     \cgalParamDefault{0: nothing is filled}
   \cgalParamNEnd

@@ -30,6 +30,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -307,6 +308,67 @@ TEST(Simplify_outline_promises, constraints_outside_of_the_domain_stay)
                   1);
     EXPECT_LT(validation::domain_area(cdt), 90); // the pond is no part of it
   }
+}
+
+/// two basins with a narrow channel between them, whose banks have vertices `step` apart
+Outline basins_with_channel(double step)
+{
+  Outline o{{0, 0}, {10, 0}};
+  const int n = static_cast<int>(std::lround(10 / step));
+  for (int i = 0; i <= n; ++i)
+    o.push_back({10 + 10. * i / n, 5});
+  o.insert(o.end(), {{20, 0}, {30, 0}, {30, 10}, {20, 10}});
+  for (int i = n; i >= 0; --i)
+    o.push_back({10 + 10. * i / n, 5.08});
+  o.insert(o.end(), {{10, 10}, {0, 10}});
+  return o;
+}
+
+TEST(Simplify_outline_promises, a_channel_with_pinned_banks_is_not_filled)
+{
+  const double gap = 0.6;
+  for (const bool is_pinned : {true, false}) {
+    CDT cdt = make({basins_with_channel(gap / 3)});
+    Pins pins;
+    for (CDT::Vertex_handle v : cdt.finite_vertex_handles())
+      if (is_pinned && v->point().y() > 4 && v->point().y() < 6)
+        pins.insert(v);
+    const CGAL::Boolean_property_map<const Pins> map(pins);
+    const auto np = sizing_function(1.).minimum_gap(gap).vertex_is_constrained_map(map);
+    const Report report = CGAL::simplify_outline_2(cdt, np);
+    EXPECT_EQ(report.filled_gaps.empty(), is_pinned);
+  }
+}
+
+/// of two edges of the boundary, in degrees
+double least_corner(const CDT& cdt)
+{
+  std::map<Xy, std::vector<Xy>> next;
+  for (const Segment& s : validation::snapshot(cdt).constraints) {
+    next[s.first].push_back(s.second);
+    next[s.second].push_back(s.first);
+  }
+  double largest_cosine = -1;
+  for (const auto& [p, ends] : next) {
+    const Point v(p.first, p.second);
+    const auto a = Point(ends[0].first, ends[0].second) - v, b = Point(ends[1].first, ends[1].second) - v;
+    largest_cosine = (std::max)(largest_cosine, a * b / std::sqrt(a.squared_length() * b.squared_length()));
+  }
+  return std::acos(largest_cosine) * 180 / CGAL_PI;
+}
+
+TEST(Simplify_outline_promises, fills_have_no_sharp_ends_if_wider_than_three_tolerances)
+{
+  for (double degrees : {8., 15., 25.}) // an island with a side that leaves a shore at this angle
+    for (double gap : {1.2, 1.6, 2.}) {
+      const double c = std::cos(degrees * CGAL_PI / 180), s = std::sin(degrees * CGAL_PI / 180);
+      CDT cdt = make({{{0, 0}, {60, 0}, {60, 30}, {0, 30}},
+                      {{20, 0.05}, {20 + 12 * c, 0.05 + 12 * s}, {20 + 12 * c - 4 * s, 0.05 + 12 * s + 4 * c},
+                       {20 - 4 * s, 0.05 + 4 * c}}});
+      const Report report = CGAL::simplify_outline_2(cdt, sizing_function(4.).outline_tolerance(0.4).minimum_gap(gap));
+      EXPECT_EQ(report.filled_gaps.size(), 1u);
+      EXPECT_GT(least_corner(cdt), 60);
+    }
 }
 
 TEST(Simplify_outline_promises, corners_are_kept_up_to_the_angle)
