@@ -152,6 +152,19 @@ TEST(Simplify_outline_promises, long_straight_edges_take_no_square_of_the_time)
   }
 }
 
+/// each piece was tested with all in the box of what was left of its line
+TEST(Simplify_outline_promises, long_slanted_edges_beside_each_other_take_no_square_of_the_time)
+{
+  const auto channels = [](int n) {
+    Outline comb{{n, -1}, {0, -1}};
+    for (int k = 0; k < n; ++k)
+      comb.insert(comb.end(), {{k, 0.3 * k}, {k + 0.7 * n, 3. * n + 0.3 * k}, {k + 0.7 * n + 0.3, 3. * n + 0.3 * k},
+                               {k + 0.3, 0.3 * k}});
+    return make({comb});
+  };
+  EXPECT_LE(time_of_simplifying(channels(40), 1), 30 * time_of_simplifying(channels(10), 1)); // 16 times as many pieces
+}
+
 TEST(Simplify_outline_promises, rows_of_vertices_take_no_square_of_the_time)
 {
   const auto lattice = [](int n) {

@@ -13,7 +13,6 @@
 #include "rough_outlines.h"
 #include "validation.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/outline_simplification/Segment_grid_2.h>
 #include <CGAL/simplify_outline_2.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +21,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <set>
 #include <vector>
 
 namespace test_simplify_outline_work {
@@ -120,86 +118,6 @@ TEST(Simplify_outline_work, a_thousand_vertices_in_each_piece)
     EXPECT_EQ(report.share_of_fitting_pieces, 1);
     EXPECT_NEAR(static_cast<double>(report.number_of_segments), 2 * CGAL_PI / 0.4, 2);
   }
-}
-
-using CGAL::Bubble_relaxation_2::internal::Index;
-using CGAL::Bubble_relaxation_2::internal::Segment_grid_2;
-
-/// slanted lines beside each other
-struct Lines
-{
-  static constexpr int n = 2000;
-  static constexpr double length = 300;
-
-  Segment_grid_2 grid;
-
-  Lines()
-  {
-    for (int k = 0; k < n; ++k)
-      grid.insert(source(k), target(k), 0.5);
-  }
-
-  static Point source(int k) { return Point(0.3 * k, 0); }
-  static Point target(int k) { return Point(0.3 * k + 0.7 * length, 0.7 * length); }
-
-  template <class... Query>
-  std::set<Index> near(const Query&... query) const
-  {
-    std::set<Index> result;
-    grid.for_each_near(query..., [&](Index k) { EXPECT_TRUE(result.insert(k).second); });
-    return result;
-  }
-};
-
-TEST(Simplify_outline_work, few_of_many_long_segments_are_near_to_a_box)
-{
-  Lines lines;
-  for (double x : {150., 217.3, 400.}) {
-    const CGAL::Bbox_2 box(x, 80, x + 2, 82);
-    std::set<Index> wanted;
-    for (int k = 0; k < Lines::n; ++k)
-      if (CGAL::do_intersect(K::Segment_2(Lines::source(k), Lines::target(k)), K::Iso_rectangle_2(box)))
-        wanted.insert(k);
-    const std::set<Index> found = lines.near(box);
-    EXPECT_TRUE(std::includes(found.begin(), found.end(), wanted.begin(), wanted.end()));
-    EXPECT_GT(wanted.size(), 10u);
-    EXPECT_LT(found.size(), 8 * wanted.size()); // boxes of 700 lines meet it
-    lines.grid.remove(*wanted.begin());
-    EXPECT_EQ(lines.near(box).size(), found.size() - 1);
-    lines.grid.put_back(*wanted.begin());
-    EXPECT_EQ(lines.near(box), found);
-  }
-}
-
-TEST(Simplify_outline_work, few_of_many_long_segments_are_near_to_a_long_one)
-{
-  const Lines lines;
-  constexpr int line = 1000;
-  constexpr double reach = 1.5;
-  const Point a = Lines::source(line), b = Lines::target(line);
-  const CGAL::Bbox_2 box = a.bbox() + b.bbox();
-  const CGAL::Bbox_2 around(box.xmin() - reach, box.ymin() - reach, box.xmax() + reach, box.ymax() + reach);
-  std::set<Index> wanted;
-  for (int k = 0; k < Lines::n; ++k)
-    if (CGAL::squared_distance(K::Segment_2(a, b), K::Segment_2(Lines::source(k), Lines::target(k))) <= reach * reach)
-      wanted.insert(k);
-  const std::set<Index> found = lines.near(a, b, reach, around);
-  EXPECT_TRUE(std::includes(found.begin(), found.end(), wanted.begin(), wanted.end()));
-  EXPECT_LT(found.size(), 20 * wanted.size());
-  EXPECT_GT(lines.near(around).size(), 1000u);
-}
-
-/// Pieces of long lines that have company, each of which was tested with all in the box of what is left of the line.
-TEST(Simplify_outline_work, long_slanted_channels)
-{
-  Outline comb{{50, -1}, {0, -1}};
-  for (int k = 0; k < 50; ++k)
-    comb.insert(comb.end(), {{k, 0.3 * k}, {k + 35, 150 + 0.3 * k}, {k + 35.3, 150 + 0.3 * k}, {k + 0.3, 0.3 * k}});
-  CDT cdt = make({comb});
-  const Report report = CGAL::simplify_outline_2(cdt, sizing_function(1.));
-  EXPECT_GT(report.share_of_fitting_pieces, 0.99);
-  EXPECT_LE(report.hausdorff_distance, 0.1);
-  EXPECT_NEAR(static_cast<double>(report.number_of_segments), 100 * std::hypot(35, 150) + 105, 300);
 }
 
 } // namespace test_simplify_outline_work
