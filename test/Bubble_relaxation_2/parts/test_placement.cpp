@@ -23,7 +23,7 @@ TEST(Place_on_outline, edges_that_take_no_bubbles_ask_for_no_sizes)
 {
   Domain_2 domain;
   const std::vector<Domain_edge_2> edges{
-    {0, 1, true, false, true}, {1, 2, true, false, false}, {2, 0, true, false, false}};
+    {0, 1, true, false}, {1, 2, true, false, Edge_kind::RIM}, {2, 0, true, false, Edge_kind::PROTECTED}};
   ASSERT_EQ(domain.build({Point(0, 0), Point(1, 0), Point(0.5, 1)}, edges), Marking_error::NONE);
   std::size_t calls = 0;
   const Sizes_2 sizes([&calls](double, double y) {
