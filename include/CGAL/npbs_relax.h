@@ -114,7 +114,8 @@ With an exact kernel bubbles move in `double`, and those on edges lie exactly on
   \cgalParamNBegin{protect_constraints}
     \cgalParamDescription{which constraints stay as they are: no vertex comes on them, and both their ends stay. Beside
                           those that are longer than d sizes are larger, and shrink from there by 0.5, or by
-                          `size_growth` if that is more, per unit of length; see \ref BR2_protect}
+                          `size_growth` if that is more, per unit of length: d holds from about twice their length
+                          on; see \ref BR2_protect}
     \cgalParamType{`bool`, for all; or a model of `ReadablePropertyMap` with
                    `std::pair<CDT::Vertex_handle, CDT::Vertex_handle>` as key, the ends of an edge as
                    `make_sorted_pair()` sorts them, and `bool` as value}

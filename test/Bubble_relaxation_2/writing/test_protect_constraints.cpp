@@ -150,6 +150,48 @@ TEST(Protect_constraints, sizes_are_larger_beside_long_ones)
   }
 }
 
+/// a long side between short ones: without larger sizes along it bubbles came to lie on it
+TEST(Protect_constraints, no_vertex_comes_near_a_long_one_between_short_ones)
+{
+  for (int n : {10, 30, 50, 60}) {
+    Outline square{{0, 0}, {1, 0}};
+    for (int i = 1; i <= n; ++i)
+      square.push_back({1, double(i) / n});
+    for (int i = 1; i <= n; ++i)
+      square.push_back({1 - double(i) / n, 1});
+    for (int i = 1; i < n; ++i)
+      square.push_back({0, 1 - double(i) / n});
+    CDT cdt = domains::make({square});
+    const auto before = constraints(cdt);
+    CGAL::npbs_relax(cdt, np::sizing_function(1. / n).protect_constraints(true));
+    EXPECT_EQ(constraints(cdt), before);
+    EXPECT_GT(minimum_angle(cdt), 6) << n;
+    for (CDT::Vertex_handle v : cdt.finite_vertex_handles())
+      if (!cdt.are_there_incident_constraints(v))
+        EXPECT_GT(v->point().y(), 1. / n) << n;
+    EXPECT_EQ(CGAL::npbs_misfit_faces(cdt, np::sizing_function(1. / n).protect_constraints(true)).size(), 0u) << n;
+  }
+}
+
+/// the same where the outline beside it, which may be split, asks for small sizes
+TEST(Protect_constraints, the_outline_does_not_ask_for_needles_on_a_long_one)
+{
+  for (int n : {30, 100}) {
+    Outline half{{-1, 0}};
+    for (int i = 0; i < n; ++i)
+      half.push_back({std::cos(3.14159265358979 * i / n), std::sin(3.14159265358979 * i / n)});
+    CDT cdt = domains::make({half});
+    std::set<Ends<CDT>> diameter;
+    for (const Ends<CDT>& e : constraints(cdt))
+      if (e.first->point().y() == 0 && e.second->point().y() == 0)
+        diameter.insert(e);
+    ASSERT_EQ(diameter.size(), 1u);
+    CGAL::npbs_relax(cdt, np::sizing_function(0.1).protect_constraints(CGAL::make_boolean_property_map(diameter)));
+    expect_kept<CDT>(diameter, cdt);
+    EXPECT_GT(minimum_angle(cdt), n == 30 ? 12 : 8) << n;
+  }
+}
+
 TEST(Protect_constraints, inner_ones_and_free_ends_stay)
 {
   CDT cdt = domains::square_with_inner_constraints<CDT>();

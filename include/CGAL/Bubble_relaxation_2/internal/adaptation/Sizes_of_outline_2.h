@@ -77,7 +77,7 @@ private:
   /// constraints that stay, and are far longer than sizes there
   void add_long_edges()
   {
-    constexpr double tolerated = 1.5, reach = 1.5; // as far as fans of triangles go from their ends
+    constexpr double tolerated = 1.5, reach = 1.5; // of which half is a radius, as far as fans of triangles go
     const Domain_2& domain = m_reading.domain;
     for (std::size_t k = 0; k < domain.edges().size(); ++k) {
       const Index e = static_cast<Index>(k);

@@ -38,14 +38,19 @@ Sizes_2 sizes_of_domain(const Domain_2& domain, const Given_mesh_2& given, doubl
   return Sizes_2(Outline_field_2(sizes_of_pieces(domain, &given.on_edge), domain.bbox(), growth));
 }
 
+/// A part is to go on beyond its rim. But what the user protects may be far too long, and he still wants his sizes, as
+/// soon as a mesh can have them.
+inline double growth_from_protected(double growth)
+{
+  constexpr double steep = Report::steep_size_gradient;
+  return (std::max)(growth, steep);
+}
+
 CGAL_BUBBLE_RELAXATION_2_INLINE
 Sizes_2 no_finer_than_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted, double growth)
 {
-  // A part is to go on beyond its rim. What the user protects may be far too long, and he still wants his sizes, as soon
-  // as a mesh can have them.
-  constexpr double steep = Report::steep_size_gradient;
   return raise_beside_edges(domain, given, raise_beside_edges(domain, given, wanted, Edge_kind::RIM, growth),
-                            Edge_kind::PROTECTED, (std::max)(growth, steep));
+                            Edge_kind::PROTECTED, growth_from_protected(growth));
 }
 
 /// A given mesh is far finer than sizes ask for, and none of its vertices may go: then the ratios of sizes count, and all of
@@ -78,11 +83,20 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   const double growth = options.size_growth;
   count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
   make_room_for_all(domain, given, options, wanted);
-  if (!may_limit)
-    return {wanted, nullptr, nullptr, wanted};
+  const bool has_protected = std::any_of(domain.edges().begin(), domain.edges().end(),
+                                         [](const Domain_edge_2& e) { return e.kind == Edge_kind::PROTECTED; });
+  const auto raised = [&](const Sizes_2& sizes) {
+    return has_protected ? raise_along_protected(domain, sizes, growth_from_protected(growth)) : sizes;
+  };
+  if (!may_limit) {
+    Sizes_2 sizes = raised(wanted);
+    if (has_protected)
+      count_bubbles(domain, maximum, sizes_and_outline, sizes);
+    return {sizes, nullptr, nullptr, sizes};
+  }
   Limited_sizes_2 limited(wanted, domain.bbox(), growth);
   Outline_sizes_2(domain, given, maximum, limited)(turns);
-  const Sizes_2 before_cut = limited.sizes();
+  const Sizes_2 before_cut = raised(limited.sizes());
   const auto cut = cut_corners(domain, before_cut, growth, given.pinned);
   if (cut != nullptr)
     cut->cut(given);
@@ -91,8 +105,8 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   if (cut != nullptr)
     of_rest.add_chords(cut->narrow_chords());
   of_rest(turns_beyond_circles);
-  Sizes_2 sizes = limited.sizes();
-  if (limited.is_limited())
+  Sizes_2 sizes = raised(limited.sizes());
+  if (limited.is_limited() || has_protected)
     count_bubbles(rest, maximum, sizes_and_outline, sizes);
   return {sizes, cut, cut ? &rest : nullptr, before_cut};
 }

@@ -198,7 +198,7 @@ private:
       tick();
       std::vector<Index> part = std::move(parts.back());
       parts.pop_back();
-      if (part.back() < part.front()) // whence it is looked at must not depend on what it is a part of
+      if (part.back() < part.front()) // so that ties are the same from whichever end it was followed
         std::reverse(part.begin(), part.end());
       const std::size_t k = farthest_off(part);
       if (k == 0)

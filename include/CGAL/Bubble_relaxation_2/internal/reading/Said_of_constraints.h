@@ -40,6 +40,9 @@ struct Said_of_constraints
   }
 
 private:
+  /// a rim stays as it is
+  static bool is_told_of(const Constrained_edge_2& e) { return e.is_in_domain() && e.kind != Edge_kind::RIM; }
+
   /// a constrained edge as a key of the user's maps
   template <class Vertex>
   static auto key(const Constrained_edge_2& e, const Vertex& vertex)
@@ -55,7 +58,7 @@ private:
     if constexpr (!is_missing<Value>) {
       const auto is_protected = parameters::get_parameter(np, internal_np::protect_constraints);
       for (Constrained_edge_2& e : edges) {
-        if (!e.is_in_domain() || e.kind == Edge_kind::RIM)
+        if (!is_told_of(e))
           continue;
         bool is_kept = false;
         if constexpr (std::is_same<Value, bool>::value)
@@ -79,7 +82,7 @@ private:
       using Marker = Tag_type<NamedParameters, internal_np::edge_marker_t>;
       std::vector<std::optional<Marker>> first(stays.size()); // around each vertex
       for (const Constrained_edge_2& e : edges) {
-        if (!e.is_in_domain() || e.kind == Edge_kind::RIM) // which stays as it is
+        if (!is_told_of(e))
           continue;
         const auto marker = get(map, key(e, vertex));
         for (Index v : {e.source, e.target})

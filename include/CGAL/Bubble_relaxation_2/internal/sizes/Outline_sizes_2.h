@@ -89,32 +89,58 @@ inline std::vector<double> lengths_at_corners(const Domain_2& domain, Edge_kind 
   return length;
 }
 
+/// Sizes that are no less than at some places, of which there are some: from there they shrink by `growth` per unit of
+/// length.
+inline Sizes_2 raise_around(std::vector<Size_source_2> places, const Sizes_2& sizes, const Bbox_2& box, double growth)
+{
+  double largest = 0;
+  for (const Size_source_2& s : places)
+    largest = (std::max)(largest, s.d);
+  for (Size_source_2& s : places) // the largest of d_s - g |x - s| is less than the largest of all by the least of these
+    s.d = largest - s.d;
+  Outline_field_2 less(places, box, growth);
+  return Sizes_2([sizes, less = std::move(less), largest](double x, double y) {
+    return (std::max)(sizes(x, y), largest - less(x, y));
+  });
+}
+
+/// An edge that is longer than so many times the size makes needles.
+constexpr double longest_without_needles = 1.25;
+
 /// The wanted sizes, and larger ones beside edges of a kind that takes no bubbles and that are far longer: from there they
 /// shrink by no more than `growth` per unit of length, else triangles at these edges would be needles. Silent corners
 /// do not count.
 inline Sizes_2 raise_beside_edges(const Domain_2& domain, const Given_mesh_2& given, const Sizes_2& wanted,
                                   Edge_kind kind, double growth)
 {
-  constexpr double tolerated = 1.25; // edges that are longer make needles
   const std::vector<double> length = lengths_at_corners(domain, kind);
-  std::vector<Size_source_2> sources;
-  double longest = 0;
+  std::vector<Size_source_2> places;
   for (std::size_t c = 0; c < length.size(); ++c) {
     const Point& p = domain.corners()[c];
-    if (!std::isinf(length[c]) && length[c] > tolerated * wanted(p) &&
-        !std::binary_search(given.silent_corners.begin(), given.silent_corners.end(), p)) {
-      sources.push_back(Size_source_2{p, length[c]});
-      longest = (std::max)(longest, length[c]);
-    }
+    if (!std::isinf(length[c]) && length[c] > longest_without_needles * wanted(p) &&
+        !std::binary_search(given.silent_corners.begin(), given.silent_corners.end(), p))
+      places.push_back(Size_source_2{p, length[c]});
   }
-  if (sources.empty())
-    return wanted;
-  for (Size_source_2& s : sources) // the largest of d_s - g |x - s| is less than the longest by the least of these
-    s.d = longest - s.d;
-  Outline_field_2 less(sources, domain.bbox(), growth);
-  return Sizes_2([wanted, less = std::move(less), longest](double x, double y) {
-    return (std::max)(wanted(x, y), longest - less(x, y));
-  });
+  return places.empty() ? wanted : raise_around(std::move(places), wanted, domain.bbox(), growth);
+}
+
+/// The sizes, and larger ones along protected edges that are far longer than these in the middle, though at their ends
+/// there is something short: bubbles would come to lie on an edge that has none to push them off.
+inline Sizes_2 raise_along_protected(const Domain_2& domain, const Sizes_2& sizes, double growth)
+{
+  std::vector<Size_source_2> places;
+  for (std::size_t k = 0; k < domain.edges().size(); ++k) {
+    if (domain.edges()[k].kind != Edge_kind::PROTECTED)
+      continue;
+    const Index e = static_cast<Index>(k);
+    const double length = domain.length(e),
+                 at_ends = (std::min)(sizes(domain.source(e)), sizes(domain.target(e))),
+                 size = (std::min)(length, at_ends + 0.5 * growth * length); // which raises none at the ends
+    const Point middle = domain.point_on_edge(e, 0.5);
+    if (size > longest_without_needles * sizes(middle))
+      places.push_back(Size_source_2{middle, size});
+  }
+  return places.empty() ? sizes : raise_around(std::move(places), sizes, domain.bbox(), growth);
 }
 
 /// The wanted sizes, and smaller ones where the outline asks for it.
