@@ -300,9 +300,9 @@ private:
   /// make a fan of needles on it
   bool is_too_long(const Bubbles_2& nodes, Index p, Index q, double width) const
   {
-    constexpr double tolerated = 1.5;
+    constexpr double far_longer = 1.5;
     const Index e = edge_of_piece(m_domain, nodes, p, q);
-    return m_domain.edges()[e].kind == Edge_kind::PROTECTED && m_domain.length(e) > tolerated * width;
+    return m_domain.edges()[e].kind == Edge_kind::PROTECTED && m_domain.length(e) > far_longer * width;
   }
 
   /// the corners at the ends of the edge that a node lies on; none of a pinned vertex
