@@ -170,6 +170,18 @@ inline CDT::Face_handle face_around(const CDT& cdt, const std::string& what, con
   return f;
 }
 
+/// warns of points of holes or regions that are none, since they lie outside
+inline void warn_of_points_outside(Domain& domain, const std::string& what, const std::string& of_what,
+                                   const std::vector<Point>& points)
+{
+  if (points.size() == 1)
+    domain.warnings.push_back("the " + what + " " + to_string(points[0]) + " lies outside of " + of_what +
+                              " and is none");
+  else if (!points.empty())
+    domain.warnings.push_back(std::to_string(points.size()) + " " + what + "s lie outside of " + of_what +
+                              " and are none, such as " + to_string(points[0]));
+}
+
 /// Marks the faces that are reached neither from outside nor from holes.
 inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
 {
@@ -187,11 +199,7 @@ inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
       useless.push_back(hole);
     flood(f, mark_in(is_hole));
   }
-  if (useless.size() == 1)
-    domain.warnings.push_back("the hole " + to_string(useless[0]) + " lies outside of all outlines and is none");
-  else if (!useless.empty())
-    domain.warnings.push_back(std::to_string(useless.size()) + " holes lie outside of all outlines and are none, such as " +
-                              to_string(useless[0]));
+  warn_of_points_outside(domain, "hole", "all outlines", useless);
   bool is_empty = true;
   for (CDT::Face_handle f : domain.cdt.finite_face_handles()) {
     f->set_in_domain(!is_outside[f] && !is_hole[f]);
@@ -203,15 +211,9 @@ inline void mark_all_but_holes(Domain& domain, const std::vector<Point>& holes)
       open_end_in_words(domain.cdt));
 }
 
-/// Warns of the points of regions that lie outside of the domain, and of those that no segment parts from a later one.
-inline void warn_of_useless_regions(Domain& domain, const std::vector<Point>& outside,
-                                    const std::vector<std::pair<Point, Point>>& same)
+/// warns of the points of regions that no segment parts from a later one
+inline void warn_of_regions_in_one(Domain& domain, const std::vector<std::pair<Point, Point>>& same)
 {
-  if (outside.size() == 1)
-    domain.warnings.push_back("the region " + to_string(outside[0]) + " lies outside of the domain and is none");
-  else if (!outside.empty())
-    domain.warnings.push_back(std::to_string(outside.size()) +
-                              " regions lie outside of the domain and are none, such as " + to_string(outside[0]));
   if (!same.empty())
     domain.warnings.push_back(std::to_string(same.size()) +
                               (same.size() == 1 ? " region is none: no segment parts it from a later one"
@@ -245,7 +247,8 @@ inline void keep_regions_with_faces(Domain& domain)
     }
   }
   domain.regions = std::move(regions);
-  warn_of_useless_regions(domain, outside, same);
+  warn_of_points_outside(domain, "region", "the domain", outside);
+  warn_of_regions_in_one(domain, same);
 }
 
 /// the marker of a constrained edge of `domain.cdt`

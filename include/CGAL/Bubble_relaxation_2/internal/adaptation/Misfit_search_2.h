@@ -61,8 +61,9 @@ public:
   template <class Face_range>
   std::vector<Face_handle> operator()(const Face_range& faces)
   {
+    std::size_t number = 0;
     for (Face_handle f : faces) {
-      tick();
+      tick(number++);
       if (m_is_in_domain(f) && is_misfit(f) && !is_forced(f))
         m_part.add(f);
     }

@@ -59,7 +59,7 @@ Grid_squares_2 squares_around(const std::vector<typename Cdt::Face_handle>& face
   double largest = 0, longest = 0;
   std::vector<Bbox_2> boxes;
   for (typename Cdt::Face_handle f : faces) {
-    tick();
+    tick(boxes.size());
     const std::array<Point, 3> p = corners_in_double<Cdt>(f);
     boxes.push_back(CGAL::bbox_2(p.begin(), p.end()));
     longest = (std::max)({longest, boxes.back().x_span(), boxes.back().y_span()});

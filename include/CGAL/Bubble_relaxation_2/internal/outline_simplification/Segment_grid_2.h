@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SEGMENT_GRID_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_OUTLINE_SIMPLIFICATION_SEGMENT_GRID_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/magnitudes.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <CGAL/Bbox_2.h>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <unordered_map>
 #include <vector>
@@ -116,8 +116,8 @@ private:
       return Point(a.x() + t * (b.x() - a.x()), a.y() + t * (b.y() - a.y())).bbox();
     };
     const Bbox_2 box = at(static_cast<double>(i) / parts) + at(static_cast<double>(i + 1) / parts);
-    const double largest = (std::max)({std::abs(a.x()), std::abs(a.y()), std::abs(b.x()), std::abs(b.y())}),
-                 rounding = 8 * std::numeric_limits<double>::epsilon() * largest;
+    const double rounding =
+      rounding_of((std::max)({std::abs(a.x()), std::abs(a.y()), std::abs(b.x()), std::abs(b.y())}));
     return {box.xmin() - rounding, box.ymin() - rounding, box.xmax() + rounding, box.ymax() + rounding};
   }
 
