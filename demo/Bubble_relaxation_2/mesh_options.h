@@ -24,6 +24,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -58,6 +59,7 @@ inline po::options_description mesh_options()
      "segments that get no new vertices and keep theirs: all, or the markers of those, such as 1,2")
     ("tolerance", po::value<double>(), "replace the outline by one with pieces as long as --size, within this share of "
                                        "it, such as 0.1")
+    ("absolute-tolerance", po::value<double>(), "the same, within this length; if both are given the smaller one counts")
     ("min-island", po::value<double>()->default_value(0), "with --tolerance: drop islands with a smaller area")
     ("min-gap", po::value<double>()->default_value(0), "with --tolerance: fill where the domain is narrower")
     ("simplification-report", po::value<std::string>(), "with --tolerance: a text file with the places of what was "
@@ -73,6 +75,12 @@ inline po::options_description mesh_options()
   return options;
 }
 
+/// whether the outline is replaced by one within a tolerance
+inline bool is_simplified(const po::variables_map& arguments)
+{
+  return arguments.count("tolerance") > 0 || arguments.count("absolute-tolerance") > 0;
+}
+
 /// \throws std::runtime_error if options do not go together
 inline void check_mesh_options(const po::variables_map& arguments)
 {
@@ -84,13 +92,13 @@ inline void check_mesh_options(const po::variables_map& arguments)
       throw std::runtime_error("--gradation must be at most 1, and not a percentage: the length changes by no more "
                                "than the way");
   }
-  if (arguments.count("tolerance") > 0 && arguments.count("size") == 0)
-    throw std::runtime_error("--tolerance needs --size");
-  if (arguments.count("tolerance") > 0 && !arguments["protect"].defaulted())
+  if (is_simplified(arguments) && arguments.count("size") == 0)
+    throw std::runtime_error("--tolerance and --absolute-tolerance need --size");
+  if (is_simplified(arguments) && !arguments["protect"].defaulted())
     throw std::runtime_error("--protect does not go with --tolerance, which replaces the outline");
-  if (arguments.count("tolerance") == 0 && arguments.count("simplification-report") > 0)
+  if (!is_simplified(arguments) && arguments.count("simplification-report") > 0)
     throw std::runtime_error("--simplification-report needs --tolerance");
-  if (arguments.count("tolerance") == 0 && !(arguments["min-island"].defaulted() && arguments["min-gap"].defaulted()))
+  if (!is_simplified(arguments) && !(arguments["min-island"].defaulted() && arguments["min-gap"].defaulted()))
     throw std::runtime_error("--min-island and --min-gap need --tolerance");
 }
 
@@ -162,6 +170,7 @@ inline std::string in_words_of_options(std::string text)
     {"size_growth", "--size-growth"},
     {"minimum_angle", "--minimum-angle"},
     {"relative_outline_tolerance", "--tolerance"},
+    {"outline_tolerance", "--absolute-tolerance"},
     {"minimum_island_area", "--min-island"},
     {"minimum_gap", "--min-gap"},
     {"number_of_rounds", "--rounds"},
@@ -238,13 +247,17 @@ inline void warn_of_lost_area(Domain& domain, const CGAL::Outline_simplification
   domain.warnings.push_back(text.str());
 }
 
-/// Replaces the outline by one within --tolerance. `tells`: whether it says and writes what it was replaced by
+/// Replaces the outline by one within the tolerances. `tells`: whether it says and writes what it was replaced by
 inline void simplify(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
                      bool tells)
 {
   const Size size = wanted_size(domain, arguments, formula);
+  const auto tolerance = [&arguments](const char* option, double if_not_given) {
+    return arguments.count(option) > 0 ? arguments[option].as<double>() : if_not_given;
+  };
   const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
-                                                .relative_outline_tolerance(arguments["tolerance"].as<double>())
+                                                .relative_outline_tolerance(tolerance("tolerance", 1))
+                                                .outline_tolerance(tolerance("absolute-tolerance", (std::numeric_limits<double>::max)()))
                                                 .minimum_island_area(arguments["min-island"].as<double>())
                                                 .minimum_gap(arguments["min-gap"].as<double>())
                                                 .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>()));
@@ -269,7 +282,7 @@ inline void prepare(Domain& domain, const po::variables_map& arguments, const st
                     const Output_tags& tags, bool tells = true)
 try {
   tags.check_open(domain);
-  if (arguments.count("tolerance") > 0)
+  if (is_simplified(arguments))
     simplify(domain, arguments, formula, tells);
   if (arguments.count("largest-part") > 0)
     keep_largest_part(domain);

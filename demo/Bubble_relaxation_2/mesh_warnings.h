@@ -72,10 +72,11 @@ inline void print_statistics(const Report& report)
 inline std::string advice_on_outline(const po::variables_map& arguments)
 {
   constexpr double usual = 0.1; // leaves pieces about as long as d; a smaller one needs short pieces where it bends
-  if (arguments.count("tolerance") == 0)
+  if (!is_simplified(arguments))
     return "--tolerance 0.1 replaces it, but for pins, by one with longer pieces";
-  const std::string longer = "a larger --tolerance, such as 0.1, makes pieces longer where it bends, ";
-  return (arguments["tolerance"].as<double>() < usual ? longer : "") +
+  const std::string longer = "a larger tolerance, such as a tenth of --size, makes pieces longer where it bends, ";
+  const bool is_small = arguments.count("absolute-tolerance") > 0 || arguments["tolerance"].as<double>() < usual;
+  return (is_small ? longer : "") +
          "larger --min-island and --min-gap take islands and narrows away, if there are any";
 }
 

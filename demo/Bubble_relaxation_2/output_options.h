@@ -12,6 +12,7 @@
 #include "files/domain.h"
 #include "files/domain_boundary.h"
 #include "files/mesh_file.h"
+#include "files/output_projection.h"
 #include "formula.h"
 #include "marker_list.h"
 
@@ -19,8 +20,10 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -42,7 +45,9 @@ inline po::options_description output_options()
     ("open", po::value<std::string>(),
      "markers of open boundaries, such as 2,3, for .14, .grd and .gr3; others are land")
     ("depth", po::value<std::string>(),
-     "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and raster");
+     "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and raster")
+    ("output-crs", po::value<std::string>(),
+     "the reference system of what is written, such as EPSG:4326, degrees; default: that in which the mesh is made");
   return options;
 }
 
@@ -69,11 +74,17 @@ public:
       throw std::runtime_error("--depth: only --size knows the distance to the outline");
     if (m_depth && m_depth->uses("region"))
       throw std::runtime_error("--depth: a node may lie in several regions; a formula in x and y is needed");
+    if (arguments.count("output-crs") > 0) {
+      m_crs = arguments["output-crs"].as<std::string>();
+      if (arguments.count("output") == 0 || extension(arguments["output"].as<std::string>()) == ".pvtu")
+        throw std::runtime_error("--output-crs needs --output with another ending than .pvtu");
+    }
   }
 
   /// Warns, in the domain, of a depth that nobody gave.
-  /// \throws std::runtime_error if a marker or a region that is named is not in the domain
-  void check(Domain& domain) const
+  /// \throws std::runtime_error if a marker or a region that is named is not in the domain, or the domain cannot be
+  /// written in another reference system
+  void check(Domain& domain)
   {
     std::set<int> markers{1}; // of what has none on the boundary
     for (const auto& s : domain.segment_markers)
@@ -92,6 +103,10 @@ public:
     for (const auto& name : m_region_names)
       if (regions.count(name.first) == 0)
         throw std::runtime_error("--name: no region has the attribute of '" + name.second + "'");
+    if (!m_crs.empty()) {
+      m_projection.emplace(domain, m_crs);
+      m_projection->check(domain);
+    }
     if (m_lacks_depth)
       domain.warnings.push_back("without --depth the depth of all nodes is 0 in the output");
   }
@@ -132,16 +147,18 @@ public:
 
   const std::set<int>& open() const { return m_open; }
 
-  /// \throws std::runtime_error if a depth is not finite
+  /// \throws std::runtime_error if a depth is not finite, or a point cannot be projected
   void add_to(CGAL::Mesh_arrays_2& mesh) const
   {
     mesh.marker_names = m_marker_names;
     mesh.region_names = m_region_names;
-    if (!m_depth)
-      return;
-    std::vector<double>& depths = mesh.vertex_data["depth"];
-    for (const Point& p : mesh.points)
-      depths.push_back(depth(p));
+    if (m_depth) {
+      std::vector<double>& depths = mesh.vertex_data["depth"];
+      for (const Point& p : mesh.points)
+        depths.push_back(depth(p));
+    }
+    if (m_projection)
+      std::transform(mesh.points.begin(), mesh.points.end(), mesh.points.begin(), std::cref(*m_projection));
   }
 
 private:
@@ -170,6 +187,8 @@ private:
   std::set<int> m_open;
   bool m_lacks_depth = false; // although the format of the output has one
   std::optional<Formula> m_depth;
+  std::string m_crs;
+  std::optional<Output_projection> m_projection; // to that
 };
 
 #endif // BUBBLE_RELAXATION_2_DEMO_OUTPUT_OPTIONS_H

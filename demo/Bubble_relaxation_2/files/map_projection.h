@@ -31,12 +31,13 @@ public:
 };
 
 /// a reference system, with x to the east and y to the north
+/// \param option that asks for it, for the message
 /// \throws std::runtime_error if `text` is none
-inline OGRSpatialReference reference_system(const std::string& text)
+inline OGRSpatialReference reference_system(const std::string& option, const std::string& text)
 {
   OGRSpatialReference system;
   if (system.SetFromUserInput(text.c_str()) != OGRERR_NONE)
-    throw std::runtime_error("--crs: '" + text + "' is no reference system; one is EPSG:32632");
+    throw std::runtime_error(option + ": '" + text + "' is no reference system; one is EPSG:32632");
   system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return system;
 }

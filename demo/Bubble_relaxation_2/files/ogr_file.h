@@ -97,7 +97,7 @@ private:
     if (first == nullptr)
       return;
     if (!crs.empty())
-      m_system = reference_system(crs);
+      m_system = reference_system("--crs", crs);
     else if (first->GetSpatialRef()->IsGeographic())
       m_system = in_metres_around(*first);
     else
@@ -117,7 +117,7 @@ private:
     text << "+proj=laea +lat_0=" << std::round(50 * (box.MinY + box.MaxY)) / 100
          << " +lon_0=" << std::round(50 * (box.MinX + box.MaxX)) / 100 << " +datum=WGS84 +units=m";
     m_domain.warnings.push_back("degrees are projected to metres by --crs \"" + text.str() + "\"");
-    return reference_system(text.str());
+    return reference_system("--crs", text.str());
   }
 
   void read_layer(OGRLayer& layer)

@@ -41,8 +41,8 @@ public:
       throw std::runtime_error("does not tell where its cells are");
     if (!domain.crs.empty()) { // a raster that does not tell its system has that of the domain's file
       const OGRSpatialReference* system = m_file->GetSpatialRef();
-      OGRSpatialReference own = system != nullptr ? *system : reference_system(domain.crs_of_file),
-                          of_domain = reference_system(domain.crs);
+      OGRSpatialReference own = system != nullptr ? *system : reference_system("--crs", domain.crs_of_file),
+                          of_domain = reference_system("--crs", domain.crs);
       own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
       if (!own.IsSame(&of_domain))
         m_projection = projection(of_domain, own);
