@@ -252,12 +252,14 @@ inline void simplify(Domain& domain, const po::variables_map& arguments, const s
                      bool tells)
 {
   const Size size = wanted_size(domain, arguments, formula);
-  const auto tolerance = [&arguments](const char* option, double if_not_given) {
+  const auto number = [&arguments](const char* option, double if_not_given) {
     return arguments.count(option) > 0 ? arguments[option].as<double>() : if_not_given;
   };
+  const double share = number("tolerance", 1),
+               length = number("absolute-tolerance", (std::numeric_limits<double>::max)());
   const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
-                                                .relative_outline_tolerance(tolerance("tolerance", 1))
-                                                .outline_tolerance(tolerance("absolute-tolerance", (std::numeric_limits<double>::max)()))
+                                                .relative_outline_tolerance(share)
+                                                .outline_tolerance(length)
                                                 .minimum_island_area(arguments["min-island"].as<double>())
                                                 .minimum_gap(arguments["min-gap"].as<double>())
                                                 .maximum_number_of_bubbles(arguments["max-bubbles"].as<long>()));
