@@ -252,11 +252,11 @@ inline void simplify(Domain& domain, const po::variables_map& arguments, const s
                      bool tells)
 {
   const Size size = wanted_size(domain, arguments, formula);
-  const auto number = [&arguments](const char* option, double if_not_given) {
+  const auto given = [&arguments](const char* option, double if_not_given) {
     return arguments.count(option) > 0 ? arguments[option].as<double>() : if_not_given;
   };
-  const double share = number("tolerance", 1),
-               length = number("absolute-tolerance", (std::numeric_limits<double>::max)());
+  const double share = given("tolerance", 1),
+               length = given("absolute-tolerance", (std::numeric_limits<double>::max)());
   const auto report = simplify_domain(domain, CGAL::Bubble_relaxation_parameters::sizing_function(size)
                                                 .relative_outline_tolerance(share)
                                                 .outline_tolerance(length)
