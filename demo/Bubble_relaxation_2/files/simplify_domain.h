@@ -26,12 +26,50 @@
 #include <utility>
 #include <vector>
 
+/// the square of the least height of a triangle
+inline double squared_height(const CDT& cdt, CDT::Face_handle f)
+{
+  const Kernel::Triangle_2 t = cdt.triangle(f);
+  double longest = 0;
+  for (int i = 0; i < 3; ++i)
+    longest = (std::max)(longest, CGAL::squared_distance(t[i], t[i + 1]));
+  return 4 * t.area() * t.area() / longest;
+}
+
+/// Moves the points that tell regions to where regions are wide: near a segment that is replaced they would come to lie
+/// on the other side.
+inline void move_regions_inwards(Domain& domain)
+{
+  constexpr std::size_t none = 0;
+  CGAL::Unique_hash_map<CDT::Face_handle, std::size_t> number(none); // of what a face is in, from one
+  std::vector<Point> middles;
+  for (Region& region : domain.regions) {
+    const CDT::Face_handle f = domain.cdt.locate(region.point);
+    if (number[f] == none) {
+      middles.push_back(region.point);
+      double widest = 0;
+      flood(f, [&](CDT::Face_handle g) {
+        if (std::exchange(number[g], middles.size()) != none)
+          return false;
+        const double width = domain.cdt.is_infinite(g) ? 0 : squared_height(domain.cdt, g);
+        if (width > widest) {
+          widest = width;
+          middles.back() = CGAL::centroid(domain.cdt.triangle(g));
+        }
+        return true;
+      });
+    }
+    region.point = middles[number[f] - 1];
+  }
+}
+
 /// Replaces the outline by one within a tolerance; its segments have the markers of those that they stand for.
 /// \param parameters sizes, tolerance and rules
 template <class Parameters>
 CGAL::Outline_simplification_report_2 simplify_domain(Domain& domain, const Parameters& parameters)
 {
   using Pinned = CGAL::Boolean_property_map<const std::set<CDT::Vertex_handle>>;
+  move_regions_inwards(domain);
   return CGAL::simplify_outline_2(
     domain.cdt,
     parameters.vertex_is_constrained_map(Pinned(domain.pinned)).edge_marker_map(Segment_marker_map{&domain}));
