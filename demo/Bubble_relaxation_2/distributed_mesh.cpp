@@ -121,10 +121,10 @@ int run(const Mpi_session& session, int argc, char** argv)
     tags.emplace(arguments);
     domain.reset(new Domain(read_domain(arguments, "")));
     tags->check(*domain);
-    const Raster_values raster = read_raster(arguments, *domain);
-    tags->set_raster(raster);
+    const Rasters rasters = read_rasters(arguments, *domain);
+    tags->set_rasters(rasters);
     if (formula)
-      formula->set_raster(raster);
+      formula->set_rasters(rasters);
     prepare(*domain, arguments, formula, *tags, session.is_first());
     regions = region_attributes(*domain);
     size = limited_size(*domain, arguments, wanted_size(*domain, arguments, formula));

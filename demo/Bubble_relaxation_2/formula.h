@@ -11,24 +11,28 @@
 
 #include <muParser.h>
 
+#include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
-/// the values of a raster at places, if there is one
-using Raster_values = std::function<double(double x, double y)>;
+/// the values of rasters at places, by the names that they have in formulas
+using Rasters = std::map<std::string, std::function<double(double x, double y)>>;
 
-/// A formula in x, y, the attribute `region`, the value `raster` and the `distance` to the outline, as muParser reads it.
+/// A formula in x, y, the attribute `region`, the values of rasters and the `distance` to the outline, as muParser reads it.
 /// Each thread has a parser of its own, which holds the place that it is at.
 class Formula
 {
 public:
   /// \param option that has it, for messages
+  /// \param rasters their names
   /// \throws std::runtime_error with one line if `text` is not one formula
-  Formula(const std::string& option, const std::string& text)
-    : m_option(option), m_text(std::make_shared<const std::string>(text))
+  Formula(const std::string& option, const std::string& text, const std::vector<std::string>& rasters)
+    : m_option(option), m_text(std::make_shared<const Text>(Text{text, rasters}))
   {
     check_that_nothing_is_assigned(option, text);
     int number_of_values = 0;
@@ -48,15 +52,18 @@ public:
 
   bool uses(const std::string& variable) const { return state().parser.GetUsedVar().count(variable) > 0; }
 
-  /// sets where the variable `raster` comes from
-  /// \throws std::runtime_error if it is used and there is none
-  void set_raster(const Raster_values& raster)
+  /// sets where the variables of rasters come from
+  /// \throws std::runtime_error if one is used and there is none
+  void set_rasters(const Rasters& rasters)
   {
-    if (!uses("raster"))
-      return;
-    if (!raster)
-      throw std::runtime_error(m_option + ": the variable raster needs --raster");
-    m_raster = raster;
+    for (std::size_t k = 0; k < m_text->rasters.size(); ++k) {
+      const std::string& name = m_text->rasters[k];
+      if (!uses(name))
+        continue;
+      if (rasters.count(name) == 0)
+        throw std::runtime_error(m_option + ": the variable " + name + " needs --raster");
+      m_rasters.emplace_back(k, rasters.at(name));
+    }
   }
 
   /// sets where the variable `distance` comes from, before it is asked for
@@ -65,8 +72,8 @@ public:
   double operator()(double x, double y, double region = 0) const
   {
     State& s = state();
-    if (m_raster)
-      s.raster = m_raster(x, y);
+    for (const auto& raster : m_rasters)
+      s.rasters[raster.first] = raster.second(x, y);
     if (m_distance)
       s.distance = m_distance(x, y);
     s.x = x;
@@ -76,21 +83,29 @@ public:
   }
 
 private:
+  struct Text
+  {
+    std::string formula;
+    std::vector<std::string> rasters;
+  };
+
   struct State
   {
-    explicit State(std::shared_ptr<const std::string> t) : text(std::move(t))
+    explicit State(std::shared_ptr<const Text> t) : text(std::move(t)), rasters(text->rasters.size())
     {
       parser.DefineVar("x", &x);
       parser.DefineVar("y", &y);
       parser.DefineVar("region", &region);
-      parser.DefineVar("raster", &raster);
       parser.DefineVar("distance", &distance);
-      parser.SetExpr(*text);
+      for (std::size_t k = 0; k < rasters.size(); ++k)
+        parser.DefineVar(text->rasters[k], &rasters[k]);
+      parser.SetExpr(text->formula);
     }
 
-    std::shared_ptr<const std::string> text;
+    std::shared_ptr<const Text> text;
     mu::Parser parser;
-    double x = 0, y = 0, region = 0, raster = 0, distance = 0;
+    double x = 0, y = 0, region = 0, distance = 0;
+    std::vector<double> rasters; // as many as names
   };
 
   State& state() const
@@ -114,8 +129,8 @@ private:
   }
 
   std::string m_option;
-  std::shared_ptr<const std::string> m_text;
-  Raster_values m_raster;
+  std::shared_ptr<const Text> m_text;
+  std::vector<std::pair<std::size_t, Rasters::mapped_type>> m_rasters; // those that it uses, by their numbers
   std::function<double(double x, double y)> m_distance;
 };
 

@@ -11,6 +11,7 @@
 
 #include "files/domain.h"
 #include "files/simplify_domain.h"
+#include "input_options.h"
 #include "marker_list.h"
 #include "output_options.h"
 #include "size_formula.h"
@@ -44,7 +45,7 @@ inline po::options_description mesh_options()
   namespace defaults = CGAL::Bubble_relaxation_2::internal;
   po::options_description options;
   options.add_options()
-    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y, raster, distance, that to the "
+    ("size,s", po::value<std::string>(), "wanted length of edges, a formula in x, y, rasters, distance, that to the "
                                          "outline, and region, the attribute of a region of the domain; default: by the "
                                          "areas of regions in a .poly, else that of the domain's own edges")
     ("distance-to", po::value<std::string>()->default_value(""),
@@ -199,7 +200,7 @@ inline std::optional<Size_formula> size_formula(const po::variables_map& argumen
   const std::set<int> shore = markers("--distance-to", arguments["distance-to"].as<std::string>());
   std::optional<Size_formula> formula;
   if (arguments.count("size") > 0)
-    formula.emplace(arguments["size"].as<std::string>(), shore);
+    formula.emplace(arguments["size"].as<std::string>(), raster_names(arguments), shore);
   if (!shore.empty() && !(formula && formula->has_distance()))
     throw std::runtime_error("--distance-to needs the variable distance in --size");
   return formula;

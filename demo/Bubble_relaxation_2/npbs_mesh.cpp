@@ -240,10 +240,10 @@ try {
   };
   warn_of_domain();
   tags.check(domain);
-  const Raster_values raster = read_raster(arguments, domain);
-  tags.set_raster(raster);
+  const Rasters rasters = read_rasters(arguments, domain);
+  tags.set_rasters(rasters);
   if (formula)
-    formula->set_raster(raster);
+    formula->set_rasters(rasters);
   prepare(domain, arguments, formula, tags);
   warn_of_domain();
   const Region_map regions = region_attributes(domain);

@@ -14,6 +14,7 @@
 #include "files/mesh_file.h"
 #include "files/output_projection.h"
 #include "formula.h"
+#include "input_options.h"
 #include "marker_list.h"
 
 #include <CGAL/Mesh_arrays_2.h>
@@ -45,7 +46,7 @@ inline po::options_description output_options()
     ("open", po::value<std::string>(),
      "markers of open boundaries, such as 2,3, for .14, .grd and .gr3; others are land")
     ("depth", po::value<std::string>(),
-     "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and raster")
+     "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and rasters")
     ("output-crs", po::value<std::string>(),
      "the reference system of what is written, such as EPSG:4326, degrees; default: that in which the mesh is made");
   return options;
@@ -69,7 +70,7 @@ public:
     }
     m_lacks_depth = is_of_ocean && arguments.count("depth") == 0;
     if (arguments.count("depth") > 0)
-      m_depth.emplace("--depth", arguments["depth"].as<std::string>());
+      m_depth.emplace("--depth", arguments["depth"].as<std::string>(), raster_names(arguments));
     if (m_depth && m_depth->uses("distance"))
       throw std::runtime_error("--depth: only --size knows the distance to the outline");
     if (m_depth && m_depth->uses("region"))
@@ -139,10 +140,10 @@ public:
   }
 
   /// \throws std::runtime_error if a raster is needed and there is none
-  void set_raster(const Raster_values& raster)
+  void set_rasters(const Rasters& rasters)
   {
     if (m_depth)
-      m_depth->set_raster(raster);
+      m_depth->set_rasters(rasters);
   }
 
   const std::set<int>& open() const { return m_open; }

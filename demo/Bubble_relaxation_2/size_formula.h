@@ -22,15 +22,17 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 /// d as a formula
 class Size_formula
 {
 public:
+  /// \param rasters the names of their variables
   /// \param shore the markers of the segments to which the variable `distance` is measured; none: all segments
   /// \throws std::runtime_error with one line if `text` is not one formula
-  explicit Size_formula(const std::string& text, std::set<int> shore = {})
-    : m_formula("--size", text), m_shore(std::move(shore))
+  explicit Size_formula(const std::string& text, const std::vector<std::string>& rasters, std::set<int> shore = {})
+    : m_formula("--size", text, rasters), m_shore(std::move(shore))
   {}
 
   /// sets what the variable `distance` is in a domain, if it is used
@@ -47,7 +49,7 @@ public:
   bool has_region() const { return m_formula.uses("region"); }
 
   /// \throws std::runtime_error if a raster is needed and there is none
-  void set_raster(const Raster_values& raster) { m_formula.set_raster(raster); }
+  void set_rasters(const Rasters& rasters) { m_formula.set_rasters(rasters); }
 
   /// \throws std::runtime_error if d is not positive and finite
   template <class Point_2>

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -73,7 +74,7 @@ public:
       }
     }
     return empty == 0 ? ""
-                      : "the raster has no value at " + std::to_string(empty) + " of the domain's vertices; what is nearest is " +
+                      : "no value at " + std::to_string(empty) + " of the domain's vertices; what is nearest is " +
                           "taken, at " + to_string(there) + " from " + std::to_string(std::lround(farthest)) + " cells away";
   }
 
@@ -191,12 +192,12 @@ private:
   /// a projection is of one thread only
   OGRCoordinateTransformation* my_projection() const
   {
-    thread_local const Raster* whose = nullptr;
-    thread_local Projection mine;
-    if (whose != this) {
-      mine.reset(m_projection ? m_projection->Clone() : nullptr);
-      whose = this;
-    }
+    thread_local std::map<const Raster*, Projection> of_thread; // rasters live as long as formulas, to the end
+    if (!m_projection)
+      return nullptr;
+    Projection& mine = of_thread[this];
+    if (!mine)
+      mine.reset(m_projection->Clone());
     return mine.get();
   }
 
