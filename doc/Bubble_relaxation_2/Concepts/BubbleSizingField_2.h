@@ -24,6 +24,7 @@ distance; `CGAL::Gradation_limited_sizing_field_2` makes one of it that does not
 \cgalHasModels{any function object or lambda with this signature}
 \cgalHasModels{CGAL::Gradation_limited_sizing_field_2<CDT>}
 \cgalHasModels{CGAL::Interpolated_sizing_field_2<Triangulation>}
+\cgalHasModels{CGAL::Outline_limited_sizing_field_2<CDT>}
 \cgalHasModels{CGAL::Region_sizing_field_2<CDT>}
 \cgalHasModels{CGAL::Minimum_sizing_field_2<Fields>}
 \cgalHasModels{CGAL::Constant_sizing_field_2}
