@@ -126,8 +126,8 @@ struct Mesh_arrays_2
   /// \pre their indices are those of points
   std::vector<Edge> boundary_edges() const;
 
-  /// \throws std::invalid_argument if arrays do not belong together: if one is too short, or an index too large, or if
-  /// a coordinate, an elevation, a hole or a region is not finite
+  /// \throws std::invalid_argument if arrays do not belong together: if one is too short, or an index too large or twice
+  /// in a triangle or an edge, if an edge comes twice, or if a coordinate, an elevation, a hole or a region is not finite
   void check() const;
 
 private:
@@ -267,7 +267,8 @@ inline std::vector<Mesh_arrays_2::Index> Mesh_arrays_2::add_edges(const Marks& m
   return ends;
 }
 
-/// adds a point in each hole: the centroid of its largest triangle
+/// Adds a point in each hole: the centroid of its largest triangle. Constraints that do not bound the domain are not among
+/// the edges, so they part no hole.
 inline void Mesh_arrays_2::add_holes(const Marks& marks)
 {
   const auto& tr = marks.tr;
@@ -291,14 +292,14 @@ inline void Mesh_arrays_2::add_holes(const Marks& marks)
       const Index t = stack.back();
       stack.pop_back();
       for (int i = 0; i < 3; ++i)
-        if (tr.neighbors[t][i] >= 0 && !marks.is_constrained(t, i))
+        if (tr.neighbors[t][i] >= 0)
           reach(tr.neighbors[t][i]);
     }
   };
   const Index n = static_cast<Index>(tr.number_of_triangles());
   for (Index t = 0; t < n; ++t) // what lies outside of all outlines is no hole
     for (int i = 0; i < 3; ++i)
-      if (tr.neighbors[t][i] < 0 && !marks.is_constrained(t, i))
+      if (tr.neighbors[t][i] < 0)
         reach(t);
   flood();
   for (Index t = 0; t < n; ++t) {
@@ -362,10 +363,15 @@ inline void Mesh_arrays_2::check() const
   };
   const auto check_indices = [this](const char* name, const auto& cells) {
     for (const auto& cell : cells)
-      for (const std::size_t v : cell)
+      for (std::size_t k = 0; k < cell.size(); ++k) {
+        const std::size_t v = cell[k];
         if (v >= points.size())
           throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: " + std::string(name) + " name the point " +
                                       std::to_string(v) + " of " + std::to_string(points.size()));
+        if (v == cell[(k + 1) % cell.size()])
+          throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: one of " + std::string(name) +
+                                      " has the point " + std::to_string(v) + " twice");
+      }
   };
   using Bubble_relaxation_2::internal::in_words;
   for (const std::vector<Point_2>* places : {&points, &holes})
@@ -393,6 +399,14 @@ inline void Mesh_arrays_2::check() const
   check_size("edge_markers", edge_markers.size(), edges.size());
   check_indices("triangles", triangles);
   check_indices("edges", edges);
+  std::vector<Edge> sorted;
+  for (const Edge& e : edges)
+    sorted.push_back({(std::min)(e[0], e[1]), (std::max)(e[0], e[1])});
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end())
+    throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: the edge of the points " +
+                                std::to_string((*twice)[0]) + " and " + std::to_string((*twice)[1]) + " comes twice");
 }
 
 } // namespace CGAL

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 namespace CGAL {
@@ -48,15 +49,18 @@ struct Transfer_report_2
 inline std::ostream& operator<<(std::ostream& out, const Transfer_report_2& report)
 {
   const auto row = [](const std::string& name) { return "  " + name + std::string(36 - name.size(), ' '); };
-  out << row("area of source, of target") << report.source_area << ", " << report.target_area << '\n';
+  std::ostringstream text; // whatever the format of the user's stream
+  text.imbue(out.getloc());
+  text << row("area of source, of target") << report.source_area << ", " << report.target_area << '\n';
   if (std::isnan(report.overlap_area))
-    out << row("integral before, after") << report.source_integral << ", " << report.target_integral << '\n';
+    text << row("integral before, after") << report.source_integral << ", " << report.target_integral << '\n';
   else
-    out << row("overlap, uncovered") << report.overlap_area << ", " << report.uncovered_area << '\n'
-        << row("integral before, of overlap, after") << report.source_integral << ", " << report.overlap_integral
-        << ", " << report.target_integral << '\n'
-        << row("pairs of triangles") << report.number_of_pairs << '\n';
-  return out << row("seconds") << report.seconds << '\n';
+    text << row("overlap, uncovered") << report.overlap_area << ", " << report.uncovered_area << '\n'
+         << row("integral before, of overlap, after") << report.source_integral << ", " << report.overlap_integral
+         << ", " << report.target_integral << '\n'
+         << row("pairs of triangles") << report.number_of_pairs << '\n';
+  text << row("seconds") << report.seconds << '\n';
+  return out << text.str();
 }
 
 } // namespace CGAL

@@ -26,6 +26,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/utility.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -147,7 +148,8 @@ public:
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument if the triangulation has no domain, if an edge around the domain is not constrained, if
-  a coordinate is not finite, or if a triangle has no area in `double`
+  a coordinate is not finite or beyond the magnitudes that the manual states, if a seed tells no region, or if a triangle has
+  no area in `double`
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Voronoi_dual_2(const CDT_& cdt, const NamedParameters& np = parameters::default_values())
@@ -206,8 +208,10 @@ private:
   {
     add_cells(domain);
     const std::vector<Dual_face> faces = Bubble_relaxation_2::internal::dual_faces(domain.tr);
+    const auto marker = markers(domain, np);
     for (const Dual_face& f : faces)
-      add_face(domain, f, marker(domain, f, np));
+      add_face(domain, f, marker(f));
+    add_up_areas(faces);
     std::vector<double> areas;
     for (const Cell& c : m_cells)
       areas.push_back(c.area);
@@ -235,20 +239,37 @@ private:
     return Bubble_relaxation_2::internal::Handles<CDT>::vertex(domain.vertices.addresses()[i]);
   }
 
+  /// what tells the markers of faces
   template <class NamedParameters>
-  static Marker marker([[maybe_unused]] const Domain_marks& domain, [[maybe_unused]] const Dual_face& f,
-                       [[maybe_unused]] const NamedParameters& np)
+  static auto markers([[maybe_unused]] const Domain_marks& domain, [[maybe_unused]] const NamedParameters& np)
   {
     using namespace Bubble_relaxation_2::internal;
     if constexpr (Is_given<NamedParameters, internal_np::edge_marker_t>::value) {
-      const auto map = parameters::get_parameter(np, internal_np::edge_marker);
+      const auto map = parameters::get_parameter(np, internal_np::edge_marker); // a copy, which may hold all markers
       using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
       static_assert(std::is_convertible<Value, Marker>::value,
                     "the second parameter of Voronoi_dual_2 must be the type of edge_marker_map's values");
-      if (domain.is_constrained(f.triangle, f.side))
-        return get(map, CGAL::make_sorted_pair(vertex(domain, f.a), vertex(domain, f.b)));
+      return [map, &domain](const Dual_face& f) {
+        return domain.is_constrained(f.triangle, f.side)
+                 ? Marker(get(map, CGAL::make_sorted_pair(vertex(domain, f.a), vertex(domain, f.b))))
+                 : Marker();
+      };
+    } else {
+      return [](const Dual_face&) { return Marker(); };
     }
-    return Marker();
+  }
+
+  /// Adds what faces give to the areas of cells, in an order that does not depend on where triangles lie in memory.
+  void add_up_areas(const std::vector<Dual_face>& faces)
+  {
+    std::vector<std::pair<std::size_t, double>> shares;
+    shares.reserve(2 * faces.size());
+    for (const Dual_face& f : faces)
+      for (Index v : {f.a, f.b})
+        shares.emplace_back(m_cell_of[v], f.length * f.distance / 4);
+    std::sort(shares.begin(), shares.end());
+    for (const auto& [cell, share] : shares)
+      m_cells[cell].area += share;
   }
 
   void add_face(const Domain_marks& domain, const Dual_face& f, const Marker& marker)
@@ -258,8 +279,6 @@ private:
     m_faces.push_back({a, b, f.length, f.left, f.right, f.distance, beside(f, 0, (f.left - f.right) / 2),
                        vector(f.along.x, f.along.y), edge, !f.has_right,
                        domain.is_constrained(f.triangle, f.side), marker});
-    for (std::size_t cell : {a, b})
-      m_cells[cell].area += f.length * f.distance / 4;
     if (f.has_right)
       return;
     m_boundary.push_back(f);

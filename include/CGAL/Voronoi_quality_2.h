@@ -71,6 +71,7 @@ inline std::ostream& operator<<(std::ostream& out, const Voronoi_quality_2& q)
 {
   const auto row = [](const std::string& name) { return "  " + name + std::string(36 - name.size(), ' '); };
   std::ostringstream text; // the user's stream keeps its format
+  text.imbue(out.getloc());
   text << row("cells, faces") << q.number_of_cells << ", " << q.number_of_faces << '\n'
        << row("smallest area") << q.smallest_area << '\n'
        << row("smallest face over distance") << q.smallest_face_ratio << " at "

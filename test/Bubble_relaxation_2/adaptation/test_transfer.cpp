@@ -12,6 +12,7 @@
 #include "expect_throw.h"
 #include "random_seeds.h"
 
+#include <CGAL/Bubble_relaxation_2/internal/transfer/face_slopes.h>
 #include <CGAL/npbs_relax.h>
 #include <CGAL/transfer_2.h>
 
@@ -443,6 +444,40 @@ TEST(Transfer, what_does_not_change_keeps_its_bits)
     transfer(s, in_s, t, values, P::transfer_method(method));
     for (const auto& f : values)
       EXPECT_NEAR(f.second, value_at.at(CGAL::centroid(t.triangle(f.first))), 2e-15);
+  }
+}
+
+// beside values that are very much larger as well
+TEST(Transfer, interpolation_keeps_the_bits_of_small_values)
+{
+  const CDT s = mesh(star, 0.1), t = s;
+  Vertex_values<CDT> at_s = at_vertices(s, [](const Point& p) { return 1e-20 * wave(p); }), values;
+  at_s.begin()->second = 1e300;
+  transfer(s, at_s, t, values, P::transfer_method(Vertex_transfer::INTERPOLATION));
+  EXPECT_TRUE(by_place(t, values) == by_place(s, at_s));
+}
+
+// each triangle looking at all around each of its corners would take many minutes
+TEST(Transfer, slopes_around_a_vertex_of_high_degree)
+{
+  namespace internal = CGAL::Bubble_relaxation_2::internal;
+  for (const int n : {300, 200000}) {
+    internal::Face_set_2 fan;
+    fan.points.emplace_back(0, 0);
+    for (int k = 0; k <= n; ++k)
+      fan.points.emplace_back(std::cos(1.5 * k / n), std::sin(1.5 * k / n));
+    std::vector<double> values;
+    for (int k = 1; k <= n; ++k) {
+      fan.triangles.push_back({0, k, k + 1});
+      values.push_back(linear(CGAL::centroid(fan.points[0], fan.points[k], fan.points[k + 1])));
+    }
+    const internal::Triangles_around_2 around(fan.triangles, fan.points.size(), [](std::size_t) { return true; });
+    const std::vector<internal::Offset_2> slopes = internal::face_slopes(fan, around, values);
+    for (int k = 0; k < n; k += n / 100) // roundings count as much as the triangles are slim
+      EXPECT_NEAR(slopes[k].x, linear(fan.points[k + 1]) - linear(fan.points[0]), n > 1000 ? 1e-2 : 1e-8);
+    const std::vector<internal::Bounds> bounds = internal::bounds_around(fan, around, values);
+    EXPECT_EQ(bounds[n / 2].least, *std::min_element(values.begin(), values.end()));
+    EXPECT_EQ(bounds[n / 2].largest, *std::max_element(values.begin(), values.end()));
   }
 }
 

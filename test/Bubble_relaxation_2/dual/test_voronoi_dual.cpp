@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <locale>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -213,6 +214,51 @@ TEST(Voronoi_dual, markers_are_those_of_constraints)
   EXPECT_GT(distance[INSIDE], 10.); // no constraints
 }
 
+/// one marker everywhere; how often it was copied
+struct Counting_markers
+{
+  using key_type = std::pair<CDT::Vertex_handle, CDT::Vertex_handle>;
+  using value_type = int;
+  using reference = int;
+  using category = boost::readable_property_map_tag;
+
+  explicit Counting_markers(int& n) : number(&n) {}
+  Counting_markers(const Counting_markers& other) : number(other.number) { ++*number; }
+  Counting_markers& operator=(const Counting_markers&) = delete;
+
+  int* number;
+
+  friend int get(const Counting_markers&, const key_type&) { return 1; }
+};
+
+TEST(Voronoi_dual, a_map_of_markers_is_not_copied_for_each_face)
+{
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1)}, 0.05);
+  int number = 0;
+  const Dual dual(cdt, P::edge_marker_map(Counting_markers(number)));
+  EXPECT_GT(dual.faces().size(), 500u);
+  EXPECT_LT(number, 20);
+}
+
+TEST(Voronoi_dual, areas_have_the_same_bits_wherever_triangles_lie)
+{
+  std::vector<Point> points;
+  for (auto v : domains::mesh({domains::square(0, 0, 1)}, 0.07).finite_vertex_handles())
+    points.push_back(Point(v->point().x() / 3, v->point().y() / 3));
+  const auto areas = [&points] {
+    CDT cdt = domains::make({domains::square(0, 0, 1 / 3.)});
+    for (const Point& p : points) // no sorting in space before insertion
+      cdt.insert(p);
+    std::map<Point, double> result;
+    for (const auto& c : Dual(cdt).cells())
+      result[c.center] = c.area;
+    return result;
+  };
+  const std::map<Point, double> expected = areas();
+  std::reverse(points.begin(), points.end());
+  EXPECT_TRUE(areas() == expected);
+}
+
 TEST(Voronoi_dual, edges_know_what_is_on_both_sides)
 {
   CDT cdt = domains::make({domains::square(0, 0, 1)});
@@ -262,12 +308,20 @@ TEST(Voronoi_dual, refuses_what_has_no_cells)
   expect_invalid([&] { CGAL::Voronoi_dual_2<Exact_cdt> dual(flat); }, {"triangle at (", "too flat"});
 }
 
+struct Decimal_comma : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+};
+
+// as the stream has it, whatever the program's locale is
 TEST(Voronoi_dual, statistics_are_printed)
 {
   const Dual dual(domains::make({{{0, 0}, {4, 0}, {2, 1}}}));
   std::ostringstream out;
   out.precision(3);
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Decimal_comma));
   out << dual.quality() << 0.123456;
+  std::locale::global(before);
   EXPECT_EQ(out.str(), "  cells, faces                        3, 3\n"
                        "  smallest area                       -0.25\n"
                        "  smallest face over distance         -0.375 at (2, 0)\n"

@@ -173,6 +173,20 @@ TEST(Files, vtu)
   EXPECT_EQ(regions, arrays.regions);
 }
 
+/// that of the triangle around a place
+double region_at(const Mesh_arrays_2& mesh, double x, double y)
+{
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto& t = mesh.triangles[k];
+    const Mesh_arrays_2::Point_2 p(x, y);
+    if (CGAL::orientation(mesh.points[t[0]], mesh.points[t[1]], p) != CGAL::RIGHT_TURN &&
+        CGAL::orientation(mesh.points[t[1]], mesh.points[t[2]], p) != CGAL::RIGHT_TURN &&
+        CGAL::orientation(mesh.points[t[2]], mesh.points[t[0]], p) != CGAL::RIGHT_TURN)
+      return mesh.regions[k];
+  }
+  return -1;
+}
+
 TEST(Files, triangle)
 {
   const Folder folder;
@@ -202,6 +216,19 @@ TEST(Files, triangle)
   for (const char* word : {"0", "2", "0", "1"})
     poly.expect(word);
   ASSERT_EQ(poly.count(), arrays.edges.size());
+  poly.expect("1");
+  for (std::size_t k = 0; k < 4 * arrays.edges.size(); ++k)
+    poly.count();
+  ASSERT_EQ(poly.count(), arrays.holes.size());
+  for (std::size_t k = 0; k < 3 * arrays.holes.size(); ++k)
+    poly.number();
+  ASSERT_EQ(poly.count(), 2u); // the regions, of which a segment is the border
+  for (std::size_t k = 1; k <= 2; ++k) {
+    EXPECT_EQ(poly.count(), k);
+    const double x = poly.number(), y = poly.number(), region = poly.number();
+    EXPECT_EQ(region, region_at(arrays, x, y));
+    EXPECT_EQ(poly.number(), -1);
+  }
   Words edge(text_of(folder / "bay.edge"));
   // Euler: two holes
   EXPECT_EQ(edge.count(), arrays.points.size() + arrays.triangles.size() + 1);
@@ -235,6 +262,14 @@ TEST(Files, say_what_went_wrong_and_leave_nothing)
       {folder / "a", "cannot be written", "File too large"});
   setrlimit(RLIMIT_FSIZE, &old);
   EXPECT_TRUE(folder.is_empty());
+}
+
+TEST(Files, names_of_data_are_xml)
+{
+  Mesh_arrays_2 mesh = tagged_bay();
+  mesh.vertex_data["a\x01<b\n"].assign(mesh.points.size(), 1);
+  const std::string text = file_readers::written([&](std::ostream& out) { CGAL::IO::write_VTU(out, mesh); });
+  EXPECT_NE(text.find("\"a?&lt;b&#10;\""), std::string::npos);
 }
 
 TEST(Files, refuse_arrays_that_do_not_belong_together)

@@ -197,6 +197,20 @@ TEST(Files_of_waters, a_file_stays_if_what_is_to_be_written_is_refused)
   EXPECT_EQ(std::filesystem::file_size(name), size);
 }
 
+TEST(Files_of_waters, adcirc_needs_the_boundary_and_the_domain_on_its_left)
+{
+  const auto expect_refused = [](const Mesh_arrays_2& mesh, const std::string& words) {
+    expect_invalid([&] { written([&](std::ostream& out) { CGAL::IO::write_ADCIRC(out, mesh); }); }, {words});
+  };
+  Mesh_arrays_2 mesh = sea();
+  mesh.edges.clear();
+  mesh.edge_markers.clear();
+  expect_refused(mesh, "which one triangle has, is not among the edges");
+  mesh = sea();
+  std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
+  expect_refused(mesh, "is clockwise");
+}
+
 TEST(Files_of_waters, adcirc_of_a_lake)
 {
   const Mesh_arrays_2 mesh = sea();

@@ -92,6 +92,18 @@ TEST(Mesh_arrays, mark_the_boundary_where_there_are_no_markers)
   EXPECT_EQ(*std::min_element(mesh.vertex_markers.begin(), mesh.vertex_markers.end()), 0);
 }
 
+// what lies between a domain and other constraints around it is outside of what is written, and no hole
+TEST(Mesh_arrays, have_a_point_in_each_hole_and_none_outside)
+{
+  Cdt cdt = domains::make({domains::square(0, 0, 4), domains::square(1, 1, 2), domains::square(1.5, 1.5, 1),
+                           domains::square(1.7, 1.7, 0.3)});
+  const std::vector<domains::Point> between{{1.2, 1.2}};
+  const Mesh_arrays_2 mesh(cdt, P::seeds(between).seeds_are_in_domain(true));
+  EXPECT_EQ(mesh.edges.size(), 8u);
+  ASSERT_EQ(mesh.holes.size(), 1u); // that in it is not written
+  EXPECT_TRUE(1.5 < mesh.holes[0].x() && mesh.holes[0].x() < 2.5 && 1.5 < mesh.holes[0].y() && mesh.holes[0].y() < 2.5);
+}
+
 TEST(Mesh_arrays, number_names)
 {
   const Bay<std::string, std::string> named("sea", "coast", "island", "", "sand", "rock");
@@ -135,6 +147,15 @@ TEST(Mesh_arrays, that_are_filled_by_hand_need_no_markers_to_be_marked)
   EXPECT_EQ(mesh.edge_markers, (std::vector<int>{1, 1, 1, 1, 0}));
   EXPECT_EQ(mesh.vertex_markers, std::vector<int>(4, 1));
   EXPECT_NO_THROW(mesh.check());
+  mesh = square();
+  mesh.edges.push_back({2, 1});
+  expect_invalid([&] { mesh.mark_boundary(); }, {"the edge of the points 1 and 2 comes twice"});
+  mesh = square();
+  mesh.edges.push_back({1, 1});
+  expect_invalid([&] { mesh.mark_boundary(); }, {"one of edges has the point 1 twice"});
+  mesh = square();
+  mesh.triangles.push_back({3, 0, 3});
+  expect_invalid([&] { mesh.mark_boundary(); }, {"one of triangles has the point 3 twice"});
   mesh = square();
   mesh.edges.push_back({0, 4});
   expect_invalid([&] { mesh.mark_boundary(); }, {"edges name the point 4 of 4"});

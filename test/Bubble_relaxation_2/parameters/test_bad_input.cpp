@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <locale>
 
 namespace test_bad_input {
 
@@ -136,11 +137,21 @@ TEST(Bad_size, throws_at_any_call)
   }
 }
 
+struct Thousands_separator : std::numpunct<char>
+{
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
 TEST(Bad_size, too_many_bubbles)
 {
   CDT cdt = square();
   expect_throw<std::length_error>(cdt, P::sizing_function(0.01).maximum_number_of_bubbles(5000),
                                   {"maximum_number_of_bubbles", "5000"});
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Thousands_separator));
+  expect_throw<std::length_error>(cdt, P::sizing_function(0.01).maximum_number_of_bubbles(5000),
+                                  {"maximum_number_of_bubbles = 5000: "});
+  std::locale::global(before);
   expect_throw<std::length_error>(cdt, P::sizing_function(1e-12), {"maximum_number_of_bubbles"});
   expect_throw<std::length_error>(
     cdt, P::sizing_function([](const Point& p) { return 1e-7 + 1e-6 * std::abs(p.x()); }),

@@ -53,6 +53,7 @@ struct Coastal_boundary_2
     std::map<Mesh_arrays_2::Edge, int> markers;
     for (std::size_t k = 0; k < mesh.edges.size(); ++k)
       markers[mesh.edges[k]] = mesh.edge_markers[k];
+    check_triangles(mesh, markers);
     std::set<int> missing = open_markers;
     std::vector<Mesh_arrays_2::Edge> open_edges, land_edges;
     for (const auto& e : mesh.boundary_edges()) {
@@ -78,6 +79,28 @@ struct Coastal_boundary_2
   }
 
 private:
+  /// whether the boundary can be told from the edges, with the domain on its left
+  static void check_triangles(const Mesh_arrays_2& mesh, const std::map<Mesh_arrays_2::Edge, int>& edges)
+  {
+    std::vector<Mesh_arrays_2::Edge> sides;
+    for (const auto& t : mesh.triangles) {
+      const auto &p = mesh.points[t[0]], &q = mesh.points[t[1]], &r = mesh.points[t[2]];
+      if (CGAL::orientation(p, q, r) == RIGHT_TURN)
+        throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: the triangle at " + in_words(p.x(), p.y()) +
+                                    " is clockwise");
+      for (std::size_t i = 0; i < 3; ++i)
+        sides.push_back({t[i], t[(i + 1) % 3]});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (const auto& side : sides) {
+      const Mesh_arrays_2::Edge turned{side[1], side[0]};
+      if (!std::binary_search(sides.begin(), sides.end(), turned) && edges.count(side) == 0 && edges.count(turned) == 0)
+        throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: the side of the points " +
+                                    std::to_string(side[0]) + " and " + std::to_string(side[1]) +
+                                    ", which one triangle has, is not among the edges");
+    }
+  }
+
   static bool is_clockwise(const Mesh_arrays_2& mesh, const std::vector<std::size_t>& closed)
   {
     double area = 0; // twice that, from the first point, so that no digits are lost where coordinates are large
@@ -150,8 +173,8 @@ wants 0
 
 \returns whether it was written
 
-\throws std::invalid_argument if `land_type` is none of these, if no edge of the boundary has one of `open_markers`, or as
-`Mesh_arrays_2::check()` does
+\throws std::invalid_argument if `land_type` is none of these, if no edge of the boundary has one of `open_markers`, if a
+triangle is clockwise, if a side that one triangle has is not among the edges, or as `Mesh_arrays_2::check()` does
 */
 inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std::set<int>& open_markers = {},
                          int land_type = 0)

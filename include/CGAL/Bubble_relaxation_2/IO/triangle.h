@@ -16,17 +16,68 @@
 #include <CGAL/Bubble_relaxation_2/internal/files/write_file.h>
 #include <CGAL/Mesh_arrays_2.h>
 
+#include <CGAL/centroid.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <ostream>
+#include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
-namespace CGAL::IO {
+namespace CGAL {
+namespace Bubble_relaxation_2::internal {
+
+inline Mesh_arrays_2::Point_2 centroid_of(const Mesh_arrays_2& mesh, std::size_t triangle)
+{
+  const auto& t = mesh.triangles[triangle];
+  return CGAL::centroid(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+}
+
+/// the largest triangle of each part of a mesh that edges bound
+inline std::vector<std::size_t> largest_triangles_between_edges(const Mesh_arrays_2& mesh)
+{
+  using Edge = Mesh_arrays_2::Edge;
+  const auto sorted = [](std::size_t a, std::size_t b) { return Edge{(std::min)(a, b), (std::max)(a, b)}; };
+  std::vector<std::pair<Edge, std::size_t>> sides;
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      sides.emplace_back(sorted(mesh.triangles[k][i], mesh.triangles[k][(i + 1) % 3]), k);
+  std::sort(sides.begin(), sides.end());
+  std::set<Edge> edges;
+  for (const Edge& e : mesh.edges)
+    edges.insert(sorted(e[0], e[1]));
+  boost::disjoint_sets_with_storage<> parts(mesh.triangles.size());
+  for (std::size_t k = 1; k < sides.size(); ++k)
+    if (sides[k].first == sides[k - 1].first && edges.count(sides[k].first) == 0)
+      parts.union_set(sides[k].second, sides[k - 1].second);
+  std::map<std::size_t, std::size_t> largest; // by the representative of the part
+  const auto area = [&mesh](std::size_t k) {
+    const auto& t = mesh.triangles[k];
+    return CGAL::area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  };
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto found = largest.emplace(parts.find_set(k), k).first;
+    if (area(k) > area(found->second))
+      found->second = k;
+  }
+  std::vector<std::size_t> result;
+  for (const auto& part : largest)
+    result.push_back(part.second);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // namespace Bubble_relaxation_2::internal
+
+namespace IO {
 
 /*!
 \ingroup PkgBubbleRelaxation2Files
@@ -75,8 +126,9 @@ inline bool write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes the edges on constraints of a mesh, with their markers, and its holes, as a `.poly` file of Triangle. Its points
-are those of the `.node` file beside it.
+writes the edges on constraints of a mesh, with their markers, its holes, and its regions, if there are any, as a `.poly`
+file of Triangle. Its points are those of the `.node` file beside it. A region is what lies within edges: if its triangles
+have different ones, that of the largest triangle counts.
 
 \returns whether it was written
 
@@ -92,6 +144,13 @@ inline bool write_triangle_poly(std::ostream& out, const Mesh_arrays_2& mesh)
   out << mesh.holes.size() << '\n';
   for (std::size_t k = 0; k < mesh.holes.size(); ++k)
     out << k + 1 << ' ' << mesh.holes[k].x() << ' ' << mesh.holes[k].y() << '\n';
+  const std::vector<std::size_t> largest = Bubble_relaxation_2::internal::largest_triangles_between_edges(mesh);
+  if (!mesh.regions.empty())
+    out << largest.size() << '\n';
+  for (std::size_t k = 0; k < largest.size() && !mesh.regions.empty(); ++k) {
+    const auto p = Bubble_relaxation_2::internal::centroid_of(mesh, largest[k]);
+    out << k + 1 << ' ' << p.x() << ' ' << p.y() << ' ' << mesh.regions[largest[k]] << " -1\n"; // -1: no largest area
+  }
   return static_cast<bool>(out);
 }
 
@@ -174,7 +233,8 @@ inline void write_triangle_files(const std::string& name, const Mesh_arrays_2& m
   }
 }
 
-} // namespace CGAL::IO
+} // namespace IO
+} // namespace CGAL
 
 #include <CGAL/Bubble_relaxation_2/internal/core/enable_warnings.h>
 

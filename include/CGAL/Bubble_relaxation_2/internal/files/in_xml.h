@@ -13,7 +13,7 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// a text as the value of an attribute
+/// a text as the value of an attribute; characters that XML has not are question marks
 inline std::string in_xml(const std::string& text)
 {
   std::string result;
@@ -24,8 +24,10 @@ inline std::string in_xml(const std::string& text)
       result += "&lt;";
     else if (c == '"')
       result += "&quot;";
+    else if (c == '\n' || c == '\t' || c == '\r')
+      result += "&#" + std::to_string(static_cast<int>(c)) + ';';
     else
-      result += c;
+      result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
   }
   return result;
 }

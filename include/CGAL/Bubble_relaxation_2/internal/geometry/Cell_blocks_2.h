@@ -219,7 +219,9 @@ private:
   template <class Mark>
   Block& find_or_add_block(const Cell& cell, const Mark& mark)
   {
-    const auto above = [&cell](int k) { return Cell{cell.ix >> k, cell.iy >> k, cell.level + k}; };
+    const auto above = [&cell](int k) { // sizes may differ by more than 2^64
+      return Cell{cell.ix >> (std::min)(k, 63), cell.iy >> (std::min)(k, 63), cell.level + k};
+    };
     Index b = find_or_add_root(block_index(above(m_highest - cell.level)));
     for (int k = m_highest - cell.level; k > 0; --k) {
       mark(m_blocks[b], bit_of(above(k)));

@@ -71,6 +71,7 @@ CGAL_BUBBLE_RELAXATION_2_INLINE
 void print_mesh_quality(std::ostream& out, const Mesh_quality_2<double>& quality)
 {
   std::ostringstream text; // the user's stream keeps its format
+  text.imbue(out.getloc());
   print_table(text, quality);
   if (quality.number_of_triangles() > 0)
     print_histogram(text, quality);

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -195,6 +196,7 @@ private:
                                                 const Expected_number_of_bubbles& count)
 {
   std::ostringstream message;
+  message.imbue(std::locale::classic());
   message << "Bubble_relaxation_2: parameter maximum_number_of_bubbles = " << maximum << ": " << asking
           << " ask for more, at least " << std::ceil(expected);
   if (const double all = count.rough_integral_over_faces(); all > 2 * expected)

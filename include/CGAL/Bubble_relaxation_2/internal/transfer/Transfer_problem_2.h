@@ -34,12 +34,14 @@ struct Transferred_values_2
   Transfer_report_2 report;
 };
 
-/// Scales a problem and, in the end, its solution back: nothing in between depends on units.
+/// Scales a problem and, in the end, its solution back: nothing in between depends on units. Values that are only
+/// interpolated are not scaled, since much smaller ones than the largest would lose bits.
 class Transfer_scale_2
 {
 public:
-  explicit Transfer_scale_2(Transfer_problem_2& problem)
-    : m_length(scale_to_unit(problem.source, problem.target)), m_value(scale_to_unit(problem.values))
+  Transfer_scale_2(Transfer_problem_2& problem, bool scales_values)
+    : m_length(scale_to_unit(problem.source, problem.target)),
+      m_value(scales_values ? scale_to_unit(problem.values) : 1)
   {}
 
   void undo(Transferred_values_2& transferred) const

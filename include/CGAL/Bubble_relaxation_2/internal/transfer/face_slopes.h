@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Transfer_problem_2.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Bubble_relaxation_2::internal {
@@ -36,16 +37,20 @@ inline Offset_2 centroid_seen_from(const Face_set_2& faces, Index t, Index n)
 /// The slopes of a linear function in each triangle: by how much it changes from its first corner to the second one and
 /// to the third one. The values in the triangles around, which share a corner with it, are met in their centroids as
 /// well as can be, by least squares: exactly if the values are those of a linear function. The squares are weighed by
-/// the triangle's own shape, so that slopes are as good in meshes of needles.
+/// the triangle's own shape, so that slopes are as good in meshes of needles. Of very many triangles around a corner only
+/// some count, which depend on the order of points alone: else all of them would look at all.
 inline std::vector<Offset_2> face_slopes(const Face_set_2& faces, const Triangles_around_2& around,
                                          const std::vector<double>& values)
 {
+  constexpr std::size_t many = 64; // triangles around a corner
   std::vector<Offset_2> slopes;
   for (std::size_t k = 0; k < faces.number_of_triangles(); ++k) {
     const Index t = static_cast<Index>(k);
     double xx = 0, xy = 0, yy = 0, xu = 0, yu = 0;
-    for (Index v : faces.triangles[t])
-      for (Index n : around[v]) { // one that shares a side comes twice: the nearer ones count more
+    for (Index v : faces.triangles[t]) {
+      const auto fan = around[v];
+      for (std::size_t m = 0; m < fan.size(); m += 1 + fan.size() / many) {
+        const Index n = fan.begin()[m]; // one that shares a side comes twice: the nearer ones count more
         const Offset_2 d = centroid_seen_from(faces, t, n);
         const double du = values[n] - values[t];
         xx += d.x * d.x;
@@ -54,6 +59,7 @@ inline std::vector<Offset_2> face_slopes(const Face_set_2& faces, const Triangle
         xu += d.x * du;
         yu += d.y * du;
       }
+    }
     // where all centroids are on a line, as good as, there is no slope across: the triangle keeps its constant
     const double determinant = xx * yy - xy * xy;
     if (determinant > 1e-12 * xx * yy)
@@ -68,12 +74,15 @@ inline std::vector<Offset_2> face_slopes(const Face_set_2& faces, const Triangle
 inline std::vector<Bounds> bounds_around(const Face_set_2& faces, const Triangles_around_2& around,
                                          const std::vector<double>& values)
 {
-  std::vector<Bounds> bounds;
-  for (std::size_t t = 0; t < faces.number_of_triangles(); ++t) {
-    bounds.push_back(Bounds{values[t], values[t]});
-    for (Index v : faces.triangles[t])
-      for (Index n : around[v])
-        bounds.back().include(values[n]);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Bounds> at_points(faces.points.size(), Bounds{infinity, -infinity}), bounds;
+  for (std::size_t v = 0; v < faces.points.size(); ++v)
+    for (Index n : around[v])
+      at_points[v].include(values[n]);
+  for (const auto& corners : faces.triangles) {
+    bounds.push_back(at_points[corners[0]]);
+    bounds.back().include(at_points[corners[1]]);
+    bounds.back().include(at_points[corners[2]]);
   }
   return bounds;
 }

@@ -39,7 +39,7 @@ inline void report_overlaps(const Transfer_problem_2& problem, const Face_remap_
 inline Transferred_values_2 transfer_face_values(Transfer_problem_2 problem, Face_transfer method,
                                                  const Threads& threads)
 {
-  const Transfer_scale_2 scale(problem);
+  const Transfer_scale_2 scale(problem, true);
   Transferred_values_2 result;
   Transfer_report_2& report = result.report;
   const std::vector<double> source_areas = problem.source.areas(), target_areas = problem.target.areas();

@@ -39,7 +39,7 @@ inline void report_overlaps(const std::vector<double>& target_areas, const std::
 inline Transferred_values_2 transfer_vertex_values(Transfer_problem_2 problem, Vertex_transfer method,
                                                    const Threads& threads)
 {
-  const Transfer_scale_2 scale(problem);
+  const Transfer_scale_2 scale(problem, method != Vertex_transfer::INTERPOLATION);
   const Source_search_2 search(problem.source);
   const Mass_matrix_2 source(problem.source), target(problem.target);
   Transferred_values_2 result;
