@@ -127,7 +127,8 @@ been computed
 \returns areas and integrals; with `INTERPOLATION`, which intersects no triangles, not those of what both have in common
 
 \throws std::invalid_argument if no face takes part, if one of the faces given is infinite, if a coordinate or value is
-not finite, if a coordinate is beyond the magnitudes that the manual states, or if a triangle is turned over when its corners are rounded to `double`. No value has been written then.
+not finite, if a coordinate is beyond the magnitudes that the manual states, or if a triangle is turned over when its
+corners are rounded to `double`. No value has been written then.
 
 \sa `transfer_face_values_2()`
 \sa `Interpolated_sizing_field_2`
