@@ -68,7 +68,7 @@ CDT at_once(const D& d)
 TEST(Misfits, are_none_where_sizes_did_not_change)
 {
   const auto wave = [](const Point& p) { return 0.03 * (1 + 0.5 * std::sin(9 * p.x()) * std::sin(7 * p.y())); };
-  const auto ramp = [](const Point& p) { return 0.01 + 0.1 * p.x(); };
+  const auto ramp = [](const Point& p) { return 0.01 + 0.005 * p.x(); };
   const auto expect_none = [](const auto& d) {
     CDT cdt = at_once(d);
     const Content<CDT> before(cdt);
@@ -249,6 +249,25 @@ TEST(Misfits, are_looked_for_where_the_caller_says)
   EXPECT_FALSE(left.empty());
   for (CDT::Face_handle f : left)
     EXPECT_GT(f->vertex(0)->point().x(), 0.5);
+}
+
+/// For users whose d is slow: no bubbles are counted before there is a part.
+TEST(Misfits, are_looked_for_with_few_calls_of_the_size)
+{
+  std::size_t calls = 0;
+  const auto counted = [&](const Point& p) {
+    ++calls;
+    return 0.01 + 0.005 * p.x();
+  };
+  CDT cdt = domains::mesh({domains::square(0, 0, 1)}, std::cref(counted));
+  const Faces near = faces_near(cdt, 0.2, 0.5, 0.1);
+  EXPECT_GT(near.size(), 200u);
+  calls = 0;
+  EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(std::cref(counted)).faces_to_check(near)).empty());
+  EXPECT_LT(calls, 4 * near.size());
+  calls = 0;
+  EXPECT_TRUE(CGAL::npbs_misfit_faces(cdt, size(std::cref(counted))).empty());
+  EXPECT_LT(calls, 4 * cdt.number_of_faces());
 }
 
 /// Then the outline is read near these faces only, whatever there is farther away, and asks for the same sizes.

@@ -37,13 +37,14 @@ public:
   /// which asks for no sizes.
   template <class NamedParameters>
   Sizes_of_outline_2(const Cdt& cdt, const Is_inside& is_in_domain, const NamedParameters& np, const Sizes_2& wanted,
-                    const Relaxation_options& options, const Part_growth_2<Cdt, Is_inside>* where)
+                    Relaxation_options options, const Part_growth_2<Cdt, Is_inside>* where)
     : m_cdt(cdt), m_is_in_domain(is_in_domain), m_where(where), m_reading(cdt, copy_at_outline(), np), m_wanted(wanted),
       m_forced(1, extent(m_reading.domain), m_reading.domain.bbox().xmin(), m_reading.domain.bbox().ymin(), 0)
   {
     add_pins(is_pinned<Cdt>(np));
     m_reading.given.silent_corners = corners_on_rim(m_reading.domain);
     m_wanted = no_finer_than_edges(m_reading.domain, m_reading.given, m_wanted, options.size_growth);
+    options.counts_bubbles = false; // none are made
     m_limits = limit_by_outline(m_reading.domain, m_reading.given, m_wanted, options, options.limit_by_outline);
     add_sharp_corners(options.size_growth);
     add_long_edges();

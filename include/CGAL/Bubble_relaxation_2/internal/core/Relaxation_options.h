@@ -52,6 +52,7 @@ struct Relaxation_options
   double minimum_angle = default_minimum_angle; ///< in degrees
   double displacement_tolerance = default_displacement_tolerance;
   std::size_t maximum_number_of_bubbles = default_maximum_number_of_bubbles;
+  bool counts_bubbles = true; ///< that sizes ask for, which calls them often
   bool restore_when_stopped = false;
   std::shared_ptr<Progress> progress = std::make_shared<Progress>(); ///< copies of the options tell the same
   Threads threads;

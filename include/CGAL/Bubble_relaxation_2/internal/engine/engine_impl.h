@@ -81,7 +81,11 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   constexpr int turns = 1, turns_beyond_circles = 2;
   const std::size_t maximum = options.maximum_number_of_bubbles;
   const double growth = options.size_growth;
-  count_bubbles(domain, maximum, "the domain and the sizing function", wanted);
+  const auto count = [&](const Domain_2& where, const char* asking, Sizes_2& sizes) {
+    if (options.counts_bubbles)
+      count_bubbles(where, maximum, asking, sizes);
+  };
+  count(domain, "the domain and the sizing function", wanted);
   make_room_for_all(domain, given, options, wanted);
   const bool has_protected = std::any_of(domain.edges().begin(), domain.edges().end(),
                                          [](const Domain_edge_2& e) { return e.kind == Edge_kind::PROTECTED; });
@@ -91,7 +95,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   if (!may_limit) {
     Sizes_2 sizes = raised(wanted);
     if (has_protected)
-      count_bubbles(domain, maximum, sizes_and_outline, sizes);
+      count(domain, sizes_and_outline, sizes);
     return {sizes, nullptr, nullptr, sizes};
   }
   Limited_sizes_2 limited(wanted, domain.bbox(), growth);
@@ -107,7 +111,7 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
   of_rest(turns_beyond_circles);
   Sizes_2 sizes = raised(limited.sizes());
   if (limited.is_limited() || has_protected)
-    count_bubbles(rest, maximum, sizes_and_outline, sizes);
+    count(rest, sizes_and_outline, sizes);
   return {sizes, cut, cut ? &rest : nullptr, before_cut};
 }
 
