@@ -249,10 +249,9 @@ inline void warn_of_lost_area(Domain& domain, const CGAL::Outline_simplification
 }
 
 /// Replaces the outline by one within the tolerances. `tells`: whether it says and writes what it was replaced by
-inline void simplify(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
-                     bool tells)
+inline void simplify(Domain& domain, const po::variables_map& arguments, const Size_formula& formula, bool tells)
 {
-  const Size size = wanted_size(domain, arguments, formula);
+  const Size size = size_in_domain(formula, domain);
   const auto given = [&arguments](const char* option, double if_not_given) {
     return arguments.count(option) > 0 ? arguments[option].as<double>() : if_not_given;
   };
@@ -286,7 +285,7 @@ inline void prepare(Domain& domain, const po::variables_map& arguments, const st
 try {
   tags.check_open(domain);
   if (is_simplified(arguments))
-    simplify(domain, arguments, formula, tells);
+    simplify(domain, arguments, *formula, tells); // which needs --size
   if (arguments.count("largest-part") > 0)
     keep_largest_part(domain);
   tags.check_open(domain, " any more: --min-gap, --min-island, --tolerance or --largest-part took all of them");

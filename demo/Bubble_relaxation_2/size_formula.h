@@ -72,8 +72,12 @@ private:
 };
 
 /// the sizes that a formula asks for in a domain as it is now
+/// \throws std::runtime_error if it needs what the domain does not have
 inline std::function<double(const Point&)> size_in_domain(Size_formula formula, const Domain& domain)
 {
+  if (formula.has_region() && domain.regions.empty()) // it would be 0 everywhere
+    throw std::runtime_error("--size: the variable region needs regions in the domain, and there are none; a .poly or an "
+                             ".ele may have them, and --field makes them of polygons");
   formula.set_distance(domain);
   if (!formula.has_region())
     return formula;

@@ -234,9 +234,8 @@ private:
   /// Marks what lies in an odd number of polygons, from outside over one segment after the other.
   void mark_domain()
   {
-    std::set<int> regions;
-    for (const Polygon& p : m_polygons)
-      regions.insert(p.region);
+    const bool has_regions =
+      std::any_of(m_polygons.begin(), m_polygons.end(), [](const Polygon& p) { return p.region != 0; });
     CGAL::Unique_hash_map<CDT::Face_handle, bool> is_reached(false);
     std::deque<std::pair<CDT::Face_handle, std::set<std::size_t>>> next{{m_domain.cdt.infinite_face(), {}}};
     bool is_empty = true;
@@ -256,7 +255,7 @@ private:
       if (first == CDT::Face_handle() || around.size() % 2 == 0)
         continue;
       is_empty = false;
-      if (regions.size() > 1)
+      if (has_regions)
         m_domain.regions.push_back(
           {CGAL::centroid(m_domain.cdt.triangle(first)), static_cast<double>(innermost(around).region)});
     }
