@@ -83,6 +83,15 @@ private:
   {
     double area;
     int region;
+    std::size_t feature; ///< by its place in m_features
+  };
+
+  /// One that has polygons.
+  struct Feature
+  {
+    std::string name;       ///< with an attribute, for messages
+    bool has_attribute;     ///< so that it is to be seen in the mesh
+    bool is_meshed = false; ///< whether triangles are of it
   };
 
   /// the system of the domain: what is asked for, else that of the first layer that has one, unless it is in degrees
@@ -135,8 +144,21 @@ private:
       if (feature->GetGeometryRef() == nullptr)
         continue;
       const std::unique_ptr<OGRGeometry> straight(feature->GetGeometryRef()->getLinearGeometry());
+      const std::string attribute = first_attribute(*feature, field);
+      m_features.push_back({m_feature + (attribute.empty() ? "" : " (" + attribute + ")"), !attribute.empty()});
       read_geometry(*straight, field < 0 ? 0 : marker(*feature, field));
     }
+  }
+
+  /// what a feature has in `field`, or without --field in the first one that has something; empty for nothing
+  std::string first_attribute(OGRFeature& feature, int field) const
+  {
+    if (field < 0 && !m_field.empty())
+      return "";
+    for (int k = (std::max)(field, 0); k < (field < 0 ? feature.GetFieldCount() : field + 1); ++k)
+      if (feature.IsFieldSetAndNotNull(k) && (field < 0 || marker(feature, k) != 0))
+        return feature.GetFieldDefnRef(k)->GetNameRef() + std::string(" = ") + feature.GetFieldAsString(k);
+    return "";
   }
 
   int marker(OGRFeature& feature, int field) const
@@ -160,7 +182,7 @@ private:
     } else if (type == wkbLineString) {
       read_path(*geometry.toLineString(), marker, {});
     } else if (type == wkbPolygon) {
-      m_polygons.push_back({geometry.toPolygon()->get_Area(), marker});
+      m_polygons.push_back({geometry.toPolygon()->get_Area(), marker, m_features.size() - 1});
       for (const OGRLinearRing* ring : *geometry.toPolygon())
         read_path(*ring, marker, m_polygons.size() - 1);
     } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) {
@@ -255,12 +277,30 @@ private:
       if (first == CDT::Face_handle() || around.size() % 2 == 0)
         continue;
       is_empty = false;
+      const Polygon& polygon = innermost(around);
+      m_features[polygon.feature].is_meshed = true;
       if (has_regions)
-        m_domain.regions.push_back(
-          {CGAL::centroid(m_domain.cdt.triangle(first)), static_cast<double>(innermost(around).region)});
+        m_domain.regions.push_back({CGAL::centroid(m_domain.cdt.triangle(first)), static_cast<double>(polygon.region)});
     }
     if (is_empty)
       throw std::runtime_error("no face lies in the domain, which is what an odd number of polygons contain");
+    warn_of_features_in_holes();
+  }
+
+  /// who draws one polygon over another may want both
+  void warn_of_features_in_holes()
+  {
+    std::set<std::size_t> lost;
+    for (const Polygon& p : m_polygons)
+      if (m_features[p.feature].has_attribute && !m_features[p.feature].is_meshed)
+        lost.insert(p.feature);
+    if (lost.empty())
+      return;
+    const std::string& first = m_features[*lost.begin()].name;
+    m_domain.warnings.push_back(
+      (lost.size() == 1 ? first + " is" : std::to_string(lost.size()) + " features, the first is " + first + ", are") +
+      " on no triangle of the domain: what lies in an even number of polygons is a hole; to be meshed, a polygon needs a "
+      "hole for it in the one around it");
   }
 
   std::set<std::size_t> crossed(std::set<std::size_t> polygons, CDT::Face_handle f, int i) const
@@ -287,6 +327,7 @@ private:
   Projection m_projection;                     // of the layer that is read, nothing if it needs none
   std::string m_feature;                       // that is read
   std::vector<Path> m_paths;
+  std::vector<Feature> m_features;
   std::vector<Polygon> m_polygons;
   std::map<std::pair<Point, Point>, std::vector<std::size_t>> m_borders; // of polygons, by pieces
   Domain m_domain;
