@@ -36,7 +36,8 @@ class Ogr_reader
 {
 public:
   /// \param field whose value is the marker of a feature, and the region of a polygon; empty for none
-  /// \param crs the reference system that is wanted; empty for that of the file, or one in metres
+  /// \param crs the reference system that is wanted; empty for that of the file, or one in metres; "none" for coordinates
+  /// as they are
   Ogr_reader(const std::string& name, const std::string& field, const std::string& crs)
     : m_field(field),
       m_file((GDALAllRegister(), GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR)))
@@ -97,10 +98,14 @@ private:
   /// the system of the domain: what is asked for, else that of the first layer that has one, unless it is in degrees
   void choose_system(const std::string& crs)
   {
+    if (crs == "none")
+      return;
     OGRLayer* first = nullptr;
-    for (OGRLayer* layer : m_file->GetLayers())
+    for (OGRLayer* layer : m_file->GetLayers()) {
       if (first == nullptr && layer->GetSpatialRef() != nullptr)
         first = layer;
+      check_degrees(*layer);
+    }
     if (first == nullptr && !crs.empty())
       throw std::runtime_error("--crs: the file does not tell which reference system its coordinates are in");
     if (first == nullptr)
@@ -116,6 +121,23 @@ private:
     m_domain.crs_of_file = in_wkt(*first->GetSpatialRef());
   }
 
+  /// GeoJSON is in degrees unless it tells another system, and often does not
+  static void check_degrees(OGRLayer& layer)
+  {
+    OGREnvelope box;
+    if (layer.GetSpatialRef() == nullptr || !layer.GetSpatialRef()->IsGeographic() ||
+        layer.GetExtent(&box) != OGRERR_NONE)
+      return;
+    const double x = -box.MinX > box.MaxX ? box.MinX : box.MaxX, y = -box.MinY > box.MaxY ? box.MinY : box.MaxY;
+    if (std::abs(x) <= 720 && std::abs(y) <= 90)
+      return;
+    std::ostringstream text;
+    text.precision(10);
+    text << layer.GetName() << " is in degrees, or tells no reference system, but x = " << x << ", y = " << y
+         << " are no degrees; --crs none takes coordinates as they are";
+    throw std::runtime_error(text.str());
+  }
+
   /// equal areas, and lengths true in the middle of a layer
   OGRSpatialReference in_metres_around(OGRLayer& layer)
   {
@@ -125,14 +147,15 @@ private:
     std::ostringstream text;
     text << "+proj=laea +lat_0=" << std::round(50 * (box.MinY + box.MaxY)) / 100
          << " +lon_0=" << std::round(50 * (box.MinX + box.MaxX)) / 100 << " +datum=WGS84 +units=m";
-    m_domain.warnings.push_back("degrees are projected to metres by --crs \"" + text.str() + "\"");
+    m_domain.warnings.push_back("degrees are projected to metres by --crs \"" + text.str() +
+                                "\"; --crs none takes coordinates as they are");
     return reference_system("--crs", text.str());
   }
 
   void read_layer(OGRLayer& layer)
   {
     m_projection.reset();
-    if (layer.GetSpatialRef() != nullptr) {
+    if (m_system && layer.GetSpatialRef() != nullptr) {
       OGRSpatialReference system = *layer.GetSpatialRef();
       system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
       if (!system.IsSame(&*m_system))
