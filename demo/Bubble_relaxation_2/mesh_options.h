@@ -49,7 +49,8 @@ inline po::options_description mesh_options()
                                          "outline, and region, the attribute of a region of the domain; default: by the "
                                          "areas of regions in a .poly, else that of the domain's own edges")
     ("distance-to", po::value<std::string>()->default_value(""),
-     "the markers of the segments to which the distance of --size is measured, such as 1,2; default: all")
+     "the markers of the segments and pinned points to which the distance of --size is measured, such as 1,2; default: "
+     "all segments")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
     ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),

@@ -29,14 +29,14 @@ class Size_formula
 {
 public:
   /// \param rasters the names of their variables
-  /// \param shore the markers of the segments to which the variable `distance` is measured; none: all segments
+  /// \param shore the markers of the segments and pinned points to which the variable `distance` is measured; none: all segments
   /// \throws std::runtime_error with one line if `text` is not one formula
   explicit Size_formula(const std::string& text, const std::vector<std::string>& rasters, std::set<int> shore = {})
     : m_formula("--size", text, rasters), m_shore(std::move(shore))
   {}
 
   /// sets what the variable `distance` is in a domain, if it is used
-  /// \throws std::runtime_error if no segment has one of the markers
+  /// \throws std::runtime_error if no segment and no pinned point has one of the markers
   void set_distance(const Domain& domain)
   {
     if (has_distance())
