@@ -38,8 +38,16 @@
 #include <vector>
 #include <unistd.h>
 
-volatile std::sig_atomic_t is_interrupted = 0;
-constexpr int interrupted_exit = 128 + SIGINT; // as shells have it
+volatile std::sig_atomic_t interruption = 0; // the signal that came
+
+int interrupted_exit() { return 128 + interruption; } // as shells have it
+
+/// Ctrl-C, and what a time limit sends, stop the simulation and keep its mesh.
+void be_interrupted_by_signals()
+{
+  for (const int number : {SIGINT, SIGTERM})
+    std::signal(number, [](int came) { interruption = came; });
+}
 
 /// A bar on a terminal, nothing elsewhere. Its line ends with its life, however far it is: what is printed
 /// next, an error too, starts on a line of its own.
@@ -154,7 +162,7 @@ Report relax(Domain& domain, const Region_map& regions, const po::variables_map&
       .concurrency_tag(CGAL::Parallel_if_available_tag())
       .callback([&bar](double fraction) {
         bar.show(fraction);
-        return is_interrupted == 0; // Ctrl-C stops the simulation and keeps its mesh
+        return interruption == 0;
       });
   return size ? CGAL::npbs_relax(domain.cdt, all.sizing_function(size))
               : CGAL::npbs_relax(domain.cdt, all);
@@ -247,13 +255,13 @@ try {
   prepare(domain, arguments, formula, tags);
   warn_of_domain();
   const Region_map regions = region_attributes(domain);
-  std::signal(SIGINT, [](int) { is_interrupted = 1; });
+  be_interrupted_by_signals();
   const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula),
-                                 [](double) { return is_interrupted == 0; });
+                                 [](double) { return interruption == 0; });
   const Report report = mesh(domain, regions, arguments, size);
   if (report.number_of_vertices == 0) {
     std::cerr << "npbs_mesh: interrupted before there were bubbles, nothing is written\n";
-    return interrupted_exit;
+    return interrupted_exit();
   }
   if (arguments.count("quiet") == 0)
     print_statistics(report);
@@ -263,7 +271,7 @@ try {
   hint_at_outline("npbs_mesh", arguments, report);
   warn_of_mesh(domain, report, arguments, size, warn);
   write_files(domain, regions, report, arguments, size, tags);
-  return is_stopped ? interrupted_exit : 0;
+  return is_stopped ? interrupted_exit() : 0;
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';
   return 1;
