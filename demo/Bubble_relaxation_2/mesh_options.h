@@ -132,6 +132,8 @@ public:
     check_markers(domain, "--protect", m_markers);
   }
 
+  bool has_any() const { return m_all || !m_markers.empty(); }
+
   friend bool get(const Protected_segments& map, const key_type& edge)
   {
     return map.m_all || (!map.m_markers.empty() && map.m_markers.count(segment_marker(

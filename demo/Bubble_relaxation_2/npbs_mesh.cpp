@@ -11,6 +11,7 @@
 // A mesher for the command line:
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
+#include "bad_triangle.h"
 #include "files/file_names.h"
 #include "files/mesh_file.h"
 #include "files/mesh_of_domain.h"
@@ -20,6 +21,7 @@
 #include "mesh_warnings.h"
 #include "output_options.h"
 #include "svg_picture.h"
+#include "warnings.h"
 
 #include <CGAL/npbs_relax.h>
 
@@ -34,7 +36,6 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 #include <unistd.h>
 
@@ -206,28 +207,18 @@ try {
   throw std::runtime_error(in_words_of_options(e.what()));
 }
 
-/// `warn(text)` is called for all that should not be in a mesh.
-template <class Warn>
+/// tells all that should not be in a mesh
 void warn_of_mesh(const Domain& domain, const Report& report, const po::variables_map& arguments, const Size& size,
-                  const Warn& warn)
+                  Warnings& warn)
 {
-  if (report.steep_share > 0)
-    warn(steep_message(report));
-  const std::vector<Point> ends = points_outside(domain.cdt, 1), lonely = points_outside(domain.cdt, 0);
-  if (!ends.empty())
-    warn(loose_ends_message(ends));
-  if (!lonely.empty())
-    warn(points_outside_message(lonely));
+  warn_of_report(report, arguments, warn);
+  warn_of_what_is_outside(domain.cdt, warn);
   if (arguments.count("output") > 0 && is_of_adcirc(arguments["output"].as<std::string>())) {
     const std::vector<Point> touching = touching_places(domain.cdt);
     if (!touching.empty())
       warn(touching_message(touching));
   }
-  const bool is_refined = arguments.count("paper") == 0 && report.number_of_steps > 0 &&
-                          report.stop_reason != CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
-  if (is_refined && report.number_of_small_angles > 0)
-    warn(small_angles_message(report, arguments["minimum-angle"].as<double>()));
-  const Bad_triangle worst(domain);
+  const Bad_triangle worst(domain, Protected_segments(domain, arguments["protect"].as<std::string>()));
   if (worst.is_bad())
     warn(worst.message(size));
 }
@@ -239,21 +230,15 @@ try {
   std::optional<Size_formula> formula = size_formula(arguments);
   Output_tags tags(arguments);
   Domain domain = read_domain(arguments, arguments["format"].as<std::string>());
-  const auto warn = [&](const std::string& text) {
-    std::cerr << "npbs_mesh: warning: " << input_name(arguments) << ": " << text << '\n';
-  };
-  const auto warn_of_domain = [&] {
-    for (const std::string& warning : std::exchange(domain.warnings, {}))
-      warn(warning);
-  };
-  warn_of_domain();
+  Warnings warn("npbs_mesh", arguments);
+  warn.tell_of(domain);
   tags.check(domain);
   const Rasters rasters = read_rasters(arguments, domain);
   tags.set_rasters(rasters);
   if (formula)
     formula->set_rasters(rasters);
   prepare(domain, arguments, formula, tags);
-  warn_of_domain();
+  warn.tell_of(domain);
   const Region_map regions = region_attributes(domain);
   be_interrupted_by_signals();
   const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula),
