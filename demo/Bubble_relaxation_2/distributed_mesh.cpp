@@ -14,6 +14,7 @@
 
 #include "files/file_names.h"
 #include "files/mesh_file.h"
+#include "files/statistics_file.h"
 #include "gathered_mesh.h"
 #include "input_options.h"
 #include "mesh_options.h"
@@ -63,12 +64,14 @@ po::variables_map read_arguments(const Mpi_session& session, int argc, char** ar
   if (arguments["input"].as<std::string>() == "-")
     throw std::runtime_error("standard input goes to one rank only; give a file");
   check_mesh_options(arguments);
+  if (session.is_first()) // before the work is done, not after it
+    check_statistics(arguments);
   if (arguments.count("output") > 0) {
     const std::string output = arguments["output"].as<std::string>();
     std::vector<std::string> endings = mesh_endings();
     endings.insert(endings.begin(), ".pvtu");
     check_extension(output, endings);
-    if (session.is_first()) // before the work is done, not after it
+    if (session.is_first())
       for (const std::string& file : files_of_first(output))
         check_output(arguments["input"].as<std::string>(), file, "--output");
   }
@@ -114,6 +117,10 @@ void mesh(const Mpi_session& session, const Domain& domain, const po::variables_
   }
   if (arguments.count("output") > 0)
     write(session, domain, arguments, tags, result.mesh);
+  session.all_or_none([&] {
+    if (session.is_first() && arguments.count("statistics") > 0)
+      write_statistics(arguments["statistics"].as<std::string>(), result.report, warn.all(), 0);
+  });
 }
 
 int run(const Mpi_session& session, int argc, char** argv)

@@ -16,6 +16,7 @@
 #include "files/mesh_file.h"
 #include "files/mesh_of_domain.h"
 #include "files/simplify_domain.h"
+#include "files/statistics_file.h"
 #include "input_options.h"
 #include "mesh_options.h"
 #include "mesh_warnings.h"
@@ -122,8 +123,9 @@ po::variables_map read_arguments(int argc, char** argv)
   }
   if (arguments.count("input") == 0)
     throw std::runtime_error("no input file; see npbs_mesh --help");
-  if (arguments.count("quiet") > 0 && arguments.count("output") + arguments.count("picture") == 0)
-    throw std::runtime_error("--quiet without --output or --picture leaves nothing to show");
+  if (arguments.count("quiet") > 0 &&
+      arguments.count("output") + arguments.count("picture") + arguments.count("statistics") == 0)
+    throw std::runtime_error("--quiet without --output, --picture or --statistics leaves nothing to show");
   return arguments;
 }
 
@@ -143,6 +145,7 @@ void check_arguments(const po::variables_map& arguments)
   }
   if (arguments.count("simplification-report") > 0)
     check_output(input, arguments["simplification-report"].as<std::string>(), "--simplification-report");
+  check_statistics(arguments);
   check_mesh_options(arguments);
   if (arguments["threads"].as<int>() < 0)
     throw std::runtime_error("--threads must not be negative");
@@ -256,7 +259,10 @@ try {
   hint_at_outline("npbs_mesh", arguments, report);
   warn_of_mesh(domain, report, arguments, size, warn);
   write_files(domain, regions, report, arguments, size, tags);
-  return is_stopped ? interrupted_exit() : 0;
+  const int exit_code = is_stopped ? interrupted_exit() : 0;
+  if (arguments.count("statistics") > 0)
+    write_statistics(arguments["statistics"].as<std::string>(), report, warn.all(), exit_code);
+  return exit_code;
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';
   return 1;

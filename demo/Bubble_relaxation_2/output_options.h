@@ -11,6 +11,7 @@
 
 #include "files/domain.h"
 #include "files/domain_boundary.h"
+#include "files/file_names.h"
 #include "files/mesh_file.h"
 #include "files/output_projection.h"
 #include "formula.h"
@@ -48,8 +49,19 @@ inline po::options_description output_options()
     ("depth", po::value<std::string>(),
      "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and rasters")
     ("output-crs", po::value<std::string>(),
-     "the reference system of what is written, such as EPSG:4326, degrees; default: that in which the mesh is made");
+     "the reference system of what is written, such as EPSG:4326, degrees; default: that in which the mesh is made")
+    ("statistics", po::value<std::string>(), "a file for what is printed of the mesh and for warnings: .json");
   return options;
+}
+
+/// \throws std::runtime_error if statistics are asked for and cannot be written
+inline void check_statistics(const po::variables_map& arguments)
+{
+  if (arguments.count("statistics") == 0)
+    return;
+  const std::string file = arguments["statistics"].as<std::string>();
+  check_extension(file, {".json"});
+  check_output(arguments["input"].as<std::string>(), file, "--statistics");
 }
 
 /// What is said by the user of the mesh that is written.

@@ -29,7 +29,8 @@ class Size_formula
 {
 public:
   /// \param rasters the names of their variables
-  /// \param shore the markers of the segments and pinned points to which the variable `distance` is measured; none: all segments
+  /// \param shore the markers of the segments and pinned points to which the variable `distance` is measured; none: all
+  /// segments
   /// \throws std::runtime_error with one line if `text` is not one formula
   explicit Size_formula(const std::string& text, const std::vector<std::string>& rasters, std::set<int> shore = {})
     : m_formula("--size", text, rasters), m_shore(std::move(shore))
@@ -76,8 +77,8 @@ private:
 inline std::function<double(const Point&)> size_in_domain(Size_formula formula, const Domain& domain)
 {
   if (formula.has_region() && domain.regions.empty()) // it would be 0 everywhere
-    throw std::runtime_error("--size: the variable region needs regions in the domain, and there are none; a .poly or an "
-                             ".ele may have them, and --field makes them of polygons");
+    throw std::runtime_error("--size: the variable region needs regions in the domain, and there are none; a .poly or "
+                             "an .ele may have them, and --field makes them of polygons");
   formula.set_distance(domain);
   if (!formula.has_region())
     return formula;

@@ -36,8 +36,8 @@ class Ogr_reader
 {
 public:
   /// \param field whose value is the marker of a feature, and the region of a polygon; empty for none
-  /// \param crs the reference system that is wanted; empty for that of the file, or one in metres; "none" for coordinates
-  /// as they are
+  /// \param crs the reference system that is wanted; empty for that of the file, or one in metres; "none" for
+  /// coordinates as they are
   Ogr_reader(const std::string& name, const std::string& field, const std::string& crs)
     : m_field(field),
       m_file((GDALAllRegister(), GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR)))
@@ -322,8 +322,8 @@ private:
     const std::string& first = m_features[*lost.begin()].name;
     m_domain.warnings.push_back(
       (lost.size() == 1 ? first + " is" : std::to_string(lost.size()) + " features, the first is " + first + ", are") +
-      " on no triangle of the domain: what lies in an even number of polygons is a hole; to be meshed, a polygon needs a "
-      "hole for it in the one around it");
+      " on no triangle of the domain: what lies in an even number of polygons is a hole; to be meshed, a polygon needs "
+      "a hole for it in the one around it");
   }
 
   std::set<std::size_t> crossed(std::set<std::size_t> polygons, CDT::Face_handle f, int i) const
