@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_DEMO_OGR_FILE_H
 
 #include "domain.h"
+#include "in_quotes.h"
 #include "map_projection.h"
 
 #include <gdal_priv.h>
@@ -180,7 +181,8 @@ private:
       return "";
     for (int k = (std::max)(field, 0); k < (field < 0 ? feature.GetFieldCount() : field + 1); ++k)
       if (feature.IsFieldSetAndNotNull(k) && (field < 0 || marker(feature, k) != 0))
-        return feature.GetFieldDefnRef(k)->GetNameRef() + std::string(" = ") + feature.GetFieldAsString(k);
+        return feature.GetFieldDefnRef(k)->GetNameRef() + std::string(" = ") +
+               (is_number(feature, k) ? feature.GetFieldAsString(k) : in_quotes(feature.GetFieldAsString(k)));
     return "";
   }
 
@@ -188,12 +190,17 @@ private:
   {
     if (!feature.IsFieldSetAndNotNull(field))
       return 0;
-    const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
     const double value = feature.GetFieldAsDouble(field);
-    if ((type != OFTInteger && type != OFTInteger64 && type != OFTReal) || value != std::floor(value) ||
-        std::abs(value) > 2e9)
-      throw std::runtime_error(m_feature + ": --field: '" + feature.GetFieldAsString(field) + "' must be an integer");
+    if (!is_number(feature, field) || value != std::floor(value) || std::abs(value) > 2e9)
+      throw std::runtime_error(m_feature + ": --field: " + in_quotes(feature.GetFieldAsString(field)) +
+                               " must be an integer");
     return static_cast<int>(value);
+  }
+
+  static bool is_number(OGRFeature& feature, int field)
+  {
+    const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
+    return type == OFTInteger || type == OFTInteger64 || type == OFTReal;
   }
 
   void read_geometry(const OGRGeometry& geometry, int marker)
