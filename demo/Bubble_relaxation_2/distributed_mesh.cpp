@@ -14,12 +14,14 @@
 
 #include "files/file_names.h"
 #include "files/mesh_file.h"
+#include "files/statistics_file.h"
 #include "gathered_mesh.h"
 #include "input_options.h"
 #include "mesh_options.h"
 #include "mesh_warnings.h"
 #include "mpi_session.h"
 #include "output_options.h"
+#include "warnings.h"
 
 #include <CGAL/Distributed/npbs_mesh.h>
 #include <CGAL/Point_set_3.h>
@@ -62,38 +64,30 @@ po::variables_map read_arguments(const Mpi_session& session, int argc, char** ar
   if (arguments["input"].as<std::string>() == "-")
     throw std::runtime_error("standard input goes to one rank only; give a file");
   check_mesh_options(arguments);
+  if (session.is_first()) // before the work is done, not after it
+    check_statistics(arguments);
   if (arguments.count("output") > 0) {
     const std::string output = arguments["output"].as<std::string>();
     std::vector<std::string> endings = mesh_endings();
     endings.insert(endings.begin(), ".pvtu");
     check_extension(output, endings);
-    if (session.is_first()) // before the work is done, not after it
+    if (session.is_first())
       for (const std::string& file : files_of_first(output))
         check_output(arguments["input"].as<std::string>(), file, "--output");
   }
   return arguments;
 }
 
-/// makes the mesh, and writes it
-template <class NamedParameters>
-void mesh(const Mpi_session& session, const Domain& domain, const po::variables_map& arguments, const Output_tags& tags,
-          const NamedParameters& np)
+/// writes the mesh, of which each rank has a part
+template <class Mesh>
+void write(const Mpi_session& session, const Domain& domain, const po::variables_map& arguments,
+           const Output_tags& tags, const Mesh& part)
 {
-  CGAL::Point_set_3<Point, Kernel::Vector_2> points; // those of this rank
-  const auto result = CGAL::Distributed::npbs_mesh(points, domain.cdt, MPI_COMM_WORLD, np);
-  if (session.is_first() && arguments.count("quiet") == 0)
-    print_statistics(result.report);
-  if (session.is_first())
-    hint_at_outline("distributed_mesh", arguments, result.report);
-  if (session.is_first() && result.report.steep_share > 0)
-    std::cerr << "distributed_mesh: warning: " << input_name(arguments) << ": " << steep_message(result.report) << '\n';
-  if (arguments.count("output") == 0)
-    return;
   const std::string output = arguments["output"].as<std::string>();
   if (is_in_parts(output)) {
-    result.mesh.write_pvtu(output);
+    part.write_pvtu(output);
   } else {
-    const Gathered_mesh whole(session, result.mesh);
+    const Gathered_mesh whole(session, part);
     session.all_or_none([&] {
       if (!session.is_first())
         return;
@@ -104,6 +98,29 @@ void mesh(const Mpi_session& session, const Domain& domain, const po::variables_
   }
   if (session.is_first() && arguments.count("quiet") == 0)
     std::cout << output << " of " << session.number_of_ranks() << " ranks" << std::endl;
+}
+
+/// makes the mesh, and writes it; `warn` is used by the first rank
+template <class NamedParameters>
+void mesh(const Mpi_session& session, const Domain& domain, const po::variables_map& arguments, const Output_tags& tags,
+          Warnings& warn, const NamedParameters& np)
+{
+  CGAL::Point_set_3<Point, Kernel::Vector_2> points; // those of this rank
+  const auto result = CGAL::Distributed::npbs_mesh(points, domain.cdt, MPI_COMM_WORLD, np);
+  if (session.is_first() && arguments.count("quiet") == 0)
+    print_statistics(result.report);
+  if (session.is_first())
+    hint_at_outline("distributed_mesh", arguments, result.report);
+  if (session.is_first()) {
+    warn_of_report(result.report, arguments, warn);
+    warn_of_worst_triangle(result.report, warn);
+  }
+  if (arguments.count("output") > 0)
+    write(session, domain, arguments, tags, result.mesh);
+  session.all_or_none([&] {
+    if (session.is_first() && arguments.count("statistics") > 0)
+      write_statistics(arguments["statistics"].as<std::string>(), result.report, warn.all(), 0);
+  });
 }
 
 int run(const Mpi_session& session, int argc, char** argv)
@@ -128,20 +145,22 @@ int run(const Mpi_session& session, int argc, char** argv)
     prepare(*domain, arguments, formula, *tags, session.is_first());
     regions = region_attributes(*domain);
     size = limited_size(*domain, arguments, wanted_size(*domain, arguments, formula));
+    if (session.is_first()) // the mesh does not know what lies outside of it
+      warn_of_what_is_outside(domain->cdt, [&](const std::string& text) { domain->warnings.push_back(text); });
   });
   if (arguments.count("help") > 0) {
     if (session.is_first())
       std::cout << all_options();
     return 0;
   }
+  Warnings warn("distributed_mesh", arguments);
   if (session.is_first())
-    for (const std::string& warning : domain->warnings)
-      std::cerr << "distributed_mesh: warning: " << input_name(arguments) << ": " << warning << '\n';
+    warn.tell_of(*domain);
 
   const auto mesh_with = [&](const auto& parameters) {
     const auto np = mesh_parameters(*domain, regions, arguments, parameters);
-    size ? mesh(session, *domain, arguments, *tags, np.sizing_function(size))
-         : mesh(session, *domain, arguments, *tags, np);
+    size ? mesh(session, *domain, arguments, *tags, warn, np.sizing_function(size))
+         : mesh(session, *domain, arguments, *tags, warn, np);
   };
   try {
     arguments.count("paper") > 0 ? mesh_with(CGAL::npbs_paper_parameters())

@@ -38,7 +38,8 @@ inline po::options_description input_options()
     ("field", po::value<std::string>()->default_value(""),
      "of what GDAL reads: the field that is the marker of a feature")
     ("crs", po::value<std::string>()->default_value(""),
-     "of what GDAL reads: the reference system to project to, such as EPSG:32632; default: degrees to metres")
+     "of what GDAL reads: the reference system to project to, such as EPSG:32632, or none: coordinates as they are; "
+     "default: degrees to metres")
     ("raster", po::value<std::vector<std::string>>(),
      "what GDAL reads, such as a .tif or .nc: the variable raster of formulas; or NAME=FILE: the variable NAME; as often "
      "as there are some");

@@ -49,7 +49,8 @@ inline po::options_description mesh_options()
                                          "outline, and region, the attribute of a region of the domain; default: by the "
                                          "areas of regions in a .poly, else that of the domain's own edges")
     ("distance-to", po::value<std::string>()->default_value(""),
-     "the markers of the segments to which the distance of --size is measured, such as 1,2; default: all")
+     "the markers of the segments and pinned points to which the distance of --size is measured, such as 1,2; default: "
+     "all segments")
     ("gradation,g", po::value<double>(), "the most that the length may change per unit of length, such as 0.2; "
                                          "default: as --size asks")
     ("size-growth", po::value<double>()->default_value(defaults::default_size_growth, "0.2"),
@@ -130,6 +131,8 @@ public:
     m_markers = markers("--protect", option);
     check_markers(domain, "--protect", m_markers);
   }
+
+  bool has_any() const { return m_all || !m_markers.empty(); }
 
   friend bool get(const Protected_segments& map, const key_type& edge)
   {
@@ -249,10 +252,9 @@ inline void warn_of_lost_area(Domain& domain, const CGAL::Outline_simplification
 }
 
 /// Replaces the outline by one within the tolerances. `tells`: whether it says and writes what it was replaced by
-inline void simplify(Domain& domain, const po::variables_map& arguments, const std::optional<Size_formula>& formula,
-                     bool tells)
+inline void simplify(Domain& domain, const po::variables_map& arguments, const Size_formula& formula, bool tells)
 {
-  const Size size = wanted_size(domain, arguments, formula);
+  const Size size = size_in_domain(formula, domain);
   const auto given = [&arguments](const char* option, double if_not_given) {
     return arguments.count(option) > 0 ? arguments[option].as<double>() : if_not_given;
   };
@@ -286,7 +288,7 @@ inline void prepare(Domain& domain, const po::variables_map& arguments, const st
 try {
   tags.check_open(domain);
   if (is_simplified(arguments))
-    simplify(domain, arguments, formula, tells);
+    simplify(domain, arguments, *formula, tells); // which needs --size
   if (arguments.count("largest-part") > 0)
     keep_largest_part(domain);
   tags.check_open(domain, " any more: --min-gap, --min-island, --tolerance or --largest-part took all of them");

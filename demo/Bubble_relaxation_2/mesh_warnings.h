@@ -12,8 +12,8 @@
 #include "files/domain.h"
 #include "mesh_options.h"
 
+#include <CGAL/Bubble_relaxation_2/internal/domain/Domain_marks_2.h>
 #include <CGAL/Bubble_relaxation_report_2.h>
-#include <CGAL/radius_ratio_2.h>
 
 #include <algorithm>
 #include <array>
@@ -27,15 +27,6 @@
 // What npbs_mesh and distributed_mesh tell and warn of when they have made a mesh.
 
 using Report = CGAL::Bubble_relaxation_report_2<double>;
-
-inline double distance(const Point& p, const Point& q) { return std::hypot(q.x() - p.x(), q.y() - p.y()); }
-
-/// the angle at `p` of a triangle, in degrees
-inline double angle(const Point& q, const Point& p, const Point& r)
-{
-  const double x = q.x() - p.x(), y = q.y() - p.y(), u = r.x() - p.x(), v = r.y() - p.y();
-  return std::abs(std::atan2(x * v - y * u, x * u + y * v)) * 180 / CGAL_PI;
-}
 
 /// coordinates with as many digits as it takes to find the place on a map of the world in millimetres
 inline std::string in_words(const Point& p)
@@ -105,14 +96,17 @@ inline void hint_at_outline(const std::string& program, const po::variables_map&
 }
 
 /// what to say if --minimum-angle was not kept
-inline std::string small_angles_message(const Report& report, double minimum_angle)
+inline std::string small_angles_message(const Report& report, const po::variables_map& arguments)
 {
+  const double minimum_angle = arguments["minimum-angle"].as<double>();
+  const bool has_protected = !arguments["protect"].as<std::string>().empty();
   std::ostringstream text;
   text << report.number_of_small_angles << (report.number_of_small_angles == 1 ? " triangle has" : " triangles have")
        << " an angle under --minimum-angle " << minimum_angle << " that no sharp corner forces, the smallest at "
        << in_words(Point(report.small_x, report.small_y))
-       << ": to refine them would take too many vertices, make a smaller angle, or there is no room; a smaller "
-          "--minimum-angle or --size-growth may be kept";
+       << ": to refine them would take too many vertices, make a smaller angle, or there is no room"
+       << (has_protected ? ", as beside segments far longer than d that --protect keeps; protect fewer, or " : "; ")
+       << "a smaller --minimum-angle or --size-growth may be kept";
   return text.str();
 }
 
@@ -128,118 +122,52 @@ inline std::string steep_message(const Report& report)
   return text.str();
 }
 
-/// The triangle with the smallest angle of a mesh, and why it may be there.
-class Bad_triangle
+/// `warn(text)` is called for what the report tells that should not be in a mesh.
+template <class Warn>
+void warn_of_report(const Report& report, const po::variables_map& arguments, Warn&& warn)
 {
-public:
-  explicit Bad_triangle(const Domain& domain) : m_domain(domain)
-  {
-    for (CDT::Face_handle f : domain.cdt.finite_face_handles()) {
-      if (!f->is_in_domain())
-        continue;
-      m_smallest_quality = (std::min)(m_smallest_quality, quality(f));
-      for (int i = 0; i < 3; ++i)
-        if (angle_at(f, i) < m_angle) {
-          m_angle = angle_at(f, i);
-          m_face = f;
-          m_corner = i;
-        }
-    }
-  }
+  if (report.steep_share > 0)
+    warn(steep_message(report));
+  const bool is_refined = arguments.count("paper") == 0 && report.number_of_steps > 0 &&
+                          report.stop_reason != CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
+  if (is_refined && report.number_of_small_angles > 0)
+    warn(small_angles_message(report, arguments));
+}
 
-  /// whether elements like this are known to spoil computations
-  bool is_bad() const { return m_angle < 20 || m_smallest_quality < 0.3; }
-
-  /// \param size d, or nothing
-  std::string message(const std::function<double(const Point&)>& size) const
-  {
-    const Point place = is_corner() ? m_face->vertex(m_corner)->point() : CGAL::centroid(m_domain.cdt.triangle(m_face));
-    std::ostringstream text;
-    text.precision(4);
-    text << (is_corner() ? "the triangle in the corner " : "the triangle at ") << in_words(place) << " has an angle of "
-         << m_angle << " degrees, q = " << quality(m_face) << ": " << cause();
-    if (size)
-      text << "; d is " << size(place) << " there";
-    return text.str();
-  }
-
-private:
-  static double quality(CDT::Face_handle f)
-  {
-    return CGAL::radius_ratio_2(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
-  }
-
-  static double angle_at(CDT::Face_handle f, int i)
-  {
-    return angle(f->vertex(CDT::ccw(i))->point(), f->vertex(i)->point(), f->vertex(CDT::cw(i))->point());
-  }
-
-  /// whether the angle is between two segments
-  bool is_corner() const
-  {
-    return m_face->is_constrained(CDT::ccw(m_corner)) && m_face->is_constrained(CDT::cw(m_corner));
-  }
-
-  std::string cause() const
-  {
-    std::ostringstream text;
-    text.precision(4);
-    if (is_corner())
-      return "two segments of the domain meet there in this angle";
-    int shortest = -1; // the shortest edge between two vertices that cannot move, by the corner opposite
-    for (int i = 0; i < 3; ++i)
-      if (stays(m_face->vertex(CDT::ccw(i))) && stays(m_face->vertex(CDT::cw(i))) &&
-          (shortest < 0 || length(i) < length(shortest)))
-        shortest = i;
-    if (shortest < 0)
-      return "parts of the domain come nearer to each other than d, or d changes much from one triangle to "
-             "the next";
-    if (m_face->is_constrained(shortest))
-      text << "a segment of the domain there is only " << length(shortest) << " long";
-    else
-      text << "two points there, corners or pinned ones, are only " << length(shortest) << " apart";
-    return text.str();
-  }
-
-  double length(int i) const
-  {
-    return distance(m_face->vertex(CDT::ccw(i))->point(), m_face->vertex(CDT::cw(i))->point());
-  }
-
-  /// whether a vertex is pinned, or a corner: not the middle of one straight line
-  bool stays(CDT::Vertex_handle v) const
-  {
-    if (m_domain.pinned.count(v) > 0)
-      return true;
-    std::vector<Point> neighbors;
-    CDT::Edge_circulator e = m_domain.cdt.incident_edges(v), start = e;
-    do {
-      if (m_domain.cdt.is_constrained(*e))
-        neighbors.push_back(other_end(*e, v)->point());
-    } while (++e != start);
-    return !neighbors.empty() &&
-           (neighbors.size() != 2 || angle(neighbors[0], v->point(), neighbors[1]) < 180 - 1e-6);
-  }
-
-  const Domain& m_domain;
-  CDT::Face_handle m_face;
-  int m_corner = 0;
-  double m_angle = 180, m_smallest_quality = 1;
-};
-
-/// The points outside of the mesh in which so many segments end. If it is one, inside this is a crack; outside, the
-/// outline that it belongs to was perhaps meant to be closed, and bounds nothing as it is. If none does, somebody wanted
-/// a node there.
-inline std::vector<Point> points_outside(const CDT& meshed, int wanted_segments)
+/// whether elements like this are known to spoil computations
+inline bool is_bad(double smallest_angle, double smallest_quality)
 {
+  return smallest_angle < 20 || smallest_quality < 0.3;
+}
+
+/// the same of bad triangles, where nothing but the report is known of them
+template <class Warn>
+void warn_of_worst_triangle(const Report& report, Warn&& warn)
+{
+  const auto& quality = report.quality;
+  if (quality.number_of_triangles() == 0 || !is_bad(quality.minimum_angle(), quality.minimum_quality()))
+    return;
+  std::ostringstream text;
+  text.precision(4);
+  text << "the triangle at " << in_words(Point(quality.worst_x(), quality.worst_y())) << " has q = "
+       << quality.minimum_quality() << ", the smallest angle is " << quality.minimum_angle() << " degrees";
+  warn(text.str());
+}
+
+/// The points outside of the domain in which so many segments end. If it is one, inside this is a crack; outside, the
+/// outline that it belongs to was perhaps meant to be closed, and bounds nothing as it is. If none does, somebody
+/// wanted a node there.
+inline std::vector<Point> points_outside(const CDT& cdt, int wanted_segments)
+{
+  const CGAL::Bubble_relaxation_2::internal::Domain_marks_2<CDT> marks(cdt, CGAL::parameters::default_values());
   std::vector<Point> points;
-  for (CDT::Vertex_handle v : meshed.finite_vertex_handles()) {
+  for (CDT::Vertex_handle v : cdt.finite_vertex_handles()) {
     int segments = 0;
     bool is_in_domain = false;
-    CDT::Face_circulator f = meshed.incident_faces(v), begin = f;
+    CDT::Face_circulator f = cdt.incident_faces(v), begin = f;
     do {
       segments += f->is_constrained(CDT::ccw(f->index(v))); // each edge from one of its sides
-      is_in_domain = is_in_domain || f->is_in_domain();
+      is_in_domain = is_in_domain || marks(f);
     } while (++f != begin);
     if (segments == wanted_segments && !is_in_domain)
       points.push_back(v->point());
@@ -260,6 +188,17 @@ inline std::string loose_ends_message(const std::vector<Point>& ends)
 {
   return std::to_string(ends.size()) + (ends.size() == 1 ? " segment ends" : " segments end") +
          " loosely outside of the mesh, such as at " + in_words(ends.front()) + ": is an outline not closed?";
+}
+
+/// `warn(text)` is called for what lies outside of a domain, meshed or not, and was perhaps meant to be in it.
+template <class Warn>
+void warn_of_what_is_outside(const CDT& cdt, Warn&& warn)
+{
+  const std::vector<Point> ends = points_outside(cdt, 1), lonely = points_outside(cdt, 0);
+  if (!ends.empty())
+    warn(loose_ends_message(ends));
+  if (!lonely.empty())
+    warn(points_outside_message(lonely));
 }
 
 /// the vertices with more than two edges of the boundary, where parts of the domain only touch

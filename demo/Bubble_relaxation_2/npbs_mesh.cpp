@@ -11,15 +11,18 @@
 // A mesher for the command line:
 //   npbs_mesh lake.poly --size "0.02+0.1*sqrt(x^2+y^2)" --output lake.vtu --picture lake.svg
 
+#include "bad_triangle.h"
 #include "files/file_names.h"
 #include "files/mesh_file.h"
 #include "files/mesh_of_domain.h"
 #include "files/simplify_domain.h"
+#include "files/statistics_file.h"
 #include "input_options.h"
 #include "mesh_options.h"
 #include "mesh_warnings.h"
 #include "output_options.h"
 #include "svg_picture.h"
+#include "warnings.h"
 
 #include <CGAL/npbs_relax.h>
 
@@ -34,12 +37,19 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 #include <unistd.h>
 
-volatile std::sig_atomic_t is_interrupted = 0;
-constexpr int interrupted_exit = 128 + SIGINT; // as shells have it
+volatile std::sig_atomic_t interruption = 0; // the signal that came
+
+int interrupted_exit() { return 128 + interruption; } // as shells have it
+
+/// Ctrl-C, and what a time limit sends, stop the simulation and keep its mesh.
+void be_interrupted_by_signals()
+{
+  for (const int number : {SIGINT, SIGTERM})
+    std::signal(number, [](int came) { interruption = came; });
+}
 
 /// A bar on a terminal, nothing elsewhere. Its line ends with its life, however far it is: what is printed
 /// next, an error too, starts on a line of its own.
@@ -113,8 +123,9 @@ po::variables_map read_arguments(int argc, char** argv)
   }
   if (arguments.count("input") == 0)
     throw std::runtime_error("no input file; see npbs_mesh --help");
-  if (arguments.count("quiet") > 0 && arguments.count("output") + arguments.count("picture") == 0)
-    throw std::runtime_error("--quiet without --output or --picture leaves nothing to show");
+  if (arguments.count("quiet") > 0 &&
+      arguments.count("output") + arguments.count("picture") + arguments.count("statistics") == 0)
+    throw std::runtime_error("--quiet without --output, --picture or --statistics leaves nothing to show");
   return arguments;
 }
 
@@ -134,6 +145,7 @@ void check_arguments(const po::variables_map& arguments)
   }
   if (arguments.count("simplification-report") > 0)
     check_output(input, arguments["simplification-report"].as<std::string>(), "--simplification-report");
+  check_statistics(arguments);
   check_mesh_options(arguments);
   if (arguments["threads"].as<int>() < 0)
     throw std::runtime_error("--threads must not be negative");
@@ -154,7 +166,7 @@ Report relax(Domain& domain, const Region_map& regions, const po::variables_map&
       .concurrency_tag(CGAL::Parallel_if_available_tag())
       .callback([&bar](double fraction) {
         bar.show(fraction);
-        return is_interrupted == 0; // Ctrl-C stops the simulation and keeps its mesh
+        return interruption == 0;
       });
   return size ? CGAL::npbs_relax(domain.cdt, all.sizing_function(size))
               : CGAL::npbs_relax(domain.cdt, all);
@@ -198,28 +210,18 @@ try {
   throw std::runtime_error(in_words_of_options(e.what()));
 }
 
-/// `warn(text)` is called for all that should not be in a mesh.
-template <class Warn>
+/// tells all that should not be in a mesh
 void warn_of_mesh(const Domain& domain, const Report& report, const po::variables_map& arguments, const Size& size,
-                  const Warn& warn)
+                  Warnings& warn)
 {
-  if (report.steep_share > 0)
-    warn(steep_message(report));
-  const std::vector<Point> ends = points_outside(domain.cdt, 1), lonely = points_outside(domain.cdt, 0);
-  if (!ends.empty())
-    warn(loose_ends_message(ends));
-  if (!lonely.empty())
-    warn(points_outside_message(lonely));
+  warn_of_report(report, arguments, warn);
+  warn_of_what_is_outside(domain.cdt, warn);
   if (arguments.count("output") > 0 && is_of_adcirc(arguments["output"].as<std::string>())) {
     const std::vector<Point> touching = touching_places(domain.cdt);
     if (!touching.empty())
       warn(touching_message(touching));
   }
-  const bool is_refined = arguments.count("paper") == 0 && report.number_of_steps > 0 &&
-                          report.stop_reason != CGAL::Bubble_stop_reason::STOPPED_BY_CALLBACK;
-  if (is_refined && report.number_of_small_angles > 0)
-    warn(small_angles_message(report, arguments["minimum-angle"].as<double>()));
-  const Bad_triangle worst(domain);
+  const Bad_triangle worst(domain, Protected_segments(domain, arguments["protect"].as<std::string>()));
   if (worst.is_bad())
     warn(worst.message(size));
 }
@@ -231,29 +233,23 @@ try {
   std::optional<Size_formula> formula = size_formula(arguments);
   Output_tags tags(arguments);
   Domain domain = read_domain(arguments, arguments["format"].as<std::string>());
-  const auto warn = [&](const std::string& text) {
-    std::cerr << "npbs_mesh: warning: " << input_name(arguments) << ": " << text << '\n';
-  };
-  const auto warn_of_domain = [&] {
-    for (const std::string& warning : std::exchange(domain.warnings, {}))
-      warn(warning);
-  };
-  warn_of_domain();
+  Warnings warn("npbs_mesh", arguments);
+  warn.tell_of(domain);
   tags.check(domain);
   const Rasters rasters = read_rasters(arguments, domain);
   tags.set_rasters(rasters);
   if (formula)
     formula->set_rasters(rasters);
   prepare(domain, arguments, formula, tags);
-  warn_of_domain();
+  warn.tell_of(domain);
   const Region_map regions = region_attributes(domain);
-  std::signal(SIGINT, [](int) { is_interrupted = 1; });
+  be_interrupted_by_signals();
   const Size size = limited_size(domain, arguments, wanted_size(domain, arguments, formula),
-                                 [](double) { return is_interrupted == 0; });
+                                 [](double) { return interruption == 0; });
   const Report report = mesh(domain, regions, arguments, size);
   if (report.number_of_vertices == 0) {
     std::cerr << "npbs_mesh: interrupted before there were bubbles, nothing is written\n";
-    return interrupted_exit;
+    return interrupted_exit();
   }
   if (arguments.count("quiet") == 0)
     print_statistics(report);
@@ -263,7 +259,10 @@ try {
   hint_at_outline("npbs_mesh", arguments, report);
   warn_of_mesh(domain, report, arguments, size, warn);
   write_files(domain, regions, report, arguments, size, tags);
-  return is_stopped ? interrupted_exit : 0;
+  const int exit_code = is_stopped ? interrupted_exit() : 0;
+  if (arguments.count("statistics") > 0)
+    write_statistics(arguments["statistics"].as<std::string>(), report, warn.all(), exit_code);
+  return exit_code;
 } catch (const std::exception& e) {
   std::cerr << "npbs_mesh: " << e.what() << '\n';
   return 1;

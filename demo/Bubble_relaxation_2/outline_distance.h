@@ -18,9 +18,12 @@
 
 #include <memory>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
-/// How far it is from places to the nearest segment of a domain that has one of some markers, across islands too.
+/// How far it is from places to the nearest segment, or pinned point, of a domain that has one of some markers, across
+/// islands too.
 class Outline_distance
 {
   using Place = boost::geometry::model::d2::point_xy<double>;
@@ -28,18 +31,28 @@ class Outline_distance
   using Tree = boost::geometry::index::rtree<Segment, boost::geometry::index::rstar<16>>;
 
 public:
-  /// \param markers all segments count if there are none
-  /// \throws std::runtime_error if no segment has one of them
+  /// \param markers all segments count if there are none, and no points
+  /// \throws std::runtime_error if there is no segment and no pinned point with one of them
   Outline_distance(const Domain& domain, const std::set<int>& markers)
   {
-    check_markers(domain, "--distance-to", markers);
+    std::set<int> missing = markers;
     std::vector<Segment> segments;
+    const auto add = [&](const Point& p, const Point& q, int marker) {
+      if (!markers.empty() && markers.count(marker) == 0)
+        return;
+      segments.emplace_back(Place(p.x(), p.y()), Place(q.x(), q.y()));
+      missing.erase(marker);
+    };
     for (const auto& e : domain.cdt.constrained_edges()) {
       const Point &p = e.first->vertex(CDT::ccw(e.second))->point(), &q = e.first->vertex(CDT::cw(e.second))->point();
-      const int marker = segment_marker(domain, p, q);
-      if (markers.empty() || markers.count(marker) > 0)
-        segments.emplace_back(Place(p.x(), p.y()), Place(q.x(), q.y()));
+      add(p, q, segment_marker(domain, p, q));
     }
+    if (!markers.empty()) // segments without length, from which the distance is that from a point
+      for (CDT::Vertex_handle v : domain.pinned)
+        add(v->point(), v->point(), point_marker(domain, v->point()));
+    if (!missing.empty())
+      throw std::runtime_error("--distance-to: no segment and no pinned point has the marker " +
+                               std::to_string(*missing.begin()));
     m_tree = std::make_shared<const Tree>(segments.begin(), segments.end());
   }
 

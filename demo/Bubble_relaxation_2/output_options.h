@@ -11,6 +11,7 @@
 
 #include "files/domain.h"
 #include "files/domain_boundary.h"
+#include "files/file_names.h"
 #include "files/mesh_file.h"
 #include "files/output_projection.h"
 #include "formula.h"
@@ -42,14 +43,25 @@ inline po::options_description output_options()
   po::options_description options;
   options.add_options()
     ("name", po::value<std::vector<std::string>>(),
-     "MARKER=NAME, or region:ATTRIBUTE=NAME: a name for .msh; as often as there are names")
+     "MARKER=NAME, or region:ATTRIBUTE=NAME: a name for .msh and .msh2; as often as there are names")
     ("open", po::value<std::string>(),
      "markers of open boundaries, such as 2,3, for .14, .grd and .gr3; others are land")
     ("depth", po::value<std::string>(),
      "the depth of nodes for these and .2dm, and data of .vtu and .msh: a formula in x, y and rasters")
     ("output-crs", po::value<std::string>(),
-     "the reference system of what is written, such as EPSG:4326, degrees; default: that in which the mesh is made");
+     "the reference system of what is written, such as EPSG:4326, degrees; default: that in which the mesh is made")
+    ("statistics", po::value<std::string>(), "a file for what is printed of the mesh and for warnings: .json");
   return options;
+}
+
+/// \throws std::runtime_error if statistics are asked for and cannot be written
+inline void check_statistics(const po::variables_map& arguments)
+{
+  if (arguments.count("statistics") == 0)
+    return;
+  const std::string file = arguments["statistics"].as<std::string>();
+  check_extension(file, {".json"});
+  check_output(arguments["input"].as<std::string>(), file, "--statistics");
 }
 
 /// What is said by the user of the mesh that is written.
@@ -68,6 +80,7 @@ public:
         throw std::runtime_error("--open needs --output with the ending .14, .grd or .gr3");
       m_open = markers("--open", arguments["open"].as<std::string>());
     }
+    check_format(arguments);
     m_lacks_depth = is_of_ocean && arguments.count("depth") == 0;
     if (arguments.count("depth") > 0)
       m_depth.emplace("--depth", arguments["depth"].as<std::string>(), raster_names(arguments));
@@ -163,6 +176,18 @@ public:
   }
 
 private:
+  /// \throws std::runtime_error if the format of the output has no place for what is said of it
+  static void check_format(const po::variables_map& arguments)
+  {
+    const std::string output = arguments.count("output") > 0 ? arguments["output"].as<std::string>() : "",
+                      ending = extension(output);
+    if (arguments.count("name") > 0 && !has_names(output))
+      throw std::runtime_error("--name needs --output with the ending .msh or .msh2: other formats have no names");
+    if (arguments.count("depth") > 0 && (ending.empty() || ending == ".pvtu" || is_of_triangle(output)))
+      throw std::runtime_error("--depth needs --output with another ending than .node, .ele, .edge and .pvtu, which "
+                               "have no depths");
+  }
+
   double depth(const Point& p) const
   {
     const double result = (*m_depth)(p.x(), p.y());

@@ -29,14 +29,15 @@ class Size_formula
 {
 public:
   /// \param rasters the names of their variables
-  /// \param shore the markers of the segments to which the variable `distance` is measured; none: all segments
+  /// \param shore the markers of the segments and pinned points to which the variable `distance` is measured; none: all
+  /// segments
   /// \throws std::runtime_error with one line if `text` is not one formula
   explicit Size_formula(const std::string& text, const std::vector<std::string>& rasters, std::set<int> shore = {})
     : m_formula("--size", text, rasters), m_shore(std::move(shore))
   {}
 
   /// sets what the variable `distance` is in a domain, if it is used
-  /// \throws std::runtime_error if no segment has one of the markers
+  /// \throws std::runtime_error if no segment and no pinned point has one of the markers
   void set_distance(const Domain& domain)
   {
     if (has_distance())
@@ -72,8 +73,12 @@ private:
 };
 
 /// the sizes that a formula asks for in a domain as it is now
+/// \throws std::runtime_error if it needs what the domain does not have
 inline std::function<double(const Point&)> size_in_domain(Size_formula formula, const Domain& domain)
 {
+  if (formula.has_region() && domain.regions.empty()) // it would be 0 everywhere
+    throw std::runtime_error("--size: the variable region needs regions in the domain, and there are none; a .poly or "
+                             "an .ele may have them, and --field makes them of polygons");
   formula.set_distance(domain);
   if (!formula.has_region())
     return formula;

@@ -25,7 +25,9 @@ inline Domain read_map([[maybe_unused]] const std::string& name, [[maybe_unused]
                        [[maybe_unused]] const std::string& crs)
 try {
 #ifdef BUBBLE_RELAXATION_2_WITH_GDAL
-  return Ogr_reader(name, field, crs).read();
+  Domain domain = Ogr_reader(name, field, crs).read();
+  pin_points_with_markers(domain); // on lines
+  return domain;
 #else
   throw std::runtime_error("this program was built without GDAL, which reads such files");
 #endif

@@ -39,6 +39,9 @@ inline bool is_of_adcirc(const std::string& name)
   return extension(name) == ".14" || extension(name) == ".grd" || extension(name) == ".gr3";
 }
 
+/// whether markers and regions have names there
+inline bool has_names(const std::string& name) { return extension(name) == ".msh" || extension(name) == ".msh2"; }
+
 /// the files that a mesh is written to: Triangle's are several
 inline std::vector<std::string> mesh_files(const std::string& name)
 {

@@ -10,6 +10,7 @@
 #define BUBBLE_RELAXATION_2_DEMO_OGR_FILE_H
 
 #include "domain.h"
+#include "in_quotes.h"
 #include "map_projection.h"
 
 #include <gdal_priv.h>
@@ -36,7 +37,8 @@ class Ogr_reader
 {
 public:
   /// \param field whose value is the marker of a feature, and the region of a polygon; empty for none
-  /// \param crs the reference system that is wanted; empty for that of the file, or one in metres
+  /// \param crs the reference system that is wanted; empty for that of the file, or one in metres; "none" for
+  /// coordinates as they are
   Ogr_reader(const std::string& name, const std::string& field, const std::string& crs)
     : m_field(field),
       m_file((GDALAllRegister(), GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR)))
@@ -83,15 +85,28 @@ private:
   {
     double area;
     int region;
+    std::size_t feature; ///< by its place in m_features
+  };
+
+  /// One that has polygons.
+  struct Feature
+  {
+    std::string name;       ///< with an attribute, for messages
+    bool has_attribute;     ///< so that it is to be seen in the mesh
+    bool is_meshed = false; ///< whether triangles are of it
   };
 
   /// the system of the domain: what is asked for, else that of the first layer that has one, unless it is in degrees
   void choose_system(const std::string& crs)
   {
+    if (crs == "none")
+      return;
     OGRLayer* first = nullptr;
-    for (OGRLayer* layer : m_file->GetLayers())
+    for (OGRLayer* layer : m_file->GetLayers()) {
       if (first == nullptr && layer->GetSpatialRef() != nullptr)
         first = layer;
+      check_degrees(*layer);
+    }
     if (first == nullptr && !crs.empty())
       throw std::runtime_error("--crs: the file does not tell which reference system its coordinates are in");
     if (first == nullptr)
@@ -107,6 +122,23 @@ private:
     m_domain.crs_of_file = in_wkt(*first->GetSpatialRef());
   }
 
+  /// GeoJSON is in degrees unless it tells another system, and often does not
+  static void check_degrees(OGRLayer& layer)
+  {
+    OGREnvelope box;
+    if (layer.GetSpatialRef() == nullptr || !layer.GetSpatialRef()->IsGeographic() ||
+        layer.GetExtent(&box) != OGRERR_NONE)
+      return;
+    const double x = -box.MinX > box.MaxX ? box.MinX : box.MaxX, y = -box.MinY > box.MaxY ? box.MinY : box.MaxY;
+    if (std::abs(x) <= 720 && std::abs(y) <= 90)
+      return;
+    std::ostringstream text;
+    text.precision(10);
+    text << layer.GetName() << " is in degrees, or tells no reference system, but x = " << x << ", y = " << y
+         << " are no degrees; --crs none takes coordinates as they are";
+    throw std::runtime_error(text.str());
+  }
+
   /// equal areas, and lengths true in the middle of a layer
   OGRSpatialReference in_metres_around(OGRLayer& layer)
   {
@@ -116,14 +148,15 @@ private:
     std::ostringstream text;
     text << "+proj=laea +lat_0=" << std::round(50 * (box.MinY + box.MaxY)) / 100
          << " +lon_0=" << std::round(50 * (box.MinX + box.MaxX)) / 100 << " +datum=WGS84 +units=m";
-    m_domain.warnings.push_back("degrees are projected to metres by --crs \"" + text.str() + "\"");
+    m_domain.warnings.push_back("degrees are projected to metres by --crs \"" + text.str() +
+                                "\"; --crs none takes coordinates as they are");
     return reference_system("--crs", text.str());
   }
 
   void read_layer(OGRLayer& layer)
   {
     m_projection.reset();
-    if (layer.GetSpatialRef() != nullptr) {
+    if (m_system && layer.GetSpatialRef() != nullptr) {
       OGRSpatialReference system = *layer.GetSpatialRef();
       system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
       if (!system.IsSame(&*m_system))
@@ -135,20 +168,39 @@ private:
       if (feature->GetGeometryRef() == nullptr)
         continue;
       const std::unique_ptr<OGRGeometry> straight(feature->GetGeometryRef()->getLinearGeometry());
+      const std::string attribute = first_attribute(*feature, field);
+      m_features.push_back({m_feature + (attribute.empty() ? "" : " (" + attribute + ")"), !attribute.empty()});
       read_geometry(*straight, field < 0 ? 0 : marker(*feature, field));
     }
+  }
+
+  /// what a feature has in `field`, or without --field in the first one that has something; empty for nothing
+  std::string first_attribute(OGRFeature& feature, int field) const
+  {
+    if (field < 0 && !m_field.empty())
+      return "";
+    for (int k = (std::max)(field, 0); k < (field < 0 ? feature.GetFieldCount() : field + 1); ++k)
+      if (feature.IsFieldSetAndNotNull(k) && (field < 0 || marker(feature, k) != 0))
+        return feature.GetFieldDefnRef(k)->GetNameRef() + std::string(" = ") +
+               (is_number(feature, k) ? feature.GetFieldAsString(k) : in_quotes(feature.GetFieldAsString(k)));
+    return "";
   }
 
   int marker(OGRFeature& feature, int field) const
   {
     if (!feature.IsFieldSetAndNotNull(field))
       return 0;
-    const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
     const double value = feature.GetFieldAsDouble(field);
-    if ((type != OFTInteger && type != OFTInteger64 && type != OFTReal) || value != std::floor(value) ||
-        std::abs(value) > 2e9)
-      throw std::runtime_error(m_feature + ": --field: '" + feature.GetFieldAsString(field) + "' must be an integer");
+    if (!is_number(feature, field) || value != std::floor(value) || std::abs(value) > 2e9)
+      throw std::runtime_error(m_feature + ": --field: " + in_quotes(feature.GetFieldAsString(field)) +
+                               " must be an integer");
     return static_cast<int>(value);
+  }
+
+  static bool is_number(OGRFeature& feature, int field)
+  {
+    const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
+    return type == OFTInteger || type == OFTInteger64 || type == OFTReal;
   }
 
   void read_geometry(const OGRGeometry& geometry, int marker)
@@ -160,7 +212,7 @@ private:
     } else if (type == wkbLineString) {
       read_path(*geometry.toLineString(), marker, {});
     } else if (type == wkbPolygon) {
-      m_polygons.push_back({geometry.toPolygon()->get_Area(), marker});
+      m_polygons.push_back({geometry.toPolygon()->get_Area(), marker, m_features.size() - 1});
       for (const OGRLinearRing* ring : *geometry.toPolygon())
         read_path(*ring, marker, m_polygons.size() - 1);
     } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) {
@@ -234,9 +286,8 @@ private:
   /// Marks what lies in an odd number of polygons, from outside over one segment after the other.
   void mark_domain()
   {
-    std::set<int> regions;
-    for (const Polygon& p : m_polygons)
-      regions.insert(p.region);
+    const bool has_regions =
+      std::any_of(m_polygons.begin(), m_polygons.end(), [](const Polygon& p) { return p.region != 0; });
     CGAL::Unique_hash_map<CDT::Face_handle, bool> is_reached(false);
     std::deque<std::pair<CDT::Face_handle, std::set<std::size_t>>> next{{m_domain.cdt.infinite_face(), {}}};
     bool is_empty = true;
@@ -256,12 +307,30 @@ private:
       if (first == CDT::Face_handle() || around.size() % 2 == 0)
         continue;
       is_empty = false;
-      if (regions.size() > 1)
-        m_domain.regions.push_back(
-          {CGAL::centroid(m_domain.cdt.triangle(first)), static_cast<double>(innermost(around).region)});
+      const Polygon& polygon = innermost(around);
+      m_features[polygon.feature].is_meshed = true;
+      if (has_regions)
+        m_domain.regions.push_back({CGAL::centroid(m_domain.cdt.triangle(first)), static_cast<double>(polygon.region)});
     }
     if (is_empty)
       throw std::runtime_error("no face lies in the domain, which is what an odd number of polygons contain");
+    warn_of_features_in_holes();
+  }
+
+  /// who draws one polygon over another may want both
+  void warn_of_features_in_holes()
+  {
+    std::set<std::size_t> lost;
+    for (const Polygon& p : m_polygons)
+      if (m_features[p.feature].has_attribute && !m_features[p.feature].is_meshed)
+        lost.insert(p.feature);
+    if (lost.empty())
+      return;
+    const std::string& first = m_features[*lost.begin()].name;
+    m_domain.warnings.push_back(
+      (lost.size() == 1 ? first + " is" : std::to_string(lost.size()) + " features, the first is " + first + ", are") +
+      " on no triangle of the domain: what lies in an even number of polygons is a hole; to be meshed, a polygon needs "
+      "a hole for it in the one around it");
   }
 
   std::set<std::size_t> crossed(std::set<std::size_t> polygons, CDT::Face_handle f, int i) const
@@ -288,6 +357,7 @@ private:
   Projection m_projection;                     // of the layer that is read, nothing if it needs none
   std::string m_feature;                       // that is read
   std::vector<Path> m_paths;
+  std::vector<Feature> m_features;
   std::vector<Polygon> m_polygons;
   std::map<std::pair<Point, Point>, std::vector<std::size_t>> m_borders; // of polygons, by pieces
   Domain m_domain;
