@@ -168,22 +168,10 @@ private:
       if (feature->GetGeometryRef() == nullptr)
         continue;
       const std::unique_ptr<OGRGeometry> straight(feature->GetGeometryRef()->getLinearGeometry());
-      const std::string attribute = first_attribute(*feature, field);
-      m_features.push_back({m_feature + (attribute.empty() ? "" : " (" + attribute + ")"), !attribute.empty()});
-      read_geometry(*straight, field < 0 ? 0 : marker(*feature, field));
+      const int attribute = field < 0 ? 0 : marker(*feature, field);
+      m_features.push_back({m_feature + " (" + m_field + " = " + std::to_string(attribute) + ")", attribute != 0});
+      read_geometry(*straight, attribute);
     }
-  }
-
-  /// what a feature has in `field`, or without --field in the first one that has something; empty for nothing
-  std::string first_attribute(OGRFeature& feature, int field) const
-  {
-    if (field < 0 && !m_field.empty())
-      return "";
-    for (int k = (std::max)(field, 0); k < (field < 0 ? feature.GetFieldCount() : field + 1); ++k)
-      if (feature.IsFieldSetAndNotNull(k) && (field < 0 || marker(feature, k) != 0))
-        return feature.GetFieldDefnRef(k)->GetNameRef() + std::string(" = ") +
-               (is_number(feature, k) ? feature.GetFieldAsString(k) : in_quotes(feature.GetFieldAsString(k)));
-    return "";
   }
 
   int marker(OGRFeature& feature, int field) const
