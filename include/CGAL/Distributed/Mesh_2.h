@@ -242,6 +242,7 @@ private:
     std::sort(those.begin() + static_cast<std::ptrdiff_t>(m_owned_points), those.end()); // as their ids
     Bubble_relaxation_2::internal::reserve_each(those.size(), m_points, m_ids, m_owners, m_sizes, m_dimensions);
     for (Index i : those) {
+      Bubble_relaxation_2::internal::tick(m_points.size());
       local[i] = static_cast<Index>(m_points.size());
       m_points.push_back(Point_2(b.x[i], b.y[i]));
       m_ids.push_back(b.id[i]);
@@ -275,6 +276,7 @@ private:
   {
     const auto& marked = mesh.triangles;
     for (std::size_t t = 0; t < mesh.is_final.size(); ++t) {
+      Bubble_relaxation_2::internal::tick(t);
       if (!mesh.is_final[t] || (mesh.is_owned[t] != 0) != are_owned)
         continue;
       const auto& v = marked.vertices[t];
