@@ -50,7 +50,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
       std::invalid_argument("Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
                             "together, but there is no sizing_function; no rank has their mesh to take sizes from"));
   Bubbles_2 given;
-  ranks.agree_after([&] { given = read_bubbles(points, input->reading.domain, input->limits.sizes); });
+  ranks.agree_after([&] { given = read_bubbles(points, input->reading.domain, input->limits.sizes, true); });
   reading_time.stop();
   const std::optional<Relaxed_part_2> part = relax_part(input->problem(), given, ranks, report);
   if (part) {
