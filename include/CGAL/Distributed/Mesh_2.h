@@ -189,14 +189,16 @@ public:
   Each rank writes a file with its triangles, `name_0.vtu`, `name_1.vtu`, and so on, as `CGAL::IO::write_VTU()` does,
   and the first one `name.pvtu`, which refers to them. Points have also the data `global_id`, `size`, and `rank`, their
   owner; triangles `rank`. Sides on constraints are lines, each in one file. Markers and regions are there if the mesh
-  has them and they are numbers.
+  has them and they are numbers. The last file that is written is `name.pvtu`: if one cannot be written none is left.
 
   \param path name of the file, which must end with `.pvtu`
   \param of_points more data of points, such as a solution: numbers by local indices, of owned points and of ghosts
   \param of_triangles more data of triangles, by local indices of owned ones
   \pre the communicator that the mesh was made with still exists
 
-  \throws std::invalid_argument on all ranks if the name does not end so, or if data have not the same names on all
+  \throws std::invalid_argument on all ranks, before anything is written, if the name does not end so; if data have not
+  the same names on all, or such as the files have anyhow (`global_id`, `size`, `rank`, `region`, and `marker`, `q`,
+  `dimension`, see `CGAL::IO::write_VTU()`); or if a marker is a number that is no `int`, or a region 2^53 or more
   \throws std::runtime_error on all ranks if one of the files cannot be written
   */
   void write_pvtu(const std::string& path, const std::vector<Mesh_data>& of_points = {},
@@ -215,11 +217,24 @@ public:
       for (const auto& array : *data)
         names.add(array.first);
     check_same(ranks, names.value(), "the data of write_pvtu() have not the same names on all ranks");
-    ranks.agree_after([&] {
-      IO::write_VTU(vtu_path(stem, m_rank), part);
-      if (m_rank == 0)
-        write_file(path, [&](std::ostream& out) { write_pvtu_header(out, part, stem, m_number_of_ranks); });
-    });
+    std::string piece; // when it is written
+    try {
+      ranks.agree_after([&] {
+        IO::write_VTU(vtu_path(stem, m_rank), part);
+        piece = vtu_path(stem, m_rank);
+      });
+      ranks.agree_after([&] {
+        if (m_rank == 0)
+          write_file(path, [&](std::ostream& out) { write_pvtu_header(out, part, stem, m_number_of_ranks); });
+      });
+    } catch (...) { // on all ranks
+      if (!piece.empty()) {
+        remove_file(piece);
+        if (m_rank == 0)
+          remove_file(path); // of old, which may have named it
+      }
+      throw;
+    }
   }
 
 private:
@@ -242,6 +257,7 @@ private:
     std::sort(those.begin() + static_cast<std::ptrdiff_t>(m_owned_points), those.end()); // as their ids
     Bubble_relaxation_2::internal::reserve_each(those.size(), m_points, m_ids, m_owners, m_sizes, m_dimensions);
     for (Index i : those) {
+      Bubble_relaxation_2::internal::tick(m_points.size());
       local[i] = static_cast<Index>(m_points.size());
       m_points.push_back(Point_2(b.x[i], b.y[i]));
       m_ids.push_back(b.id[i]);
@@ -275,6 +291,7 @@ private:
   {
     const auto& marked = mesh.triangles;
     for (std::size_t t = 0; t < mesh.is_final.size(); ++t) {
+      Bubble_relaxation_2::internal::tick(t);
       if (!mesh.is_final[t] || (mesh.is_owned[t] != 0) != are_owned)
         continue;
       const auto& v = marked.vertices[t];

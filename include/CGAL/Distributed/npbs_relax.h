@@ -90,10 +90,10 @@ another points on edges may differ by a rounding.
 
 \param points the points to start from, any part of all on any rank, or none. They take the place of the vertices of
 `domain` that are inside of it: what `CGAL::npbs_relax()` makes of a triangulation with these points is made here. The
-properties `dimension`, `edge` and `position` are used if they are there; a point with dimension 0 that is no vertex of
-the domain is pinned (but makes no bubbles around it smaller, as pinned vertices of `domain` do with
-`limit_by_outline`). On return it has the points of this rank, in the order of their ids, with these properties, which
-are added if they are not there:
+properties `dimension`, `edge` and `position` are used if they are there; a point in a face with dimension 0 is pinned
+(but makes no bubbles around it smaller, as pinned vertices of `domain` do with `limit_by_outline`), and one on an edge
+must be a vertex of `domain` for that, see `insert_on_constraint_2()`. On return it has the points of this rank, in the
+order of their ids, with these properties, which are added if they are not there:
 - `global_id` (`std::int64_t`): 0, 1, 2, … over all ranks; near ids are near to each other.
 - `size` (`double`): the wanted distance d at the point.
 - `dimension` (`int`): 0 for vertices of the domain and pinned ones, 1 for points on an edge, 2 for points in a face.
@@ -150,8 +150,9 @@ differ from there.
 this rank. After a callback has returned `false` it tells only what was done until then.
 
 \throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a parameter is out of its range,
-or not the same as on others, if there is no domain on one, if the domain is not the same on all, or if a point is not
-finite, not in the domain, or in one place with another; or if points are given but no `sizing_function`
+or not the same as on others, if there is no domain on one, if the domain is not the same on all, if a point is not
+finite, not in the domain, in one place with another, or has dimension 0 on an edge, or if a property of these names
+has another type; or if points are given but no `sizing_function`
 \throws std::length_error on all ranks if more bubbles are expected than `maximum_number_of_bubbles`
 \throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the
 bubbles on them

@@ -140,10 +140,10 @@ the largest, or are numbered with the others. Its other vertices do not matter.
 
 \returns this rank's part of the mesh
 
-\throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a point is not finite, not in
-the domain or has a property out of range, if two points have the same coordinates or the same id, if points of
-some ranks have ids and points of others have none, if there is no domain, or if the domain is not the same on all
-ranks
+\throws std::invalid_argument if `comm` is `MPI_COMM_NULL`; on all ranks if on one a point is not finite, not in the
+domain or has a property out of range or of another type, if two points have the same coordinates or the same id, if
+points of some ranks have ids and points of others have none, if there is no domain, or if the domain is not the same
+on all ranks
 \throws std::runtime_error on all ranks if edges of the domain lie nearer to each other than the rounding of the
 points on them
 

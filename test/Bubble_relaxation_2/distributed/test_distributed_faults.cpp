@@ -12,6 +12,8 @@
 #include "relaxed_points.h"
 #include "same_exception.h"
 
+#include <CGAL/Distributed/triangulate.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,6 +30,7 @@
 namespace test_distributed_faults {
 
 using namespace relaxed_points;
+using CGAL::Bubble_relaxation_2::internal::Communicator;
 using distributed::expect_same_exception;
 using distributed::last_rank;
 using distributed::rank;
@@ -171,6 +174,65 @@ TEST(Distributed_faults, points_on_one_rank)
                           parameters::mass(1.));
   expect_point_is_refused("(100, 0.75) is not in the domain", Point(100, 0.75), np);
   expect_point_is_refused("must be finite", Point(nan, 0.75), np);
+}
+
+/// A point with dimension 0 on the last rank: in a face it is pinned, and on an edge it would move in silence.
+TEST(Distributed_faults, a_point_that_is_pinned_to_an_edge_on_one_rank)
+{
+  const Case c;
+  const auto with_dimension_0 = [](const Point& p) {
+    Points points;
+    const auto dimension = points.add_property_map<int>("dimension", 2).first;
+    if (is_last())
+      dimension[*points.insert(p)] = 0;
+    return points;
+  };
+  const Point on_edge(0.25, -1), in_face(0.75, 0.8125);
+  const auto np = few_steps().sizing_function(c.domain.d);
+  Points points = with_dimension_0(on_edge);
+  expect_same_exception<std::invalid_argument>(
+    "property dimension = 0 of the point (0.25, -1) pins it, but it lies on an edge",
+    [&] { CGAL::Distributed::npbs_relax(points, c.cdt, MPI_COMM_WORLD, np); });
+  EXPECT_EQ(points.size(), is_last() ? 1u : 0u);
+  EXPECT_FALSE(points.has_property_map<double>("size"));
+  EXPECT_NO_THROW(CGAL::Distributed::triangulate(points, c.cdt, MPI_COMM_WORLD)); // where nothing moves
+  points = with_dimension_0(in_face);
+  CGAL::Distributed::npbs_relax(points, c.cdt, MPI_COMM_WORLD, np);
+  const Communicator comm(MPI_COMM_WORLD);
+  EXPECT_TRUE(comm.any(std::any_of(points.begin(), points.end(), [&](const auto& i) {
+    return points.point(i) == in_face;
+  })));
+}
+
+/// a property of the points of the last rank has the wrong type: all ranks throw, and it stays
+template <class T>
+void expect_property_is_refused(const std::string& name, const std::string& type)
+{
+  const Case c;
+  Points points;
+  if (is_last()) {
+    points.insert(Point(0.75, 0.75));
+    points.add_property_map<T>(name, T(7));
+  }
+  const std::set<std::string> before = properties(points);
+  const std::string message = "property " + name + " of the points must have values of the type " + type;
+  expect_same_exception<std::invalid_argument>(message, [&] {
+    CGAL::Distributed::npbs_relax(points, c.cdt, MPI_COMM_WORLD, few_steps().sizing_function(0.2));
+  });
+  expect_same_exception<std::invalid_argument>(message, [&] {
+    CGAL::Distributed::triangulate(points, c.cdt, MPI_COMM_WORLD);
+  });
+  EXPECT_EQ(points.size(), is_last() ? 1u : 0u);
+  EXPECT_EQ(properties(points), before);
+}
+
+TEST(Distributed_faults, properties_of_another_type_on_one_rank)
+{
+  expect_property_is_refused<int>("global_id", "std::int64_t");
+  expect_property_is_refused<float>("size", "double");
+  expect_property_is_refused<unsigned char>("dimension", "int");
+  expect_property_is_refused<std::int64_t>("edge", "int");
+  expect_property_is_refused<float>("position", "double");
 }
 
 /// d of the domain, which counts how often it is called on the last rank, and fails there once it has been called

@@ -12,7 +12,7 @@
 #include "union_of_ranks.h"
 
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Numbered_sets.h>
+#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
 
 #include <gtest/gtest.h>
 

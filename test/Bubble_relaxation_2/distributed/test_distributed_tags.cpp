@@ -28,7 +28,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -269,6 +271,106 @@ assert abs(area[.5] - shoelace((0, .1), (1, .5), (.4, 1), (.05, .9))) < 1e-9
     expect_same_exception<std::invalid_argument>("not the same names on all ranks", [&] {
       mesh.write_pvtu(stem + ".pvtu", {{rank() == 0 ? "u" : "v", x}});
     });
+}
+
+/// of files that are not there
+std::string stem_of(const char* name)
+{
+  const std::string stem = ::testing::TempDir() + "distributed_tags_" + name + std::to_string(last_rank() + 1);
+  std::filesystem::remove(stem + ".pvtu");
+  std::filesystem::remove(stem + "_" + std::to_string(rank()) + ".vtu");
+  MPI_Barrier(MPI_COMM_WORLD);
+  return stem;
+}
+
+/// neither the file nor this rank's part
+void expect_no_files(const std::string& stem)
+{
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_FALSE(std::filesystem::is_regular_file(stem + ".pvtu"));
+  EXPECT_FALSE(std::filesystem::is_regular_file(stem + "_" + std::to_string(rank()) + ".vtu"));
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST(Distributed_tags, that_files_cannot_have)
+{
+  const Plate plate;
+  const std::string stem = stem_of("bad");
+  const auto expect_refused = [&](const std::string& message, const auto& np) {
+    Points points;
+    const auto mesh = CGAL::Distributed::npbs_mesh(points, plate.cdt, MPI_COMM_WORLD, np).mesh;
+    expect_same_exception<std::invalid_argument>(message, [&] { mesh.write_pvtu(stem + ".pvtu"); });
+    expect_no_files(stem);
+  };
+  const auto np = parameters::sizing_function(0.1);
+  for (double bad : {1.5, 5e9}) {
+    CGAL::Constraint_marker_map_2<Cdt, double> markers;
+    for (const auto& e : plate.cdt.constrained_edges())
+      markers.set(e.first->vertex(Cdt::ccw(e.second)), e.first->vertex(Cdt::cw(e.second)), 3);
+    const auto a = plate.cdt.locate(Point(0, 0.1)); // any constraint will do
+    for (int i = 0; i < 3; ++i)
+      if (a->is_constrained(i))
+        markers.set(a->vertex(Cdt::ccw(i)), a->vertex(Cdt::cw(i)), bad);
+    expect_refused("edge_marker_map: the marker " + std::string(bad < 2 ? "1.5" : "5e+09"),
+                   np.edge_marker_map(markers));
+  }
+  CGAL::Face_region_map_2<Cdt, std::int64_t> regions;
+  for (const auto f : plate.cdt.finite_face_handles())
+    regions.set(f, (std::int64_t(1) << 53) + 1);
+  expect_refused("face_region_map: 9007199254740992 must be less than 2^53", np.face_region_map(regions));
+}
+
+TEST(Distributed_tags, data_have_names_of_their_own)
+{
+  const Plate plate;
+  Points points;
+  const auto mesh =
+    CGAL::Distributed::npbs_mesh(points, plate.cdt, MPI_COMM_WORLD, plate.parameters_with(plate.sizes())).mesh;
+  const std::string stem = stem_of("names");
+  const auto zero = [](std::size_t) { return 0.; };
+  using Data = std::vector<CGAL::Distributed::Mesh_data>;
+  const auto expect_refused = [&](const std::string& name, const Data& of_points, const Data& of_triangles) {
+    const bool is_here = rank() == last_rank();
+    expect_same_exception<std::invalid_argument>("the data '" + name + "' of write_pvtu()", [&] {
+      mesh.write_pvtu(stem + ".pvtu", is_here ? of_points : Data(), is_here ? of_triangles : Data());
+    });
+    expect_no_files(stem);
+  };
+  for (const char* name : {"global_id", "size", "rank", "marker"})
+    expect_refused(name, {{name, zero}}, {});
+  for (const char* name : {"rank", "region", "marker", "q", "dimension"})
+    expect_refused(name, {}, {{name, zero}});
+  expect_refused("u", {{"u", zero}, {"u", zero}}, {});
+}
+
+TEST(Distributed_tags, files_are_written_by_all_ranks_or_by_none)
+{
+  const Plate plate;
+  Points points;
+  const auto mesh =
+    CGAL::Distributed::npbs_mesh(points, plate.cdt, MPI_COMM_WORLD, parameters::sizing_function(0.1)).mesh;
+  const std::string stem = stem_of("none"), last = stem + "_" + std::to_string(last_rank()) + ".vtu";
+  for (const std::string& in_the_way : {last, stem + ".pvtu"}) {
+    for (bool is_there : {false, true}) { // files of old
+      if (is_there)
+        mesh.write_pvtu(stem + ".pvtu");
+      MPI_Barrier(MPI_COMM_WORLD);
+      if (rank() == 0) {
+        std::filesystem::remove(in_the_way);
+        std::filesystem::create_directory(in_the_way);
+      }
+      MPI_Barrier(MPI_COMM_WORLD);
+      expect_same_exception<std::runtime_error>("cannot be written", [&] { mesh.write_pvtu(stem + ".pvtu"); });
+      MPI_Barrier(MPI_COMM_WORLD);
+      if (rank() == 0)
+        std::filesystem::remove(in_the_way);
+      if (last_rank() > 0 || in_the_way != last)
+        expect_no_files(stem);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank() == 0)
+      std::filesystem::remove(stem + ".pvtu");
+  }
 }
 
 TEST(Distributed_tags, a_map_that_throws_on_one_rank)

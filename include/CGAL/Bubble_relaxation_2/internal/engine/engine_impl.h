@@ -160,8 +160,13 @@ void find_neighbors(const Bubbles_2& bubbles, double radius, const Threads& thre
 {
   Neighbor_sets_2 sets(radius);
   sets.build(bubbles, threads);
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < bubbles.size(); ++i)
+    all += static_cast<std::size_t>(sets.end(i) - sets.begin(i));
+  neighbors.reserve(all); // to copy what there is takes longer than the callback may wait
   offsets.assign(1, 0);
   for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    tick(i);
     neighbors.insert(neighbors.end(), sets.begin(i), sets.end(i));
     offsets.push_back(neighbors.size());
   }

@@ -63,6 +63,14 @@ private:
   throw std::runtime_error("Bubble_relaxation_2: " + name + ": cannot be written: " + std::strerror(reason));
 }
 
+/// removes a file if there is one, not a device or a directory
+inline void remove_file(const std::string& name)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(name, ignored))
+    std::filesystem::remove(name, ignored);
+}
+
 /// Writes a file with `write(stream)`, whole or not at all: what is there when that fails is removed.
 /// \throws std::runtime_error with the name and the system's reason
 template <class Write>
@@ -75,10 +83,8 @@ void write_file(const std::string& name, const Write& write)
   if (!out)
     throw_not_written(name, errno);
   const auto remove_part = [&] {
-    std::error_code ignored;
     out.close();
-    if (std::filesystem::is_regular_file(name, ignored))
-      std::filesystem::remove(name, ignored);
+    remove_file(name);
   };
   try {
     write(out);

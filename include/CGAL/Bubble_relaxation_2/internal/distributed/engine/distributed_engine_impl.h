@@ -44,13 +44,6 @@ inline Sizes_2 agreed_sizes(const Sizes_2& users, Communicator& comm, double lar
   return result;
 }
 
-/// Adds up what each rank counts for itself.
-inline void add_up_counts(const Communicator& comm, Report& r)
-{
-  for (std::size_t* count : {&r.number_of_moves, &r.number_of_returns, &r.number_of_insertions, &r.number_of_deletions})
-    *count = static_cast<std::size_t>(comm.sum(static_cast<std::int64_t>(*count)));
-}
-
 CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 std::optional<Relaxed_part_2> relax_part(Problem_2 problem, const Bubbles_2& given, Communicator& comm,
                                          Report& report)
@@ -60,7 +53,9 @@ std::optional<Relaxed_part_2> relax_part(Problem_2 problem, const Bubbles_2& giv
   const auto is_stopped = [&] { return report.stop_reason == Bubble_stop_reason::STOPPED_BY_CALLBACK; };
   const Placed_part_2 part = simulate_distributed(comm, problem, report, given);
   comm.agree(); // the callback may have thrown, or d after the last step
-  add_up_counts(comm, report);
+  for (std::size_t* count : {&report.number_of_moves, &report.number_of_returns, &report.number_of_insertions,
+                             &report.number_of_deletions})
+    comm.add_up(count, 1);
   if (is_stopped())
     return {};
   Distributed_mesh_2 mesh = treat_distributed(problem, given, part, comm, report);
@@ -90,9 +85,7 @@ CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 Bubbles_2 with_neighbors(const Bubbles_2& own, const Hilbert_partition_2& partition, double radius,
                          Communicator& comm)
 {
-  std::vector<Bubble_record_2> records;
-  for (std::size_t i = 0; i < own.size(); ++i)
-    records.push_back(record(own, i));
+  std::vector<Bubble_record_2> records = records_of(own);
   const Shared_lists lists = share_around(comm, partition, radius, farthest_stray(comm, partition, own), records);
   Bubbles_2 known = with_owner(own, comm.rank());
   for (const auto& list : lists.received)
@@ -105,6 +98,8 @@ CGAL_BUBBLE_RELAXATION_2_RANKS_INLINE
 Distributed_mesh_2 triangulate_part(const Domain_2& domain, Bubbles_2 points, bool have_numbers, const Sizes_2* sizes,
                                     Communicator& comm, Mesh_quality_2<double>& quality)
 {
+  Progress nobody; // a callback of what this is called in must not stop one rank alone
+  const Progress_scope scope(nobody);
   Point_distribution_2 distribute(domain, comm);
   const Bubbles_2 own = distribute(std::move(points), have_numbers);
   Distributed_mesh_2 mesh = distributed_triangulate(domain, own, distribute.partition(), comm);

@@ -10,7 +10,6 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_INPUT_POINT_SET_BUBBLES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/core/Relaxation_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
@@ -18,11 +17,13 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,16 @@ template <class Point_set, class T>
 class Point_property
 {
 public:
-  Point_property(const Point_set& points, const char* name) { take(points.template property_map<T>(name)); }
+  /// \throws std::invalid_argument if it is there with another type: nobody would read what it tells
+  Point_property(const Point_set& points, const char* name) : m_is_there(points.template has_property_map<T>(name))
+  {
+    const std::vector<std::string> names = points.properties();
+    if (m_is_there)
+      m_map = map_in(points.template property_map<T>(name));
+    else if (std::find(names.begin(), names.end(), name) != names.end())
+      throw std::invalid_argument("Bubble_relaxation_2: property " + std::string(name) + " of the points must have "
+                                  "values of the type " + type + ", not of another one");
+  }
 
   bool is_there() const { return m_is_there; }
   const T& operator[](const typename Point_set::Index& i) const { return m_map[i]; }
@@ -41,22 +51,17 @@ public:
 private:
   using Map = typename Point_set::template Property_map<T>;
 
-  void take(const std::pair<Map, bool>& map) // before CGAL 6
-  {
-    m_map = map.first;
-    m_is_there = map.second;
-  }
+  static constexpr const char* type = std::is_same<T, double>::value ? "double"
+                                      : std::is_same<T, int>::value  ? "int"
+                                                                     : "std::int64_t";
+
+  static const Map& map_in(const std::pair<Map, bool>& found) { return found.first; } // before CGAL 6
 
   template <class Optional_map>
-  void take(const Optional_map& map)
-  {
-    m_is_there = map.has_value();
-    if (m_is_there)
-      m_map = *map;
-  }
+  static const Map& map_in(const Optional_map& found) { return *found; }
 
+  bool m_is_there;
   Map m_map;
-  bool m_is_there = false;
 };
 
 /// Makes bubbles of points. What their properties do not tell is found from the domain: see `read_bubbles()`.
@@ -66,10 +71,9 @@ class Point_set_reader_2
   using Index_in_set = typename Point_set::Index;
 
 public:
-  Point_set_reader_2(const Point_set& points, const Domain_2& domain)
-    : m_points(points), m_domain(domain), m_locate(domain), m_number(points, "global_id"),
-      m_size(points, "size"), m_position(points, "position"), m_dimension(points, "dimension"),
-      m_edge(points, "edge")
+  Point_set_reader_2(const Point_set& points, const Domain_2& domain, bool will_move)
+    : m_points(points), m_domain(domain), m_will_move(will_move), m_locate(domain), m_number(points, "global_id"),
+      m_size(points, "size"), m_position(points, "position"), m_dimension(points, "dimension"), m_edge(points, "edge")
   {}
 
   /// adds what it makes of a point to the bubbles
@@ -102,6 +106,8 @@ private:
       throw_property("dimension", dimension, p, "must be 0, 1 or 2");
     if (dimension == 0 && location.dimension == Bubbles_2::FACE)
       return Location_2{Bubbles_2::CORNER, no_index, 0}; // pinned
+    if (dimension == 0 && location.dimension == Bubbles_2::EDGE && m_will_move)
+      throw_property("dimension", 0, p, "pins it, but it lies on an edge of the domain and is no vertex of that");
     if (dimension == 1 && m_edge.is_there() && m_position.is_there())
       return on_edge(m_edge[i], m_position[i], p);
     return location;
@@ -128,6 +134,7 @@ private:
 
   const Point_set& m_points;
   const Domain_2& m_domain;
+  const bool m_will_move;
   Domain_location_2 m_locate;
   Point_property<Point_set, std::int64_t> m_number;
   Point_property<Point_set, double> m_size, m_position;
@@ -137,12 +144,14 @@ private:
 /// Makes bubbles of the points of a `Point_set_3` with points and vectors of two dimensions, in their order.
 /// Points may have the properties `global_id` (`std::int64_t`; else all numbers are -1), `size` (`double`; else
 /// `sizing(point)`), `dimension`, `edge` (`int`) and `position` (`double`); where the last three do not tell
-/// what of the domain a point lies on it is found. Normals are velocities.
-/// \throws std::invalid_argument if a point is not finite or not in the domain, or has a property out of range
+/// what of the domain a point lies on it is found. Normals are velocities. `will_move`: else it does not matter whether
+/// a point is pinned to an edge, which vertices of the domain only can be
+/// \throws std::invalid_argument if a point is not finite or not in the domain, or has a property out of range, or if a
+/// property has another type
 template <class Point_set, class Sizing>
-Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing)
+Bubbles_2 read_bubbles(const Point_set& points, const Domain_2& domain, const Sizing& sizing, bool will_move = false)
 {
-  Point_set_reader_2<Point_set> reader(points, domain);
+  Point_set_reader_2<Point_set> reader(points, domain, will_move);
   Bubbles_2 result;
   result.make_room_for(points.size());
   for (const typename Point_set::Index& i : points)

@@ -73,16 +73,6 @@ inline void check_same_domain(const Communicator& comm, const Domain_2& domain)
   check_same(comm, hash.value(), "the domain is not the same on all ranks");
 }
 
-/// Collective. \throws std::invalid_argument on all ranks if not all have the same vertices in the domain and on edges
-inline void check_same_vertices(const Communicator& comm, const Given_mesh_2& given)
-{
-  Hash_of_numbers hash;
-  hash.add(given.pinned);
-  hash.add(given.free);
-  hash.add(given.on_edge);
-  check_same(comm, hash.value(), "the domain has not the same vertices on all ranks, or not the same are pinned");
-}
-
 /// the value of a parameter, in a form that any rank can compare and put into words
 struct Named_value
 {
@@ -131,10 +121,7 @@ inline void check_same_options(const Communicator& comm, const Relaxation_option
     comm,
     {{"integrator", static_cast<double>(o.integrator), // other defaults depend on it
       [](double v) { return choose_word(v, {"RUNGE_KUTTA_4", "SEMI_IMPLICIT_EULER"}); }},
-     {"force_coefficient", o.force_coefficient},
-     {"mass", o.mass},
-     {"damping", o.damping},
-     {"time_step", o.time_step},
+     {"force_coefficient", o.force_coefficient}, {"mass", o.mass}, {"damping", o.damping}, {"time_step", o.time_step},
      {"number_of_iterations", static_cast<double>(o.number_of_iterations)},
      {"neighbor_radius", o.neighbor_radius},
      {"renewal_interval", static_cast<double>(o.renewal_interval)},
@@ -145,8 +132,7 @@ inline void check_same_options(const Communicator& comm, const Relaxation_option
      {"population_control", static_cast<double>(o.population),
       [](double v) { return choose_word(v, {"NONE", "OVERLAP_RATIO", "DELAUNAY"}); }},
      {"limit_by_outline", static_cast<double>(o.limit_by_outline), true_or_false},
-     {"size_growth", o.size_growth},
-     {"minimum_angle", o.minimum_angle},
+     {"size_growth", o.size_growth}, {"minimum_angle", o.minimum_angle},
      {"displacement_tolerance", o.displacement_tolerance},
      {"exchange_interval", static_cast<double>(o.exchange_interval)},
      {"number_of_rounds", static_cast<double>(o.number_of_rounds)},
@@ -182,7 +168,11 @@ std::unique_ptr<Input_2<Cdt>> read_same_input(const Cdt& cdt, const NamedParamet
   });
   check_same_options(comm, input->options);
   check_same_domain(comm, input->reading.domain);
-  check_same_vertices(comm, input->reading.given);
+  Hash_of_numbers hash; // of vertices in the domain and on edges
+  hash.add(input->reading.given.pinned);
+  hash.add(input->reading.given.free);
+  hash.add(input->reading.given.on_edge);
+  check_same(comm, hash.value(), "the domain has not the same vertices on all ranks, or not the same are pinned");
   // a sizing function cannot be compared, but how many bubbles it asks for in the domain, alone and with the outline
   const auto text = [](double v) { return "one that asks for " + in_words(v) + " bubbles"; };
   check_same_values(comm, {{"sizing_function", input->wanted.expected_number, text},

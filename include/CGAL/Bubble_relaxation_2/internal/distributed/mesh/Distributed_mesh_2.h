@@ -58,6 +58,7 @@ struct Distributed_mesh_2 : Bubble_mesh_2
     is_owned.resize(n);
     const auto is_own = [&](Index v) { return bubbles.owner[v] == rank; };
     for (std::size_t t = 0; t < n; ++t) {
+      tick(t);
       const std::array<Index, 3>& v = triangles.vertices[t];
       is_final[t] = triangles.inside[t] && (is_own(v[0]) || is_own(v[1]) || is_own(v[2]));
       is_owned[t] = is_final[t] && is_own(first_vertex(t));

@@ -234,6 +234,7 @@ private:
     const Bubbles_2& b = m_mesh.bubbles;
     double steps = 0, sizes = 0;
     for (std::size_t i = 1; i < b.size(); ++i) {
+      tick(i);
       steps += length_at_most(b.x[i] - b.x[i - 1], b.y[i] - b.y[i - 1]);
       sizes += b.d[i];
     }
@@ -265,6 +266,7 @@ private:
       return questions;
     Clearance_2 clearance(m_partition, m_comm.rank());
     for (std::size_t k = 0; k < m_mesh.triangles.number_of_triangles(); ++k) {
+      tick(k);
       const Index t = static_cast<Index>(k);
       const int vertex = m_mesh.triangles.inside[k] ? own_vertex(t) : -1;
       if (vertex == -1)

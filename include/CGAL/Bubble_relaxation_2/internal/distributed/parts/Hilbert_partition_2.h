@@ -45,8 +45,7 @@ public:
 
   int owner(Key key) const
   {
-    return static_cast<int>(std::upper_bound(m_first_keys.begin(), m_first_keys.end(), key) -
-                            m_first_keys.begin());
+    return static_cast<int>(std::upper_bound(m_first_keys.begin(), m_first_keys.end(), key) - m_first_keys.begin());
   }
 
   int owner(double x, double y) const { return owner(m_curve.key(x, y)); }
@@ -114,9 +113,7 @@ private:
       return true;
     const bool is_all = level == Hilbert_curve_2::levels;
     const Key cells = is_all ? ~Key(0) : (Key(1) << 2 * level) - 1;
-    const Key first = is_all ? 0
-                             : m_curve.key_of_cell(column, row, Hilbert_curve_2::levels - level)
-                                 << 2 * level;
+    const Key first = is_all ? 0 : m_curve.key_of_cell(column, row, Hilbert_curve_2::levels - level) << 2 * level;
     const int low = owner(first), high = owner(first | cells);
     if (low == high || level == last_level)
       return visit(low, high);

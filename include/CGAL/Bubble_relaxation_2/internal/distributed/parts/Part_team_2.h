@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_PART_TEAM_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_PART_TEAM_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Team.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
@@ -31,6 +32,7 @@ inline double farthest_stray(const Communicator& comm, const Hilbert_partition_2
 {
   double farthest = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
+    tick(i);
     if (partition.owner(own.x[i], own.y[i]) == comm.rank())
       continue;
     double radius = 0.1 * own.d[i];
@@ -65,9 +67,11 @@ Shared_lists share_around(Communicator& comm, double reach, std::vector<Record>&
     });
     out.clear();
   };
-  for (std::size_t k = 0; k < own; ++k)
+  for (std::size_t k = 0; k < own; ++k) {
+    tick(k);
     for (int rank : others(records[k], reach * records[k].d))
       tell(static_cast<Index>(k), rank);
+  }
   exchange();
   double largest = 0;
   for (std::size_t l = own; l < records.size(); ++l)
@@ -111,12 +115,7 @@ public:
   void agree_after(const std::function<void()>& f) override { m_comm.agree_after(f); }
   double smallest(double value) const override { return m_comm.smallest(value); }
   double largest(double value) const override { return m_comm.largest(value); }
-
-  std::size_t number_before(std::size_t here) const override
-  {
-    return static_cast<std::size_t>(m_comm.sum_before(static_cast<std::int64_t>(here)));
-  }
-
+  std::size_t number_before(std::size_t n) const override { return std::size_t(m_comm.sum_before(std::int64_t(n))); }
   void add_up(std::size_t* counts, std::size_t n) const override { m_comm.add_up(counts, n); }
   void add_up(std::uint64_t& sum) const override { sum = m_comm.sum(sum); }
 

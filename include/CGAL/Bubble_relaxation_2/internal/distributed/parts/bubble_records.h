@@ -10,6 +10,7 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_BUBBLE_RECORDS_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
 
@@ -29,17 +30,29 @@ struct Bubble_record_2
   std::int32_t owner = -1; ///< where somebody asks for it
 };
 
+/// One by one all bubbles are put on their way, and taken off it by `add()`: both tick.
 inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i, std::int64_t id)
 {
+  tick(i);
   return Bubble_record_2{b.x[i], b.y[i], b.d[i], b.vx[i], b.vy[i], b.s[i], id, b.host[i], b.pin[i], b.dimension[i]};
 }
 
 /// the same of one that has an identity
 inline Bubble_record_2 record(const Bubbles_2& b, std::size_t i) { return record(b, i, b.id[i]); }
 
+inline std::vector<Bubble_record_2> records_of(const Bubbles_2& b)
+{
+  std::vector<Bubble_record_2> records;
+  records.reserve(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    records.push_back(record(b, i));
+  return records;
+}
+
 /// adds a bubble to some without identities
 inline void add(Bubbles_2& bubbles, const Bubble_record_2& r)
 {
+  tick(bubbles.size());
   bubbles.add(Point(r.x, r.y), r.d, static_cast<Bubbles_2::Dimension>(r.dimension), r.host, r.s, r.pin);
   bubbles.vx.back() = r.vx;
   bubbles.vy.back() = r.vy;

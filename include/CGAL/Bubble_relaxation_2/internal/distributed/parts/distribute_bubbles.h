@@ -10,7 +10,9 @@
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_DISTRIBUTED_PARTS_DISTRIBUTE_BUBBLES_H
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Bubbles_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/in_words.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/parallel_for.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/reproducible_math.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Communicator.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/mpi/Messages.h>
@@ -46,26 +48,28 @@ template <class Record>
 std::vector<Record> send_home(Communicator& comm, const Hilbert_partition_2& partition, std::vector<Record> records)
 {
   Messages<Record> out;
-  std::vector<Record> home;
   Clearance_2 clearance(partition, comm.rank());
-  for (const Record& r : records) {
+  std::size_t home = 0; // so many of the first ones are; there is no memory for all once more
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    tick(k);
+    const Record r = records[k];
     const int owner = clearance(r.x, r.y, r.d) > 0 ? comm.rank() : partition.owner(r.x, r.y);
-    (owner == comm.rank() ? home : out[owner]).push_back(r);
+    if (owner == comm.rank())
+      records[home++] = r;
+    else
+      out[owner].push_back(r);
   }
-  deliver(comm, out, [&](int, const Record& r) { home.push_back(r); });
-  return home;
+  records.resize(home);
+  deliver(comm, out, [&](int, const Record& r) { records.push_back(r); });
+  return records;
 }
 
 /// brings each bubble to the rank that owns its place, in the order of their numbers \pre they are without owners
 inline Bubbles_2 send_home(Communicator& comm, const Hilbert_partition_2& partition, const Bubbles_2& bubbles)
 {
-  std::vector<Bubble_record_2> records;
-  records.reserve(bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
-    records.push_back(record(bubbles, i));
   Bubbles_2 home;
   home.make_room_for(bubbles.size() + bubbles.size() / 8);
-  for (const Bubble_record_2& r : send_home(comm, partition, std::move(records)))
+  for (const Bubble_record_2& r : send_home(comm, partition, records_of(bubbles)))
     add_own(home, r);
   home.sort_by_id();
   return home;
@@ -77,11 +81,14 @@ inline std::vector<std::pair<Hilbert_curve_2::Key, Index>> places_on(const Hilbe
 {
   std::vector<std::pair<Hilbert_curve_2::Key, Index>> places;
   places.reserve(bubbles.size());
-  for (std::size_t i = 0; i < bubbles.size(); ++i)
+  for (std::size_t i = 0; i < bubbles.size(); ++i) {
+    tick(i);
     places.emplace_back(curve.key(bubbles[i].x, bubbles[i].y), static_cast<Index>(i));
-  merge_tail(places, [&bubbles](const auto& p, const auto& q) {
+  }
+  parallel_sort(Threads(), places, [&bubbles](const auto& p, const auto& q) {
     const Bubble_record_2 &b = bubbles[p.second], &c = bubbles[q.second];
-    return p.first != q.first ? p.first < q.first : std::tie(b.x, b.y, b.dimension) < std::tie(c.x, c.y, c.dimension);
+    return p.first != q.first ? p.first < q.first
+                              : std::tie(b.x, b.y, b.dimension, p.second) < std::tie(c.x, c.y, c.dimension, q.second);
   });
   return places;
 }
@@ -98,6 +105,7 @@ inline Placed_part_2 send_home_evenly(Communicator& comm, const Hilbert_curve_2&
   home.reserve(bubbles.size() + bubbles.size() / 8);
   Messages<Bubble_record_2> out;
   for (const auto& p : places) {
+    tick(home.size());
     const int owner = result.partition.owner(p.first);
     (owner == comm.rank() ? home : out[owner]).push_back(bubbles[p.second]);
   }
@@ -135,10 +143,7 @@ public:
   {
     const bool are_numbered = check_numbers(points, has_numbers);
     add_missing_corners(points, are_numbered);
-    std::vector<Bubble_record_2> records;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      records.push_back(record(points, i));
-    Placed_part_2 part = send_home_evenly(m_comm, m_partition.curve(), records);
+    Placed_part_2 part = send_home_evenly(m_comm, m_partition.curve(), records_of(points));
     points = std::move(part.bubbles);
     m_partition = part.partition;
     m_comm.agree_after([&] {
@@ -155,14 +160,11 @@ public:
 private:
   bool check_numbers(const Bubbles_2& points, bool has_numbers)
   {
-    const bool any_has = m_comm.any(points.size() > 0 && has_numbers);
-    if (!any_has)
+    if (!m_comm.any(points.size() > 0 && has_numbers))
       return false;
-    m_comm.agree_after([&] {
-      if (points.size() > 0 && !has_numbers)
-        throw std::invalid_argument("Bubble_relaxation_2: points of some ranks have the property global_id, "
-                                    "points of others have not");
-    });
+    if (m_comm.any(points.size() > 0 && !has_numbers))
+      m_comm.throw_on_all(std::invalid_argument(
+        "Bubble_relaxation_2: points of some ranks have the property global_id, points of others have not"));
     Messages<std::int64_t> out;
     for (std::int64_t number : points.id)
       out[static_cast<int>(number % m_comm.size())].push_back(number);
@@ -172,8 +174,7 @@ private:
     m_comm.agree_after([&] {
       const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
       if (twice != numbers.end())
-        throw std::invalid_argument("Bubble_relaxation_2: two points have the global_id " +
-                                    std::to_string(*twice));
+        throw std::invalid_argument("Bubble_relaxation_2: two points have the global_id " + std::to_string(*twice));
     });
     return true;
   }

@@ -149,6 +149,7 @@ inline Placed_part_2 place_by_all(Communicator& comm, const Problem_2& problem, 
   Bubbles_2 bubbles = place(here, team);
   comm.agree();
   std::vector<Bubble_record_2> records;
+  records.reserve(bubbles.size());
   for (std::size_t i = 0; i < bubbles.size(); ++i)
     if (team.brings(i)) // those of faces have no numbers yet
       records.push_back(record(bubbles, i, bubbles.is_in_face(i) ? no_index : team.number_of(i)));

@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/distributed/parts/Part_team_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Halo_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Migration_2.h>
-#include <CGAL/Bubble_relaxation_2/internal/distributed/simulation/Numbered_sets.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Neighbor_sets_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/simulation/Simulation_2.h>
 
@@ -237,21 +236,15 @@ protected:
   /// Adds up what the ranks say of a step, and two more `numbers`.
   Step_sums sum(const Step_sums& sums, std::array<std::int64_t, 2>& numbers)
   {
-    std::array<std::int64_t, 7> values{m_comm.has_failed(),
-                                       m_awake,
-                                       numbers[0],
-                                       numbers[1],
-                                       static_cast<std::int64_t>(sums.restless),
-                                       static_cast<std::int64_t>(sums.far),
-                                       static_cast<std::int64_t>(sums.outrun)};
+    std::array<std::int64_t, 7> values{m_comm.has_failed(), m_awake, numbers[0], numbers[1],
+                                       std::int64_t(sums.restless), std::int64_t(sums.far), std::int64_t(sums.outrun)};
     m_comm.reduce_each(values, MPI_SUM);
     if (values[0] != 0)
       m_comm.agree();
     m_migration.note_step(m_awake, values[1]);
     m_awake = 0;
     numbers = {values[2], values[3]};
-    return Step_sums{static_cast<std::size_t>(values[4]), static_cast<std::size_t>(values[5]),
-                     static_cast<std::size_t>(values[6])};
+    return Step_sums{std::size_t(values[4]), std::size_t(values[5]), std::size_t(values[6])};
   }
 
   void count_step(std::size_t awake)
@@ -269,6 +262,7 @@ protected:
     m_halo.start(bubbles, partition(), width, bubbles.size() + bubbles.size() / 8); // with others' bubbles
     std::vector<Index> near_others;
     for (std::size_t k = 0; k < bubbles.size(); ++k) {
+      tick(k);
       const Index i = static_cast<Index>(k);
       m_halo.add(bubbles, i);
       if (!m_halo.is_far_from_others(i))

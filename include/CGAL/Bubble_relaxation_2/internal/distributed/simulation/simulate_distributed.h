@@ -163,8 +163,7 @@ inline Placed_part_2 simulate_distributed(Communicator& comm, const Problem_2& p
     *traffic = team->traffic();
   remove_confusing_of_ours(comm, problem.domain, bubbles);
   const Hilbert_partition_2& partition = team->even_partition(bubbles);
-  return Placed_part_2{bring_home_and_number(comm, partition, team->next_number(), std::move(bubbles)),
-                       partition};
+  return Placed_part_2{bring_home_and_number(comm, partition, team->next_number(), std::move(bubbles)), partition};
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -65,7 +65,8 @@ inline int number_of_ours(const Bubbles_2& bubbles, const std::array<Index, 3>& 
 /// the triangles of a piece with a bubble of another rank: among them all at its border
 inline std::vector<Index> triangles_beside_others(const Bubble_mesh_2& piece)
 {
-  return indices_where(piece.triangles.inside.size(), [&piece](Index t) {
+  return indices_where(piece.triangles.inside.size(), [&piece](std::size_t t) {
+    tick(t);
     return piece.triangles.inside[t] && number_of_ours(piece.bubbles, piece.triangles.vertices[t]) < 3;
   });
 }
@@ -171,6 +172,7 @@ inline std::vector<Numbers_of_triangle> triangles_around_part(Communicator& comm
   for (std::size_t i = 0; i < is_near.size(); ++i)
     is_near[i] = b.is_ours(i) && clearance(b.x[i], b.y[i], reach * b.d[i]) == 0;
   for (std::size_t t = 0; t < mesh.is_owned.size(); ++t) {
+    tick(t);
     const Index first = mesh.is_owned[t] ? mesh.first_vertex(t) : no_index;
     if (first != no_index && is_near[first])
       for (int rank : clearance.others_in_disc(b.x[first], b.y[first], reach * b.d[first]))

@@ -15,7 +15,6 @@
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/Editable_triangulation_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -96,7 +95,7 @@ private:
     m_beside_others = triangles_beside_others(m_piece.mesh);
     m_was_moved.assign(n, 0);
     m_moved.clear();
-    m_holders.assign(n, {});
+    assign_in_turn(m_holders, n, {});
     for (const auto& list : m_piece.shared.sent)
       for (Index v : list.second)
         m_holders[v].push_back(list.first);

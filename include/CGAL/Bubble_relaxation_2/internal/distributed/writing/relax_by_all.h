@@ -33,14 +33,6 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// Collective. Each phase takes as long as on the slowest rank.
-inline void find_slowest(const Communicator& comm, Bubble_relaxation_seconds& s)
-{
-  for (double* phase : {&s.reading, &s.placement, &s.renewal, &s.motion, &s.population, &s.treatment, &s.writing,
-                        &s.evaluation})
-    *phase = comm.largest(*phase);
-}
-
 /// Collective. What `Distributed::npbs_relax()` and `Distributed::npbs_mesh()` have in common: all but what they
 /// return, which `write(part, input, ranks, report)` prepares by all ranks. If it throws, it throws on all.
 template <class PointSet, class CDT, class NamedParameters, class Write>
@@ -58,7 +50,7 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
       std::invalid_argument("Bubble_relaxation_2: parameter points has " + std::to_string(n) + " points on all ranks "
                             "together, but there is no sizing_function; no rank has their mesh to take sizes from"));
   Bubbles_2 given;
-  ranks.agree_after([&] { given = read_bubbles(points, input->reading.domain, input->limits.sizes); });
+  ranks.agree_after([&] { given = read_bubbles(points, input->reading.domain, input->limits.sizes, true); });
   reading_time.stop();
   const std::optional<Relaxed_part_2> part = relax_part(input->problem(), given, ranks, report);
   if (part) {
@@ -67,7 +59,10 @@ auto relax_by_all(PointSet& points, const CDT& domain, MPI_Comm comm, const Name
     ranks.agree_after([&] { input->options.progress->finish(); });
     write_bubbles(part->bubbles, points); // nothing of the user's can fail on any rank from here on
   }
-  find_slowest(ranks, report.seconds);
+  Bubble_relaxation_seconds& s = report.seconds; // of the slowest rank
+  for (double* phase : {&s.reading, &s.placement, &s.renewal, &s.motion, &s.population, &s.treatment, &s.writing,
+                        &s.evaluation})
+    *phase = ranks.largest(*phase);
   return Bubble_relaxation_report_2<typename Quality_number<typename CDT::Geom_traits>::type>(report);
 }
 
@@ -83,7 +78,9 @@ void write_neighbors(const Bubbles_2& known, double radius, Relaxation& relaxati
   neighbors.resize(offsets[n]); // without those of ghosts
   relaxation.neighbor_radius = radius;
   relaxation.neighbor_offsets.assign(offsets.begin(), offsets.begin() + n + 1);
+  relaxation.neighbors.reserve(neighbors.size());
   for (Index j : neighbors) {
+    tick(relaxation.neighbors.size());
     relaxation.neighbors.push_back(known.id[j]);
     if (!known.is_ours(j))
       ghosts.push_back(j);

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -44,6 +45,7 @@ template <class Mesh>
 void add_lines(const Mesh& mesh, Mesh_arrays_2& result)
 {
   using Marker = typename Mesh::Marker;
+  [[maybe_unused]] std::map<int, std::string> no_names;
   result.vertex_markers.assign(mesh.number_of_points(), 0);
   std::set<Mesh_arrays_2::Edge> known;
   for (std::size_t t = 0; t < mesh.number_of_triangles(); ++t)
@@ -52,7 +54,8 @@ void add_lines(const Mesh& mesh, Mesh_arrays_2& result)
         continue;
       int marker = 0;
       if constexpr (std::is_arithmetic<Marker>::value || std::is_enum<Marker>::value)
-        marker = mesh.has_markers() ? static_cast<int>(mesh.marker(t, i)) : 0;
+        if (mesh.has_markers())
+          marker = as_numbers<int>(std::vector<Marker>{mesh.marker(t, i)}, no_names, "edge_marker_map")[0];
       const auto end = [&](int k) { return static_cast<std::size_t>(mesh.vertices(t)[static_cast<std::size_t>(k)]); };
       Mesh_arrays_2::Edge e{end(ccw(i)), end(cw(i))};
       for (std::size_t v : e)
@@ -67,12 +70,16 @@ void add_lines(const Mesh& mesh, Mesh_arrays_2& result)
 }
 
 /// What a rank writes: its triangles, with all points that it knows. `of_points`, `of_triangles`: the user's, with names
+/// \throws std::invalid_argument if data would be there twice, or if a marker or a region is no number for files
 template <class Mesh, class Data>
 Mesh_arrays_2 arrays_of_part(const Mesh& mesh, const Data& of_points, const Data& of_triangles)
 {
   using Region = typename Mesh::Region;
+  [[maybe_unused]] std::map<double, std::string> no_names;
   Mesh_arrays_2 result;
   const auto add_data = [](auto& arrays, const std::string& name, std::size_t n, const auto& value) {
+    if (name == "marker" || name == "q" || name == "dimension" || arrays.count(name) != 0) // `write_VTU()` adds three
+      throw std::invalid_argument("Bubble_relaxation_2: the data '" + name + "' of write_pvtu() are there already");
     std::vector<double> values;
     for (std::size_t i = 0; i < n; ++i)
       values.push_back(static_cast<double>(value(i)));
@@ -93,7 +100,9 @@ Mesh_arrays_2 arrays_of_part(const Mesh& mesh, const Data& of_points, const Data
   }
   if constexpr (std::is_arithmetic<Region>::value || std::is_enum<Region>::value)
     if (mesh.has_regions())
-      add_data(result.triangle_data, "region", triangles, [&](std::size_t t) { return mesh.region(t); });
+      add_data(result.triangle_data, "region", triangles, [&](std::size_t t) {
+        return as_numbers<double>(std::vector<Region>{mesh.region(t)}, no_names, "face_region_map")[0];
+      });
   add_data(result.triangle_data, "rank", triangles, [&](std::size_t) { return mesh.rank(); });
   for (const auto& data : of_triangles)
     add_data(result.triangle_data, data.name, triangles, data.value);
