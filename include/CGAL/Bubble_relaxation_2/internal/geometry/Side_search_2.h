@@ -36,9 +36,9 @@ inline Point within_reach(const Point& q)
   return largest > reach ? Point(q.x() / largest * reach, q.y() / largest * reach) : q;
 }
 
-/// Sides of triangles with values at their ends, to find the nearest one to a point: in a tree, or, if they are those of a
-/// convex polygon, by halving its parts that turn by a right angle at most. From afar the boxes of all sides of a slanted
-/// wall seem to be near.
+/// Sides of triangles with values at their ends, to find the nearest one to a point: in a tree, or, if they are those of
+/// a convex polygon, by halving its parts that turn by a right angle at most. From afar the boxes of all sides of a
+/// slanted wall seem to be near.
 class Side_search_2
 {
 public:
@@ -87,12 +87,17 @@ private:
     return {b.point, a.point};
   }
 
+  bool is_beyond(Index side, const Point& q) const
+  {
+    return CGAL::orientation(m_sides[side].first.point, m_sides[side].second.point, q) == RIGHT_TURN;
+  }
+
   struct Candidate
   {
     Index side;
     double squared_distance;
-    bool is_foot;
-    Point end; // the nearest point if it is no foot
+    bool is_foot; // of a perpendicular from outside
+    Point end;    // the nearest one
     double value;
   };
 
@@ -111,7 +116,8 @@ private:
         return bound;
       if (with_roundings(n.squared_distance) < bound)
         m_all.clear();
-      m_all.push_back({i, n.squared_distance, n.is_foot, n.share < 0.5 ? a : b, m_search.value_on(i, m_q)});
+      m_all.push_back({i, n.squared_distance, n.is_foot && m_search.is_beyond(i, m_q), n.share < 0.5 ? a : b,
+                       m_search.value_on(i, m_q)});
       return bound = (std::min)(bound, with_roundings(n.squared_distance));
     }
 
