@@ -15,7 +15,9 @@
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Side_search_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/geometry/flatten_triangulation.h>
+#include <CGAL/Bubble_relaxation_2/internal/geometry/linear_values.h>
 
 #include <CGAL/number_utils.h>
 
@@ -23,8 +25,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <stdexcept>
-#include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -35,10 +39,11 @@ The elevation of the surface that a triangulation of points in space is, linear 
 new vertices by default. Who meshes a terrain many times gives it those of a copy of the first one as
 `elevation_function`, so that no surface is interpolated from one that was.
 
-Beyond the convex hull it is the elevation at the nearest point of a side of the hull that is seen from there.
+Beyond the convex hull it is the elevation at the nearest point of the hull, whose sides are read at the first call there.
 
 It refers to the triangulation, which must stay as it is as long as it is asked. A call begins where the last one ended,
-so it is fast if places follow each other that are near; a copy can be asked by another thread.
+so it is fast if places follow each other that are near, but what it returns does not depend on calls before; a copy can
+be asked by another thread.
 
 \tparam Triangulation_ a 2D triangulation of \cgal with `Projection_traits_xy_3`, `Projection_traits_yz_3` or
 `Projection_traits_xz_3`, such as `Constrained_Delaunay_triangulation_2`
@@ -70,65 +75,85 @@ public:
       throw std::invalid_argument("Bubble_relaxation_2: the triangulation of an Interpolated_elevation_2 has no faces");
   }
 
-  /// returns the elevation at `p`. At a vertex it is that of its point, else it is computed in `double`.
+  /// returns the elevation at `p`, NaN if a coordinate is not finite. At a vertex it is that of its point, else it is
+  /// computed in `double`.
   FT operator()(const Point_2& p) const
   {
+    const Place q(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    if constexpr (std::numeric_limits<FT>::has_quiet_NaN) // numbers of exact kernels are finite
+      if (!std::isfinite(q.x()) || !std::isfinite(q.y()))
+        return std::numeric_limits<FT>::quiet_NaN();
     typename Triangulation::Locate_type where{};
     int i = 0;
     const Face_handle f = m_terrain->locate(Plane::point(p.x(), p.y(), FT(0)), where, i, m_near);
     m_near = f;
     if (where == Triangulation::VERTEX)
       return Plane::elevation(f->vertex(i)->point());
-    const Place q(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
     if (m_terrain->is_infinite(f))
-      i = f->index(m_terrain->infinite_vertex());
-    else if (where == Triangulation::FACE)
-      return FT(in_triangle({corner(f, 0), corner(f, 1), corner(f, 2)}, q));
-    return FT(on_side(corner(f, Triangulation::ccw(i)), corner(f, Triangulation::cw(i)), q));
+      return FT(beyond_hull(q));
+    using namespace Bubble_relaxation_2::internal;
+    if (where == Triangulation::EDGE) { // exactly, which it need not be in `double`
+      const auto ends = sorted(std::array<Corner, 2>{corner(f->vertex(f->ccw(i))), corner(f->vertex(f->cw(i)))});
+      return FT(value_on_side(ends[0], ends[1], q));
+    }
+    return FT(value_in_triangle(sorted(std::array<Corner, 3>{corner(f->vertex(0)), corner(f->vertex(1)),
+                                                             corner(f->vertex(2))}), q));
   }
 
 private:
   using Place = Bubble_relaxation_2::internal::Point;
+  using Corner = Bubble_relaxation_2::internal::Valued_corner_2;
+  using Hull = Bubble_relaxation_2::internal::Side_search_2;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
 
-  struct Corner
+  static Corner corner(Vertex_handle v)
   {
-    Place place;
-    double elevation;
-
-    bool operator<(const Corner& other) const { return place < other.place; }
-  };
-
-  static Corner corner(Face_handle f, int i)
-  {
-    const auto& p = f->vertex(i)->point();
-    return {Bubble_relaxation_2::internal::point_in_double<Triangulation>(p), CGAL::to_double(Plane::elevation(p))};
+    const auto& p = v->point();
+    return {Bubble_relaxation_2::internal::point_in_double<Triangulation>(p), CGAL::to_double(Plane::elevation(p)), 0};
   }
 
-  /// Corners are sorted, since bits depend on the order of a sum, and that of a face on how it came about.
-  static double in_triangle(std::array<Corner, 3> c, const Place& q)
+  static bool is_before(const Corner& a, const Corner& b) { return a.point < b.point; }
+
+  /// bits depend on the order, and that of a face on how it came about
+  template <std::size_t n>
+  static std::array<Corner, n> sorted(std::array<Corner, n> c)
   {
-    std::sort(c.begin(), c.end());
-    double sum = 0, weights = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Place &a = c[(i + 1) % 3].place, &b = c[(i + 2) % 3].place;
-      const double weight = std::abs((a.x() - q.x()) * (b.y() - q.y()) - (a.y() - q.y()) * (b.x() - q.x()));
-      sum += weight * c[i].elevation;
-      weights += weight;
-    }
-    return weights > 0 ? sum / weights : on_side(c[0], c[2], q); // too thin for double
+    std::sort(c.begin(), c.end(), is_before);
+    for (std::size_t k = 0; k < n; ++k)
+      c[k].rank = static_cast<Bubble_relaxation_2::internal::Index>(k);
+    return c;
   }
 
-  static double on_side(Corner a, Corner b, const Place& q)
+  double beyond_hull(const Place& q) const
   {
-    if (b < a)
-      std::swap(a, b);
-    const auto side = b.place - a.place;
-    const double s = (std::max)(0., (std::min)(1., (q - a.place) * side / side.squared_length()));
-    return (1 - s) * a.elevation + s * b.elevation;
+    if (m_hull == nullptr)
+      m_hull = std::make_shared<const Hull>(sides_of_hull());
+    return m_hull->value(Bubble_relaxation_2::internal::within_reach(q));
+  }
+
+  /// in the order of their first ends, so that it does not matter how the triangulation came about
+  std::vector<typename Hull::Side> sides_of_hull() const
+  {
+    std::vector<typename Hull::Side> sides;
+    std::vector<Corner> corners;
+    auto f = m_terrain->incident_faces(m_terrain->infinite_vertex()), first = f;
+    do {
+      const int i = f->index(m_terrain->infinite_vertex());
+      sides.emplace_back(corner(f->vertex(Triangulation::cw(i))), corner(f->vertex(Triangulation::ccw(i))));
+      corners.push_back(sides.back().first);
+    } while (++f != first);
+    std::sort(corners.begin(), corners.end(), is_before);
+    for (auto& side : sides)
+      for (Corner* c : {&side.first, &side.second})
+        c->rank = static_cast<Bubble_relaxation_2::internal::Index>(
+          std::lower_bound(corners.begin(), corners.end(), *c, is_before) - corners.begin());
+    std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.first.rank < b.first.rank; });
+    return sides;
   }
 
   const Triangulation* m_terrain;
   mutable Face_handle m_near;
+  mutable std::shared_ptr<const Hull> m_hull; // none as long as nobody asked beyond it
 };
 
 } // namespace CGAL

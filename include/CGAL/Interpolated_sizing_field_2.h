@@ -46,8 +46,8 @@ the triangulation may be one that knows no constraints. Outside it is the size i
 faces, and outside of the convex hull that in the nearest point of the hull.
 
 The triangulation is copied and may be changed or go away: `npbs_relax()` may be called on the very mesh that
-the field was made of. Copies of the field share what they hold; a query takes well under a microsecond, and
-its bits depend neither on other queries nor on threads.
+the field was made of. Copies of the field share what they hold; a query takes well under a microsecond inside, and one
+or two outside: none looks at all faces, or at the whole hull. Its bits depend neither on other queries nor on threads.
 
 \cgalModels{BubbleSizingField_2}
 
@@ -105,7 +105,7 @@ public:
     m_field = std::make_shared<const Field>(std::move(tr), std::move(lengths));
   }
 
-  /// returns the size at `p`.
+  /// returns the size at `p`, NaN if a coordinate is not finite.
   FT operator()(const Point_2& p) const
   {
     return (*m_field)(CGAL::to_double(p.x()), CGAL::to_double(p.y()));

@@ -124,6 +124,102 @@ TEST(Interpolated_sizing_field, counts_marked_faces_only)
   EXPECT_NEAR(d(Point(0.55, 0.65)), linear(Point(0.55, 0.7)), 1e-12);
 }
 
+/// a grid of n x n squares, of which those are marked for whose centre something holds
+template <class Is_marked>
+CDT grid(int n, const Is_marked& is_marked)
+{
+  std::vector<Point> points;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      points.emplace_back(double(i) / n, double(j) / n);
+  CDT cdt;
+  cdt.insert(points.begin(), points.end());
+  for (auto f : cdt.finite_face_handles())
+    f->set_in_domain(is_marked(CGAL::centroid(cdt.triangle(f))));
+  return cdt;
+}
+
+TEST(Interpolated_sizing_field, finds_the_nearest_point_of_what_is_marked)
+{
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const CDT cdt = grid(30, [&](const Point& c) { return uniform(random) < (c.x() < 0.5 ? 0.5 : 0.02); });
+  std::vector<K::Segment_2> sides; // of triangles that are marked
+  for (auto f : cdt.finite_face_handles())
+    for (int i = 0; i < 3 && f->is_in_domain(); ++i)
+      sides.emplace_back(f->vertex(cdt.ccw(i))->point(), f->vertex(cdt.cw(i))->point());
+  const auto x = field(cdt, [](const Point& p) { return 1 + p.x(); });
+  const auto y = field(cdt, [](const Point& p) { return 1 + p.y(); });
+  int outside = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Point q(uniform(random), uniform(random)), nearest(x(q) - 1, y(q) - 1);
+    double least = 0;
+    if (!cdt.locate(q)->is_in_domain()) {
+      least = CGAL::squared_distance(q, sides[0]);
+      for (const auto& s : sides)
+        least = (std::min)(least, CGAL::squared_distance(q, s));
+      ++outside;
+    }
+    EXPECT_NEAR(std::sqrt(CGAL::squared_distance(q, nearest)), std::sqrt(least), 1e-12) << q;
+  }
+  EXPECT_GT(outside, 1000);
+}
+
+TEST(Interpolated_sizing_field, takes_no_time_of_all_that_is_not_marked)
+{
+  // 80 000 faces that were all looked at in each of so many places: minutes
+  const int n = 200, places = 200000;
+  const CDT cdt = grid(n, [](const Point& c) { return c.x() < 1. / n; });
+  const auto d = field(cdt, [](const Point& p) { return 1 + p.y(); });
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int k = 0; k < places; ++k) {
+    const Point q(0.3 + 0.7 * uniform(random), uniform(random));
+    ASSERT_NEAR(d(q), 1 + q.y(), 1e-12) << q;
+  }
+}
+
+TEST(Interpolated_sizing_field, takes_no_time_of_the_whole_hull)
+{
+  // 200 000 sides of the hull, many of which were walked along in each of so many places: minutes
+  const int n = 200000, places = 500000;
+  std::vector<Point> points{{0, 0}};
+  for (const auto& p : domains::polygon(0, 0, 1, n))
+    points.emplace_back(p.first, p.second);
+  const Delaunay t(points.begin(), points.end());
+  const auto d = field(t, [](const Point& p) { return 2 + p.x(); });
+  std::mt19937 random(random_seeds::seed());
+  std::uniform_real_distribution<double> uniform(-10, 10);
+  for (int k = 0; k < places; ++k) {
+    const Point q(uniform(random), uniform(random));
+    const double r = std::sqrt(q.x() * q.x() + q.y() * q.y());
+    if (r > 1) {
+      ASSERT_NEAR(d(q), 2 + q.x() / r, 1e-4) << q; // up to a side
+    }
+  }
+}
+
+TEST(Interpolated_sizing_field, finds_the_nearest_point_from_afar)
+{
+  // all sides of the wall are equally far away, up to roundings
+  const int n = 1000;
+  std::vector<Point> points;
+  for (int i = 0; i <= n; ++i)
+    for (const Point& p : {Point(0, double(i) / n), Point(1, double(i) / n)})
+      points.push_back(p);
+  const Delaunay t(points.begin(), points.end());
+  const auto d = field(t, [](const Point& p) { return 1 + p.y(); });
+  for (double x : {1.5, 30., 1e3, 1e6, 1e9, 1e12, 1e100})
+    for (double y : {0.0123, 0.5, 0.98765}) {
+      EXPECT_NEAR(d(Point(x, y)), 1 + y, 1e-12) << x << ", " << y;
+      EXPECT_NEAR(d(Point(-x, y)), 1 + y, 1e-12) << x << ", " << y;
+    }
+  for (double x : {3., 1e6, 1e100, 1e200, 1.7e308}) { // corners
+    EXPECT_EQ(d(Point(x, x)), 2);
+    EXPECT_EQ(d(Point(-x, -x)), 1);
+  }
+}
+
 TEST(Interpolated_sizing_field, has_the_same_bits_in_any_order_and_thread)
 {
   std::vector<Point> points = random_points(500, 0);

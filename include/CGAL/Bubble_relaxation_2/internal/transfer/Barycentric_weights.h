@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_BARYCENTRIC_WEIGHTS_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_BARYCENTRIC_WEIGHTS_H
 
+#include <CGAL/Bubble_relaxation_2/internal/geometry/linear_values.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
 
 #include <algorithm>
@@ -34,20 +35,14 @@ struct Nearest_on_sides
 
   Nearest_on_sides(const Face_set_2& faces, Index t, const Point& q)
   {
-    std::array<Offset_2, 3> c; // the corners as seen from there
-    for (int i = 0; i < 3; ++i)
-      c[i] = offset(q, faces.point(t, i));
     for (int i = 0; i < 3; ++i) {
-      const Offset_2 side = c[ccw(i)] - c[i], to_q = Offset_2{0, 0} - c[i];
-      const double length = dot(side, side);
-      const double s = length > 0 ? (std::min)(1., (std::max)(0., dot(side, to_q) / length)) : 0;
-      const Offset_2 miss{to_q.x - s * side.x, to_q.y - s * side.y};
-      if (dot(miss, miss) >= squared_distance)
+      const Nearest_on_side_2 n(faces.point(t, i), faces.point(t, ccw(i)), q);
+      if (n.squared_distance >= squared_distance)
         continue;
-      squared_distance = dot(miss, miss);
+      squared_distance = n.squared_distance;
       weights = {};
-      weights[i] = 1 - s;
-      weights[ccw(i)] = s;
+      weights[i] = 1 - n.share;
+      weights[ccw(i)] = n.share;
     }
   }
 };

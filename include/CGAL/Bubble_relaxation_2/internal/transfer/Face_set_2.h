@@ -59,6 +59,14 @@ struct Face_set_2
   }
 
   Bbox_2 box(Index t) const { return point(t, 0).bbox() + point(t, 1).bbox() + point(t, 2).bbox(); }
+
+  std::vector<Bbox_2> boxes() const
+  {
+    std::vector<Bbox_2> result;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      result.push_back(box(static_cast<Index>(t)));
+    return result;
+  }
 };
 
 /// The power of two that brings a positive number to about 1, or near to that: the largest double is below 2^1024, and

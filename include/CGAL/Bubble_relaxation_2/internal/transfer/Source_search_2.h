@@ -9,8 +9,8 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_SOURCE_SEARCH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_SOURCE_SEARCH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/geometry/Box_tree_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Barycentric_weights.h>
-#include <CGAL/Bubble_relaxation_2/internal/transfer/Box_tree_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/transfer/Overlap_polygon_2.h>
 
@@ -33,7 +33,7 @@ struct Source_location_2
 class Source_search_2
 {
 public:
-  explicit Source_search_2(const Face_set_2& source) : m_source(source), m_tree(source) {}
+  explicit Source_search_2(const Face_set_2& source) : m_source(source), m_tree(source.boxes()) {}
 
   const Face_set_2& source() const { return m_source; }
 

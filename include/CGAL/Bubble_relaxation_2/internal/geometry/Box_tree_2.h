@@ -6,10 +6,10 @@
 //
 // Author(s)     : The Bubble_relaxation_2 authors
 
-#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_BOX_TREE_2_H
-#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_BOX_TREE_2_H
+#ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_BOX_TREE_2_H
+#define CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_BOX_TREE_2_H
 
-#include <CGAL/Bubble_relaxation_2/internal/transfer/Face_set_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/vocabulary.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -19,22 +19,20 @@
 
 namespace CGAL::Bubble_relaxation_2::internal {
 
-/// A binary tree of boxes around triangles, halved by the longer side of the box. A march over neighbours (Farrell and
-/// Maddison, CMAME 200 (2011)) would need no tree, but it stops at holes and at the rim of a part, and misses what lies
-/// behind; the tree finds all triangles whatever the domains are, of any grading.
+/// A binary tree of boxes around things, such as triangles or their sides, halved by the longer side of the box. A
+/// march over neighbours (Farrell and Maddison, CMAME 200 (2011)) would need no tree, but it stops at holes and at the
+/// rim of a part, and misses what lies behind; the tree finds all things whatever the domains are, of any grading.
 class Box_tree_2
 {
 public:
-  explicit Box_tree_2(const Face_set_2& faces) : m_triangles(indices_below(faces.number_of_triangles()))
+  /// \param boxes of the things, which are known by their numbers
+  explicit Box_tree_2(const std::vector<Bbox_2>& boxes) : m_things(indices_below(boxes.size()))
   {
-    std::vector<Bbox_2> boxes;
-    for (Index t : m_triangles)
-      boxes.push_back(faces.box(t));
-    if (!m_triangles.empty())
-      build(0, m_triangles.size(), boxes);
+    if (!m_things.empty())
+      build(0, m_things.size(), boxes);
   }
 
-  /// calls `visit(t)` for triangles, among them all whose box meets `box`
+  /// calls `visit(i)` for things, among them all whose box meets `box`
   template <class Visitor>
   void for_each_near(const Bbox_2& box, const Visitor& visit, std::size_t node = 0) const
   {
@@ -42,14 +40,14 @@ public:
       return;
     if (m_nodes[node].right == 0) {
       for (std::size_t k = m_nodes[node].first; k < m_nodes[node].last; ++k)
-        visit(m_triangles[k]);
+        visit(m_things[k]);
       return;
     }
     for_each_near(box, visit, node + 1);
     for_each_near(box, visit, m_nodes[node].right);
   }
 
-  /// calls `visit(t)`, which returns the squared distance that still counts, for triangles, among them the nearest ones
+  /// calls `visit(i)`, which returns the squared distance that still counts, for things, among them the nearest ones
   template <class Visitor>
   void for_each_nearer(const Point& q, double& squared_bound, const Visitor& visit, std::size_t node = 0) const
   {
@@ -58,7 +56,7 @@ public:
     const Node& n = m_nodes[node];
     if (n.right == 0) {
       for (std::size_t k = n.first; k < n.last; ++k)
-        squared_bound = visit(m_triangles[k]);
+        squared_bound = visit(m_things[k]);
       return;
     }
     const bool is_right_nearer =
@@ -89,16 +87,16 @@ private:
     const std::size_t node = m_nodes.size();
     Bbox_2 box;
     for (std::size_t k = first; k < last; ++k)
-      box += boxes[m_triangles[k]];
+      box += boxes[m_things[k]];
     m_nodes.push_back(Node{box, first, last});
     if (last - first <= most_in_leaf)
       return;
     const bool is_wide = box.x_span() > box.y_span();
-    const auto middle = [&](Index t) {
-      return is_wide ? boxes[t].xmin() + boxes[t].xmax() : boxes[t].ymin() + boxes[t].ymax();
+    const auto middle = [&](Index i) {
+      return is_wide ? boxes[i].xmin() + boxes[i].xmax() : boxes[i].ymin() + boxes[i].ymax();
     };
     const std::size_t half = first + (last - first) / 2;
-    const auto begin = m_triangles.begin();
+    const auto begin = m_things.begin();
     std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(half),
                      begin + static_cast<std::ptrdiff_t>(last),
                      [&](Index a, Index b) { return middle(a) < middle(b); });
@@ -107,10 +105,10 @@ private:
     build(half, last, boxes);
   }
 
-  std::vector<Index> m_triangles;
+  std::vector<Index> m_things;
   std::vector<Node> m_nodes;
 };
 
 } // namespace CGAL::Bubble_relaxation_2::internal
 
-#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_TRANSFER_BOX_TREE_2_H
+#endif // CGAL_BUBBLE_RELAXATION_2_INTERNAL_GEOMETRY_BOX_TREE_2_H
