@@ -59,6 +59,7 @@ std::optional<Relaxed_part_2> relax_part(Problem_2 problem, const Bubbles_2& giv
   if (is_stopped())
     return {};
   Distributed_mesh_2 mesh = treat_distributed(problem, given, part, comm, report);
+  comm.agree(); // or it threw since: that is more than a stop
   if (is_stopped())
     return {};
   problem.options.progress->start_phase(Bubble_phase::EVALUATION);

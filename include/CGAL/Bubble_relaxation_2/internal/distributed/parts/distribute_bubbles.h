@@ -87,8 +87,7 @@ inline std::vector<std::pair<Hilbert_curve_2::Key, Index>> places_on(const Hilbe
   }
   parallel_sort(Threads(), places, [&bubbles](const auto& p, const auto& q) {
     const Bubble_record_2 &b = bubbles[p.second], &c = bubbles[q.second];
-    return p.first != q.first ? p.first < q.first
-                              : std::tie(b.x, b.y, b.dimension, p.second) < std::tie(c.x, c.y, c.dimension, q.second);
+    return std::tie(p.first, b.x, b.y, b.dimension, p.second) < std::tie(q.first, c.x, c.y, c.dimension, q.second);
   });
   return places;
 }
