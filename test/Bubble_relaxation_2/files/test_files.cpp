@@ -264,6 +264,18 @@ TEST(Files, say_what_went_wrong_and_leave_nothing)
   EXPECT_TRUE(folder.is_empty());
 }
 
+TEST(Files, names_of_data_are_not_those_of_other_arrays)
+{
+  const Folder folder;
+  Mesh_arrays_2 mesh = tagged_bay();
+  mesh.vertex_data["marker"].assign(mesh.points.size(), 1);
+  expect_invalid([&] { CGAL::IO::write_VTU(folder / "a.vtu", mesh); }, {"'marker'", "write_VTU"});
+  mesh.vertex_data.erase("marker");
+  mesh.triangle_data["region"].assign(mesh.triangles.size(), 1);
+  expect_invalid([&] { CGAL::IO::write_VTU(folder / "a.vtu", mesh); }, {"'region'"});
+  EXPECT_TRUE(folder.is_empty());
+}
+
 TEST(Files, names_of_data_are_xml)
 {
   Mesh_arrays_2 mesh = tagged_bay();

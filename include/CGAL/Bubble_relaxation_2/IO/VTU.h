@@ -22,11 +22,27 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Bubble_relaxation_2::internal {
+
+/// \throws std::invalid_argument if data have the name of what is written anyway: which one counts nobody would know
+inline void check_data_names(const Mesh_arrays_2& mesh)
+{
+  const auto check = [](const auto& data, const std::string& name) {
+    if (data.count(name) != 0)
+      throw std::invalid_argument("Bubble_relaxation_2: mesh arrays: data must not have the name '" + name +
+                                  "', which write_VTU() uses");
+  };
+  check(mesh.vertex_data, "marker");
+  for (const char* name : {"q", "dimension", "marker"})
+    check(mesh.triangle_data, name);
+  if (!mesh.regions.empty())
+    check(mesh.triangle_data, "region");
+}
 
 inline void write_point_data(Vtu_file& file, const Mesh_arrays_2& mesh)
 {
@@ -81,12 +97,13 @@ Names are not kept.
 
 \returns whether it was written
 
-\throws std::invalid_argument as `Mesh_arrays_2::check()` does
+\throws std::invalid_argument as `Mesh_arrays_2::check()` does, or if data have one of these names
 */
 inline bool write_VTU(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   using namespace Bubble_relaxation_2::internal;
   mesh.check();
+  check_data_names(mesh);
   Vtu_file file(out, mesh.points.size(), mesh.triangles.size() + mesh.edges.size());
   write_point_data(file, mesh);
   write_cell_data(file, mesh);
@@ -112,6 +129,7 @@ writes a mesh to the file `name`.
 inline void write_VTU(const std::string& name, const Mesh_arrays_2& mesh)
 {
   mesh.check();
+  Bubble_relaxation_2::internal::check_data_names(mesh); // before the file is opened
   Bubble_relaxation_2::internal::write_file(name, [&mesh](std::ostream& out) { write_VTU(out, mesh); });
 }
 
