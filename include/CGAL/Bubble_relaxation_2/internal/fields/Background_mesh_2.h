@@ -44,8 +44,8 @@ public:
     m_points.insert(m_points.end(), points.begin(), points.end());
   }
 
-  /// Makes the mesh. False if there is not enough room among the vertices or the numbers, or if the callback said so: then
-  /// it is the last one whose sizes are known.
+  /// Makes the mesh. False if there is not enough room among the vertices or the numbers, or if the callback said so:
+  /// then it is the last one whose sizes are known.
   /// \param progress remembers a stop
   bool build(Progress& progress)
   {
