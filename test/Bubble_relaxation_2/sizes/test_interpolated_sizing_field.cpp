@@ -342,8 +342,9 @@ TEST(Interpolated_sizing_field, refuses_what_roundings_turn_over)
       field(t, [](const auto&) { return 1.; });
     } catch (const std::invalid_argument& e) {
       ++refused;
-      EXPECT_NE(std::string(e.what()).find("Interpolated_sizing_field_2 has a triangle"), std::string::npos) << e.what();
-      EXPECT_NE(std::string(e.what()).find("turned over"), std::string::npos) << e.what();
+      const std::string words = e.what();
+      EXPECT_NE(words.find("Interpolated_sizing_field_2 has a triangle"), std::string::npos) << words;
+      EXPECT_NE(words.find("turned over"), std::string::npos) << words;
     }
   }
   EXPECT_EQ(refused, 1);
