@@ -14,6 +14,7 @@
 #include <CGAL/Bubble_relaxation_2/internal/core/disable_warnings.h>
 
 #include <CGAL/Bubble_relaxation_2/internal/core/Plane_2.h>
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/read_options.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Background_mesh_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
@@ -96,9 +97,10 @@ public:
       \cgalParamDefault{200 000}
     \cgalParamNEnd
     \cgalParamNBegin{callback}
-      \cgalParamDescription{a function that is called after each turn of refinement with how much is done, not falling,
-                            1 at the end. If it returns `false` there is no other: the field is as good as it is by
-                            then, with its gradient limited, and `is_resolved()` is `false`}
+      \cgalParamDescription{a function that is called after each turn of refinement, and several times a second in
+                            between, with how much is done, not falling, 1 at the end. If it returns `false` before
+                            there is no other call: the field is as good as it is by then, with its gradient limited,
+                            and `is_resolved()` is `false`}
       \cgalParamType{a type that `std::function<bool(double)>` can hold}
       \cgalParamDefault{none}
     \cgalParamNEnd
@@ -119,6 +121,9 @@ public:
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number_of_vertices),
                                    std::size_t(200000)), 1,
       static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()));
+    Progress progress(read_callback(np));
+    progress.remember_stop(); // there is to be a field
+    const Progress_scope scope(progress);
     const Domain_marks_2<CDT> is_inside(cdt, np);
     const Domain_reading_2<CDT> reading(cdt, is_inside, is_pinned<CDT>(np), Said_of_constraints<NamedParameters>{np});
     const Sizes_2 sizes = wanted_sizes(np, is_inside, reading);
@@ -126,10 +131,12 @@ public:
     const Domain_reading_2<CDT> all(
       cdt, is_inside, [](typename CDT::Vertex_handle) { return true; }, [](const auto&...) {});
     Background_mesh_2 background(all.domain, all.given.pinned, sizes, m_gradation / margin, maximum);
-    m_is_resolved = background.build(read_callback(np));
+    m_is_resolved = background.build(progress);
     Marked_triangulation_2& mesh = background.mesh();
     Gradient_limiter_2(mesh, m_gradation).clip(background.sizes());
     m_field = std::make_shared<const Field>(std::move(mesh), std::move(background.sizes()));
+    m_is_resolved = m_is_resolved && !progress.is_stopped();
+    progress.finish();
   }
 
   /// returns h at `p`. Outside of the domain it is the one in the nearest point of the domain's boundary, and

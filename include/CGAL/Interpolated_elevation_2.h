@@ -39,7 +39,7 @@ The elevation of the surface that a triangulation of points in space is, linear 
 new vertices by default. Who meshes a terrain many times gives it those of a copy of the first one as
 `elevation_function`, so that no surface is interpolated from one that was.
 
-Beyond the convex hull it is the elevation at the nearest point of the hull, whose sides are read at the first call there.
+Beyond the convex hull it is the elevation at the nearest point of the hull. Its sides are read at the first call there.
 
 It refers to the triangulation, which must stay as it is as long as it is asked. A call begins where the last one ended,
 so it is fast if places follow each other that are near, but what it returns does not depend on calls before; a copy can

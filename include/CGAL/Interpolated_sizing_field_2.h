@@ -25,7 +25,6 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -122,27 +121,16 @@ private:
       throw std::invalid_argument("Bubble_relaxation_2: the triangulation of an Interpolated_sizing_field_2 has the "
                                   "dimension " + std::to_string(t.dimension()) + ", so it has no faces");
     auto flat = flatten_triangulation(t);
-    flat.tr.inside = inside(flat.faces);
+    check_orientations("triangulation of an Interpolated_sizing_field_2", flat.tr.points, flat.tr.vertices);
+    const Faces_that_count<Triangulation> counts(t);
+    for (auto f : flat.faces)
+      flat.tr.inside.push_back(counts(f) ? 1 : 0);
     std::vector<double> lengths(flat.vertices.size(), 0);
-    for (std::size_t f = 0; f < flat.tr.inside.size(); ++f) {
-      check_orientation(flat.tr, static_cast<Index>(f));
+    for (std::size_t f = 0; f < flat.tr.inside.size(); ++f)
       for (Index v : flat.tr.vertices[f])
         if (flat.tr.inside[f] && lengths[v] == 0)
           lengths[v] = checked_size(CGAL::to_double(get(sizes, flat.vertices[v])), flat.tr.points[v]);
-    }
     return {std::move(flat.tr), std::move(lengths)};
-  }
-
-  template <class Faces>
-  static std::vector<char> inside(const Faces& faces)
-  {
-    using namespace Bubble_relaxation_2::internal;
-    std::vector<char> is_inside(faces.size(), 1);
-    if constexpr (Has_domain_mark<typename Triangulation::Face>::value)
-      if (std::any_of(faces.begin(), faces.end(), [](auto f) { return f->is_in_domain(); }))
-        std::transform(faces.begin(), faces.end(), is_inside.begin(),
-                       [](auto f) { return f->is_in_domain() ? 1 : 0; });
-    return is_inside;
   }
 
   static double checked_size(double d, const Bubble_relaxation_2::internal::Point& p)
@@ -153,18 +141,6 @@ private:
     throw std::invalid_argument("Bubble_relaxation_2: parameter sizes: the size " + in_words(d) +
                                 " of the vertex at " + in_words(p.x(), p.y()) +
                                 " must be " + required_of_length(d));
-  }
-
-  /// a walk through a triangle that is turned over may not end
-  static void check_orientation(const Bubble_relaxation_2::internal::Flat_triangulation_2& tr,
-                                Bubble_relaxation_2::internal::Index f)
-  {
-    const auto& p = tr.point(f, 0);
-    if (CGAL::orientation(p, tr.point(f, 1), tr.point(f, 2)) != RIGHT_TURN)
-      return;
-    throw std::invalid_argument("Bubble_relaxation_2: the triangle at " +
-                                Bubble_relaxation_2::internal::in_words(p.x(), p.y()) +
-                                " is turned over when its corners are rounded to double");
   }
 
   std::shared_ptr<const Field> m_field;

@@ -17,10 +17,12 @@
 #include <CGAL/npbs_relax.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -323,6 +325,29 @@ TEST(Interpolated_sizing_field, refuses_bad_input)
   line.insert(Point(0, 0));
   line.insert(Point(1, 0));
   expect_invalid([&] { field(line, linear); }, {"dimension 1"});
+}
+
+TEST(Interpolated_sizing_field, refuses_what_roundings_turn_over)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Exact>;
+  const Exact::FT tiny = Exact::FT(1) / Exact::FT(1e40);
+  int refused = 0; // the corners are in a line but for something tiny, to the left or to the right
+  for (const Exact::FT& beside : {tiny, -tiny}) {
+    Triangulation t;
+    for (int k : {0, 1, 3})
+      t.insert(Exact::Point_2(Exact::FT(k) / 7, Exact::FT(k) / 13 + (k == 3 ? beside : 0)));
+    ASSERT_EQ(t.number_of_faces(), 1u);
+    try {
+      field(t, [](const auto&) { return 1.; });
+    } catch (const std::invalid_argument& e) {
+      ++refused;
+      const std::string words = e.what();
+      EXPECT_NE(words.find("Interpolated_sizing_field_2 has a triangle"), std::string::npos) << words;
+      EXPECT_NE(words.find("turned over"), std::string::npos) << words;
+    }
+  }
+  EXPECT_EQ(refused, 1);
 }
 
 } // namespace test_interpolated_sizing_field

@@ -17,6 +17,7 @@
 
 #include <CGAL/Bubble_relaxation_parameters.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -33,6 +34,33 @@ struct Has_domain_mark<Face, std::void_t<decltype(std::declval<Face&>().set_in_d
                                          decltype(std::declval<const Face&>().is_in_domain())>>
   : std::true_type
 {};
+
+/// The faces of a triangulation that count: those that are marked as the domain's, all if none is, or if faces have no
+/// marks.
+template <class Triangulation>
+class Faces_that_count
+{
+public:
+  explicit Faces_that_count(const Triangulation& t)
+  {
+    if constexpr (has_marks)
+      m_is_any_marked = std::any_of(t.finite_faces_begin(), t.finite_faces_end(),
+                                    [](const auto& f) { return f.is_in_domain(); });
+  }
+
+  bool operator()(typename Triangulation::Face_handle f) const
+  {
+    if constexpr (has_marks)
+      return !m_is_any_marked || f->is_in_domain();
+    else
+      return f != typename Triangulation::Face_handle();
+  }
+
+private:
+  static constexpr bool has_marks = Has_domain_mark<typename Triangulation::Face>::value;
+
+  bool m_is_any_marked = false;
+};
 
 /// Which triangles of a user's triangulation form the domain, found in arrays.
 class Marked_copy_2 : public Triangulation_copy_2

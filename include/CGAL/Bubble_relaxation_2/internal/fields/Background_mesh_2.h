@@ -9,6 +9,7 @@
 #ifndef CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H
 #define CGAL_BUBBLE_RELAXATION_2_INTERNAL_FIELDS_BACKGROUND_MESH_2_H
 
+#include <CGAL/Bubble_relaxation_2/internal/core/Progress.h>
 #include <CGAL/Bubble_relaxation_2/internal/core/Sizes_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/domain/Domain_2.h>
 #include <CGAL/Bubble_relaxation_2/internal/fields/Gradient_limiter_2.h>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -44,8 +44,10 @@ public:
     m_points.insert(m_points.end(), points.begin(), points.end());
   }
 
-  /// Makes the mesh. False if there is not enough room among the vertices or the numbers, or if the callback said so.
-  bool build(const std::function<bool(double)>& callback)
+  /// Makes the mesh. False if there is not enough room among the vertices or the numbers, or if the callback said so:
+  /// then it is the last one whose sizes are known.
+  /// \param progress remembers a stop
+  bool build(Progress& progress)
   {
     double done = 0;
     // vertices inside may lie on each other, or on the outline, by a rounding; then corners are tried, which do not
@@ -53,13 +55,15 @@ public:
       ask_for_given_sizes();
       const std::vector<double> last = std::exchange(m_sizes, m_given);
       Gradient_limiter_2(m_mesh, m_g).spread(m_sizes);
+      if (progress.is_stopped())
+        return false;
       find_news(last);
       std::vector<Cut> cuts = find_cuts();
       const std::size_t room = m_maximum > m_points.size() ? m_maximum - m_points.size() : 0;
       done = (std::max)(done, double(m_points.size()) / double(m_points.size() + cuts.size()));
-      const bool goes_on = !callback || callback(done);
+      const bool goes_on = progress.report(done);
       if (cuts.empty() || room == 0 || !goes_on)
-        return cuts.empty();
+        return cuts.empty() && goes_on;
       if (cuts.size() > room)
         cuts.resize(room); // the worst ones come first
       make(cuts);
@@ -98,8 +102,9 @@ private:
   bool triangulate()
   {
     Marked_triangulation_2 mesh;
-    if (mark_triangulation(m_points, m_pieces, mesh) != Marking_error::NONE) {
-      m_points.resize(m_sizes.size()); // the last cuts are too fine for the numbers
+    const bool is_made = mark_triangulation(m_points, m_pieces, mesh) == Marking_error::NONE;
+    if (!is_made || (is_stop_wanted() && m_mesh.number_of_triangles() > 0)) {
+      m_points.resize(m_sizes.size()); // the last cuts are too fine for the numbers, or come too late
       return false;
     }
     m_mesh = std::move(mesh);
@@ -110,10 +115,12 @@ private:
   void ask_for_given_sizes()
   {
     m_given.resize(m_points.size(), 0);
-    for (std::size_t t = 0; t < m_mesh.number_of_triangles(); ++t)
+    for (std::size_t t = 0; t < m_mesh.number_of_triangles(); ++t) {
+      tick(t);
       for (Index v : m_mesh.vertices[t])
         if (m_mesh.inside[t] && m_given[v] == 0)
           m_given[v] = size(m_points[v]);
+    }
   }
 
   /// An edge or a triangle that was fine is so as long as its vertices, and those of the triangles beside it, have the
@@ -137,7 +144,9 @@ private:
     const auto found = m_known.find(p);
     if (found != m_known.end())
       return found->second;
-    return m_known[p] = m_sizing(p);
+    const double size = m_known[p] = m_sizing(p);
+    tick(); // it may be slow
+    return size;
   }
 
   std::vector<Cut> find_cuts()
@@ -150,14 +159,19 @@ private:
       if (has_news(t) || (n != no_index && m_mesh.inside[n] && has_news(n)))
         add_edge(t, i, edge_error(t, i), cuts);
     });
-    for (std::size_t k = 0; k < m_mesh.number_of_triangles(); ++k)
+    for (std::size_t k = 0; k < m_mesh.number_of_triangles(); ++k) {
+      tick(k);
       if (m_mesh.inside[k] && has_news(static_cast<Index>(k)))
         add_triangle(static_cast<Index>(k), limiter.gradient(static_cast<Index>(k), m_sizes), cuts);
+    }
     m_has_news = m_is_doubtful;
     std::sort(cuts.begin(), cuts.end());
     std::set<Point> seen;
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
-                              [&](const Cut& c) { return !seen.insert(c.point).second; }),
+                              [&](const Cut& c) {
+                                tick(seen.size());
+                                return !seen.insert(c.point).second;
+                              }),
                cuts.end());
     return cuts;
   }

@@ -194,7 +194,8 @@ private:
         all.emplace_back(values[v], static_cast<Index>(v));
     std::priority_queue<Visit, std::vector<Visit>, std::greater<Visit>> queue(std::greater<Visit>(),
                                                                               std::move(all));
-    while (!queue.empty()) {
+    for (std::size_t visits = 0; !queue.empty(); ++visits) {
+      tick(visits);
       const Visit visit = queue.top();
       queue.pop();
       if (visit.first != values[visit.second])

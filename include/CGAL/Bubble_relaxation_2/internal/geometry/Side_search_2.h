@@ -36,8 +36,8 @@ inline Point within_reach(const Point& q)
   return largest > reach ? Point(q.x() / largest * reach, q.y() / largest * reach) : q;
 }
 
-/// Sides of triangles with values at their ends, to find the nearest one to a point: in a tree, or, if they are those of
-/// a convex polygon, by halving its parts that turn by a right angle at most. From afar the boxes of all sides of a
+/// Sides of triangles with values at their ends, to find the nearest one to a point: in a tree, or, if they are those
+/// of a convex polygon, by halving its parts that turn by a right angle at most. From afar the boxes of all sides of a
 /// slanted wall seem to be near.
 class Side_search_2
 {

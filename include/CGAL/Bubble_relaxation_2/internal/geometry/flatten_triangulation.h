@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -337,6 +338,20 @@ Flattened_triangulation_2<Triangulation> flatten_triangulation(const Triangulati
   for (Index f : sorted.triangles)
     flat.faces.push_back(Handles<Triangulation>::face(copy.faces.addresses()[f]));
   return flat;
+}
+
+/// A walk through a triangle that is turned over may not end, and its area is none.
+/// \param whose of what, in words for the user
+/// \throws std::invalid_argument if there is one, as when corners are rounded to `double`
+inline void check_orientations(const std::string& whose, const std::vector<Point>& points,
+                               const std::vector<std::array<Index, 3>>& triangles)
+{
+  for (const std::array<Index, 3>& v : triangles) {
+    const Point& p = points[v[0]];
+    if (CGAL::orientation(p, points[v[1]], points[v[2]]) == RIGHT_TURN)
+      throw std::invalid_argument("Bubble_relaxation_2: the " + whose + " has a triangle, at " +
+                                  in_words(p.x(), p.y()) + ", which is turned over when its corners are rounded to double");
+  }
 }
 
 } // namespace CGAL::Bubble_relaxation_2::internal

@@ -51,7 +51,7 @@ public:
       const auto map = parameters::get_parameter(np, map_tag);
       add_all([&](Face_handle f) { return static_cast<bool>(get(map, f)); });
     } else {
-      add_domain();
+      add_all(Faces_that_count<Triangulation>(t));
     }
     if (m_face_handles.empty())
       throw_error("has no face that takes part");
@@ -76,15 +76,6 @@ private:
         add(f);
   }
 
-  /// the faces that are marked as those of the domain, all if none is, or if faces have no marks
-  void add_domain()
-  {
-    if constexpr (Has_domain_mark<typename Triangulation::Face>::value)
-      add_all([](Face_handle f) { return f->is_in_domain(); });
-    if (m_face_handles.empty())
-      add_all([](Face_handle) { return true; });
-  }
-
   void add(Face_handle f)
   {
     if (f == Face_handle())
@@ -100,13 +91,7 @@ private:
     m_sorted = {std::move(flat.tr.points), std::move(flat.tr.vertices)};
     m_vertex_handles = std::move(flat.vertices);
     m_face_handles = std::move(flat.faces);
-    for (std::size_t t = 0; t < m_sorted.number_of_triangles(); ++t) {
-      const Point& p = m_sorted.point(static_cast<Index>(t), 0);
-      if (CGAL::orientation(p, m_sorted.point(static_cast<Index>(t), 1), m_sorted.point(static_cast<Index>(t), 2)) ==
-          RIGHT_TURN)
-        throw_error("has a triangle, at " + in_words(p.x(), p.y()) +
-                    ", which is turned over when its corners are rounded to double");
-    }
+    check_orientations(std::string(m_what) + " of a transfer", m_sorted.points, m_sorted.triangles);
   }
 
   const Triangulation& m_triangulation;
