@@ -76,7 +76,8 @@ public:
   \param sizes the wanted length of edges at each vertex of the faces that count
 
   \throws std::invalid_argument if the triangulation has no face, if a size is not positive and finite, if a
-  coordinate is not finite, or if a triangle is turned over when its corners are rounded to `double`
+  coordinate is not finite or beyond the magnitudes that the manual states, or if a triangle is turned over when its
+  corners are rounded to `double`
   */
   template <class VertexSizeMap>
   Interpolated_sizing_field_2(const Triangulation& t, const VertexSizeMap& sizes)

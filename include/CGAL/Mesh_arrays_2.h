@@ -126,8 +126,9 @@ struct Mesh_arrays_2
   /// \pre their indices are those of points
   std::vector<Edge> boundary_edges() const;
 
-  /// \throws std::invalid_argument if arrays do not belong together: if one is too short, or an index too large or twice
-  /// in a triangle or an edge, if an edge comes twice, or if a coordinate, an elevation, a hole or a region is not finite
+  /// \throws std::invalid_argument if arrays do not belong together: if one is too short, or an index too large or
+  /// twice in a triangle or an edge, if an edge comes twice, or if a coordinate, an elevation, a hole or a region is not
+  /// finite
   void check() const;
 
 private:
@@ -267,8 +268,8 @@ inline std::vector<Mesh_arrays_2::Index> Mesh_arrays_2::add_edges(const Marks& m
   return ends;
 }
 
-/// Adds a point in each hole: the centroid of its largest triangle. Constraints that do not bound the domain are not among
-/// the edges, so they part no hole.
+/// Adds a point in each hole: the centroid of its largest triangle. Constraints that do not bound the domain are not
+/// among the edges, so they part no hole.
 inline void Mesh_arrays_2::add_holes(const Marks& marks)
 {
   const auto& tr = marks.tr;

@@ -183,8 +183,8 @@ private:
 \cgalNamedParamsEnd
 
 \throws std::invalid_argument if the triangulation has no domain, if an edge around the domain is not
-constrained, if a coordinate is not finite or beyond the magnitudes that the manual states, if a seed tells no region, or if a
-size is not positive and finite
+constrained, if a coordinate is not finite or beyond the magnitudes that the manual states, if a seed tells no region,
+or if a size is not positive and finite
 */
 template <class CDT, class NamedParameters = parameters::Default_named_parameters>
 auto mesh_quality_2(const CDT& cdt, const NamedParameters& np = parameters::default_values())

@@ -148,8 +148,8 @@ public:
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument if the triangulation has no domain, if an edge around the domain is not constrained, if
-  a coordinate is not finite or beyond the magnitudes that the manual states, if a seed tells no region, or if a triangle has
-  no area in `double`
+  a coordinate is not finite or beyond the magnitudes that the manual states, if a seed tells no region, or if a
+  triangle has no area in `double`
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Voronoi_dual_2(const CDT_& cdt, const NamedParameters& np = parameters::default_values())

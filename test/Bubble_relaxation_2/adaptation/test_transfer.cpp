@@ -12,7 +12,6 @@
 #include "expect_throw.h"
 #include "random_seeds.h"
 
-#include <CGAL/Bubble_relaxation_2/internal/transfer/face_slopes.h>
 #include <CGAL/npbs_relax.h>
 #include <CGAL/transfer_2.h>
 

@@ -173,8 +173,8 @@ wants 0
 
 \returns whether it was written
 
-\throws std::invalid_argument if `land_type` is none of these, if no edge of the boundary has one of `open_markers`, if a
-triangle is clockwise, if a side that one triangle has is not among the edges, or as `Mesh_arrays_2::check()` does
+\throws std::invalid_argument if `land_type` is none of these, if no edge of the boundary has one of `open_markers`, if
+a triangle is clockwise, if a side that one triangle has is not among the edges, or as `Mesh_arrays_2::check()` does
 */
 inline bool write_ADCIRC(std::ostream& out, const Mesh_arrays_2& mesh, const std::set<int>& open_markers = {},
                          int land_type = 0)

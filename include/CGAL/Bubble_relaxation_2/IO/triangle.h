@@ -126,9 +126,9 @@ inline bool write_triangle_ele(std::ostream& out, const Mesh_arrays_2& mesh)
 /*!
 \ingroup PkgBubbleRelaxation2Files
 
-writes the edges on constraints of a mesh, with their markers, its holes, and its regions, if there are any, as a `.poly`
-file of Triangle. Its points are those of the `.node` file beside it. A region is what lies within edges: if its triangles
-have different ones, that of the largest triangle counts.
+writes the edges on constraints of a mesh, with their markers, its holes, and its regions, if there are any, as a
+`.poly` file of Triangle. Its points are those of the `.node` file beside it. A region is what lies within edges: if its
+triangles have different ones, that of the largest triangle counts.
 
 \returns whether it was written
 

@@ -350,7 +350,8 @@ inline void check_orientations(const std::string& whose, const std::vector<Point
     const Point& p = points[v[0]];
     if (CGAL::orientation(p, points[v[1]], points[v[2]]) == RIGHT_TURN)
       throw std::invalid_argument("Bubble_relaxation_2: the " + whose + " has a triangle, at " +
-                                  in_words(p.x(), p.y()) + ", which is turned over when its corners are rounded to double");
+                                  in_words(p.x(), p.y()) +
+                                  ", which is turned over when its corners are rounded to double");
   }
 }
 

@@ -37,8 +37,8 @@ inline Offset_2 centroid_seen_from(const Face_set_2& faces, Index t, Index n)
 /// The slopes of a linear function in each triangle: by how much it changes from its first corner to the second one and
 /// to the third one. The values in the triangles around, which share a corner with it, are met in their centroids as
 /// well as can be, by least squares: exactly if the values are those of a linear function. The squares are weighed by
-/// the triangle's own shape, so that slopes are as good in meshes of needles. Of very many triangles around a corner only
-/// some count, which depend on the order of points alone: else all of them would look at all.
+/// the triangle's own shape, so that slopes are as good in meshes of needles. Of very many triangles around a corner
+/// only some count, which depend on the order of points alone: else all of them would look at all.
 inline std::vector<Offset_2> face_slopes(const Face_set_2& faces, const Triangles_around_2& around,
                                          const std::vector<double>& values)
 {
