@@ -44,7 +44,7 @@ meshes of both of their sides share vertices.
 
 The field is computed once, on a triangulation of the domain, and is linear in its triangles. d is not needed
 any more then. Copies share the triangulation; a query takes well under a microsecond
-inside, and one or two outside.
+inside, and some times as long outside.
 
 - <b>Guaranteed:</b> in each triangle the gradient of h is at most g, up to 10<sup>-6</sup> of it; at the
   vertices of the triangulation h is at most d; h is at least the least d that was found.

@@ -45,8 +45,9 @@ the triangulation may be one that knows no constraints. Outside it is the size i
 faces, and outside of the convex hull that in the nearest point of the hull.
 
 The triangulation is copied and may be changed or go away: `npbs_relax()` may be called on the very mesh that
-the field was made of. Copies of the field share what they hold; a query takes well under a microsecond inside, and one
-or two outside: none looks at all faces, or at the whole hull. Its bits depend neither on other queries nor on threads.
+the field was made of. Copies of the field share what they hold; a query takes well under a microsecond inside, and
+some times as long outside: none looks at all faces, or at the whole hull. Its bits depend neither on other queries nor
+on threads.
 
 \cgalModels{BubbleSizingField_2}
 
