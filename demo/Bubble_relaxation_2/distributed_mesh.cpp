@@ -93,6 +93,7 @@ void write(const Mpi_session& session, const Domain& domain, const po::variables
         return;
       CGAL::Mesh_arrays_2 arrays = whole.arrays(domain, arguments.count("size") > 0);
       tags.add_to(arrays);
+      tags.project(arrays);
       write_mesh_file(output, arrays, tags.open());
     });
   }

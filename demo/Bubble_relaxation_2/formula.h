@@ -23,6 +23,11 @@
 /// the values of rasters at places, by the names that they have in formulas
 using Rasters = std::map<std::string, std::function<double(double x, double y)>>;
 
+inline bool is_function(const std::string& name)
+{
+  return mu::Parser().GetFunDef().count(name) > 0;
+}
+
 /// A formula in x, y, the attribute `region`, the values of rasters and the `distance` to the outline, as muParser reads it.
 /// Each thread has a parser of its own, which holds the place that it is at.
 class Formula

@@ -85,8 +85,8 @@ inline std::map<std::string, std::string> raster_files(const po::variables_map& 
     const auto name_end = std::find_if_not(text.begin(), text.end(), is_of_name);
     const bool has_name = name_end != text.end() && *name_end == '=' && std::isalpha(static_cast<unsigned char>(text[0]));
     const std::string name = has_name ? std::string(text.begin(), name_end) : "raster";
-    if (name == "x" || name == "y" || name == "region" || name == "distance")
-      throw std::runtime_error("--raster: " + name + " is another variable of formulas");
+    if (name == "x" || name == "y" || name == "region" || name == "distance" || is_function(name))
+      throw std::runtime_error("--raster: " + name + " has another meaning in formulas");
     if (!files.emplace(name, has_name ? std::string(name_end + 1, text.end()) : text).second)
       throw std::runtime_error("--raster: two have the name " + name + "; NAME=FILE gives them others");
   }

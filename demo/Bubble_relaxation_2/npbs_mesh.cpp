@@ -198,6 +198,7 @@ try {
     if (size)
       for (const Point& p : mesh.points)
         mesh.vertex_data["d"].push_back(size(p));
+    tags.project(mesh);
     write_mesh_file(arguments["output"].as<std::string>(), mesh, tags.open());
   }
   if (arguments.count("picture") > 0) {

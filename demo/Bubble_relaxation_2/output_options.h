@@ -62,6 +62,8 @@ inline void check_statistics(const po::variables_map& arguments)
   const std::string file = arguments["statistics"].as<std::string>();
   check_extension(file, {".json"});
   check_output(arguments["input"].as<std::string>(), file, "--statistics");
+  if (arguments.count("simplification-report") > 0 && arguments["simplification-report"].as<std::string>() == file)
+    throw std::runtime_error("--statistics and --simplification-report are one file, " + file);
 }
 
 /// What is said by the user of the mesh that is written.
@@ -161,7 +163,7 @@ public:
 
   const std::set<int>& open() const { return m_open; }
 
-  /// \throws std::runtime_error if a depth is not finite, or a point cannot be projected
+  /// \throws std::runtime_error if a depth is not finite
   void add_to(CGAL::Mesh_arrays_2& mesh) const
   {
     mesh.marker_names = m_marker_names;
@@ -171,8 +173,15 @@ public:
       for (const Point& p : mesh.points)
         depths.push_back(depth(p));
     }
-    if (m_projection)
-      std::transform(mesh.points.begin(), mesh.points.end(), mesh.points.begin(), std::cref(*m_projection));
+  }
+
+  /// Brings a mesh to the reference system of `--output-crs`, when all that depends on places is there.
+  /// \throws std::runtime_error if a point cannot be projected
+  void project(CGAL::Mesh_arrays_2& mesh) const
+  {
+    for (std::vector<Point>* points : {&mesh.points, &mesh.holes})
+      if (m_projection)
+        std::transform(points->begin(), points->end(), points->begin(), std::cref(*m_projection));
   }
 
 private:

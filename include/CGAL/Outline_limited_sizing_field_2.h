@@ -78,7 +78,7 @@ public:
   FT operator()(const Point_2& p) const { return m_sizes(CGAL::to_double(p.x()), CGAL::to_double(p.y())); }
 
   /// returns about how many vertices a mesh of the domain has that follows these sizes.
-  double number_of_vertices() const { return m_sizes.number_without_corners; }
+  double number_of_vertices() const { return m_sizes.expected_number; }
 
 private:
   using Sizes = Bubble_relaxation_2::internal::Sizes_2;
@@ -91,7 +91,7 @@ private:
       const auto kept = std::make_shared<const std::decay_t<decltype(pack)>>(pack); // sizes refer to it
       const Input_2<CDT> input(cdt, *kept, std::make_shared<Progress>());
       Sizes result([kept, followed = input.limits.sizes](double x, double y) { return followed(x, y); });
-      result.number_without_corners = input.limits.sizes.number_without_corners;
+      result.expected_number = input.limits.sizes.expected_number;
       return std::make_optional(result);
     });
   }

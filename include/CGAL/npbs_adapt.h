@@ -170,8 +170,8 @@ or with its outline. If faces have no marks, all of them are copied to find the 
 
 \param cdt the triangulation
 \param np a sequence of \ref bgl_namedparameters "Named Parameters": `sizing_function`, which must be given;
-`vertex_is_constrained_map`, `protect_constraints`, `limit_by_outline`, `size_growth` and `maximum_number_of_bubbles` of
-`npbs_relax()`;
+`vertex_is_constrained_map`, `protect_constraints`, `limit_by_outline` and `size_growth` of `npbs_relax()`, and its
+`maximum_number_of_bubbles`, which counts only what the outline asks for: how many a part needs `npbs_adapt()` counts;
 `seeds` and `seeds_are_in_domain` if faces have no marks; `callback`, which is told the progress of `npbs_adapt()`, of
 which this is the beginning; and
 

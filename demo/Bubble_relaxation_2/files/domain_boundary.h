@@ -16,7 +16,8 @@
 #include <utility>
 #include <vector>
 
-/// the ends of the segments between a domain and what is outside, whether its faces are marked or told by nesting
+/// The ends of the segments between a domain, on their left, and what is outside, whether its faces are marked or told by
+/// nesting.
 /// \throws std::invalid_argument if there is no domain
 inline std::vector<std::pair<Point, Point>> boundary_segments(const Domain& domain)
 {
@@ -24,8 +25,11 @@ inline std::vector<std::pair<Point, Point>> boundary_segments(const Domain& doma
   const Marks is_in_domain(domain.cdt, CGAL::parameters::default_values());
   std::vector<std::pair<Point, Point>> segments;
   for (const CDT::Edge& e : domain.cdt.constrained_edges())
-    if (is_in_domain(e.first) != is_in_domain(e.first->neighbor(e.second)))
+    if (is_in_domain(e.first) != is_in_domain(e.first->neighbor(e.second))) {
       segments.emplace_back(e.first->vertex(CDT::ccw(e.second))->point(), e.first->vertex(CDT::cw(e.second))->point());
+      if (!is_in_domain(e.first))
+        std::swap(segments.back().first, segments.back().second);
+    }
   return segments;
 }
 

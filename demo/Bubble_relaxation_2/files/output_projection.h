@@ -19,6 +19,7 @@
 #include "map_projection.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 #endif
 
@@ -49,12 +50,20 @@ public:
   }
 
   /// \throws std::runtime_error if the boundary goes where there are no points, or across the meridian at which
-  /// longitudes jump
+  /// longitudes jump, or if the domain is turned over, since axes point to the west or to the south
   void check(const Domain& domain) const
   {
-    for (const auto& [first, last] : boundary_segments(domain))
-      if (std::abs((*this)(first).x() - (*this)(last).x()) > 180 && m_is_in_degrees)
+    double area = 0; // twice that
+    std::optional<Point> origin;
+    for (const auto& [first, last] : boundary_segments(domain)) {
+      const Point p = (*this)(first), q = (*this)(last);
+      if (std::abs(p.x() - q.x()) > 180 && m_is_in_degrees)
         throw std::runtime_error("--output-crs: longitudes jump at " + to_string(first));
+      origin = origin ? origin : p;
+      area += CGAL::determinant(p - *origin, q - *origin);
+    }
+    if (!(area > 0))
+      throw std::runtime_error("--output-crs: the axes of this reference system turn the domain over");
   }
 
 private:

@@ -270,6 +270,19 @@ TEST(Misfits, are_looked_for_with_few_calls_of_the_size)
   EXPECT_LT(calls, 4 * cdt.number_of_faces());
 }
 
+/// No sizes are divided for a mesh that is kept, as long as only misfits are looked for.
+TEST(Misfits, of_a_mesh_that_would_be_kept_are_the_same)
+{
+  const CDT cdt = domains::mesh({domains::square(0, 0, 1)}, 0.05);
+  for (double d : {0.05, 0.2}) {
+    const auto np = size(d);
+    const auto found = CGAL::npbs_misfit_faces(cdt, np);
+    EXPECT_EQ(found.empty(), d == 0.05);
+    EXPECT_EQ(CGAL::npbs_misfit_faces(cdt, np.initial_placement(CGAL::Bubble_placement::KEEP)
+                                             .population_control(CGAL::Bubble_population::NONE)).size(), found.size());
+  }
+}
+
 /// Then the outline is read near these faces only, whatever there is farther away, and asks for the same sizes.
 TEST(Misfits, outlines_are_read_near_the_faces_to_check)
 {

@@ -59,9 +59,9 @@ CGAL::Interpolated_sizing_field_2<Triangulation> field(const Triangulation& t, c
   return {t, Sizes<Triangulation>(t, f).map()};
 }
 
-std::vector<Point> random_points(int n, unsigned k)
+std::vector<Point> random_points(int n, unsigned seed)
 {
-  std::mt19937 random(random_seeds::seed(k));
+  std::mt19937 random(random_seeds::seed(seed));
   std::uniform_real_distribution<double> uniform(0, 1);
   std::vector<Point> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int k = 0; k < n; ++k)
@@ -220,6 +220,25 @@ TEST(Interpolated_sizing_field, finds_the_nearest_point_from_afar)
     EXPECT_EQ(d(Point(x, x)), 2);
     EXPECT_EQ(d(Point(-x, -x)), 1);
   }
+}
+
+TEST(Interpolated_sizing_field, finds_the_nearest_point_of_a_slanted_wall_from_afar)
+{
+  // a square turned by an angle of tangent 2, with points on its walls; far places whose perpendiculars meet the middles
+  // of sides, all in integers and halves, so without roundings
+  std::vector<Point> points;
+  for (int i = 0; i <= 10; ++i)
+    for (int j : {0, 10}) {
+      points.emplace_back(i - 2 * j, 2 * i + j);
+      points.emplace_back(j - 2 * i, 2 * j + i);
+    }
+  const Delaunay t(points.begin(), points.end());
+  const auto d = field(t, [](const Point& p) { return 100 + p.x(); });
+  for (double far = 10; far < 1e12; far = std::floor(far * 3.7))
+    for (int i = 0; i < 10; ++i) {
+      const double x = i + 0.5, y = 2 * x;
+      EXPECT_NEAR(d(Point(x + 2 * far, y - far)), 100 + x, 1e-9) << far;
+    }
 }
 
 TEST(Interpolated_sizing_field, has_the_same_bits_in_any_order_and_thread)

@@ -71,6 +71,17 @@ TEST(Outline_limited_sizing_field, is_what_the_mesh_follows)
   }
 }
 
+TEST(Outline_limited_sizing_field, counts_the_corners_of_a_fine_outline)
+{
+  domains::Outline round;
+  for (int k = 0; k < 400; ++k)
+    round.emplace_back(std::cos(k * 3.14159265358979 / 200), std::sin(k * 3.14159265358979 / 200));
+  CDT cdt = domains::make({round});
+  const auto np = P::sizing_function(0.1).limit_by_outline(false);
+  const double expected = Field(cdt, np).number_of_vertices();
+  EXPECT_NEAR(expected / static_cast<double>(CGAL::npbs_relax(cdt, np).number_of_vertices), 1, 0.1);
+}
+
 TEST(Outline_limited_sizing_field, is_of_the_mesh_or_the_outline_without_a_size)
 {
   const CDT cdt = with_a_narrow();

@@ -86,7 +86,8 @@ Limits_of_outline_2 limit_by_outline(const Domain_2& domain, Given_mesh_2& given
       count_bubbles(where, maximum, asking, sizes);
   };
   count(domain, "the domain and the sizing function", wanted);
-  make_room_for_all(domain, given, options, wanted);
+  if (options.counts_bubbles)
+    make_room_for_all(domain, given, options, wanted);
   const bool has_protected = std::any_of(domain.edges().begin(), domain.edges().end(),
                                          [](const Domain_edge_2& e) { return e.kind == Edge_kind::PROTECTED; });
   const auto raised = [&](const Sizes_2& sizes) {

@@ -114,8 +114,9 @@ private:
       const Nearest_on_side_2 n(a, b, m_q);
       if (n.squared_distance > bound)
         return bound;
-      if (with_roundings(n.squared_distance) < bound)
+      if (with_roundings(n.squared_distance) < m_least)
         m_all.clear();
+      m_least = (std::min)(m_least, n.squared_distance);
       m_all.push_back({i, n.squared_distance, n.is_foot && m_search.is_beyond(i, m_q), n.share < 0.5 ? a : b,
                        m_search.value_on(i, m_q)});
       return bound = (std::min)(bound, with_roundings(n.squared_distance));
@@ -149,6 +150,7 @@ private:
 
     const Side_search_2& m_search;
     Point m_q;
+    double m_least = std::numeric_limits<double>::infinity(); // squared distance
     boost::container::small_vector<Candidate, 8> m_all;
   };
 
