@@ -108,11 +108,10 @@ void mesh(const Mpi_session& session, const Domain& domain, const po::variables_
 {
   CGAL::Point_set_3<Point, Kernel::Vector_2> points; // those of this rank
   const auto result = CGAL::Distributed::npbs_mesh(points, domain.cdt, MPI_COMM_WORLD, np);
-  if (session.is_first() && arguments.count("quiet") == 0)
-    print_statistics(result.report);
-  if (session.is_first())
-    hint_at_outline("distributed_mesh", arguments, result.report);
   if (session.is_first()) {
+    if (arguments.count("quiet") == 0)
+      print_statistics(result.report);
+    hint_at_outline("distributed_mesh", arguments, result.report);
     warn_of_report(result.report, arguments, warn);
     warn_of_worst_triangle(result.report, warn);
   }

@@ -143,6 +143,9 @@ private:
 
 namespace Bubble_relaxation_2::internal {
 
+/// the same whatever triangle it is seen from
+inline Mesh_arrays_2::Edge sorted_edge(std::size_t a, std::size_t b) { return {(std::min)(a, b), (std::max)(a, b)}; }
+
 /// Tags of the user's type as numbers, and their names if they are names. `name`: of the parameter
 template <class Number, class Tag>
 std::vector<Number> as_numbers(const std::vector<Tag>& tags, [[maybe_unused]] std::map<Number, std::string>& names,
@@ -324,13 +327,14 @@ inline void Mesh_arrays_2::mark_boundary()
   vertex_markers.resize((std::max)(vertex_markers.size(), points.size()), 0);
   edge_markers.resize((std::max)(edge_markers.size(), edges.size()), 0);
   check();
-  const auto sorted = [](const Edge& e) { return Edge{(std::min)(e[0], e[1]), (std::max)(e[0], e[1])}; };
+  using Bubble_relaxation_2::internal::sorted_edge;
   std::vector<Edge> boundary;
   for (const Edge& e : boundary_edges())
-    boundary.push_back(sorted(e));
+    boundary.push_back(sorted_edge(e[0], e[1]));
   std::sort(boundary.begin(), boundary.end());
   for (std::size_t k = 0; k < edges.size(); ++k)
-    if (edge_markers[k] == 0 && std::binary_search(boundary.begin(), boundary.end(), sorted(edges[k])))
+    if (edge_markers[k] == 0 &&
+        std::binary_search(boundary.begin(), boundary.end(), sorted_edge(edges[k][0], edges[k][1])))
       edge_markers[k] = 1;
   mark_vertices();
 }
@@ -402,7 +406,7 @@ inline void Mesh_arrays_2::check() const
   check_indices("edges", edges);
   std::vector<Edge> sorted;
   for (const Edge& e : edges)
-    sorted.push_back({(std::min)(e[0], e[1]), (std::max)(e[0], e[1])});
+    sorted.push_back(Bubble_relaxation_2::internal::sorted_edge(e[0], e[1]));
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end())

@@ -178,17 +178,13 @@ private:
   {
     if (!feature.IsFieldSetAndNotNull(field))
       return 0;
+    const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
     const double value = feature.GetFieldAsDouble(field);
-    if (!is_number(feature, field) || value != std::floor(value) || std::abs(value) > 2e9)
+    if ((type != OFTInteger && type != OFTInteger64 && type != OFTReal) || value != std::floor(value) ||
+        std::abs(value) > 2e9)
       throw std::runtime_error(m_feature + ": --field: " + in_quotes(feature.GetFieldAsString(field)) +
                                " must be an integer");
     return static_cast<int>(value);
-  }
-
-  static bool is_number(OGRFeature& feature, int field)
-  {
-    const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
-    return type == OFTInteger || type == OFTInteger64 || type == OFTReal;
   }
 
   void read_geometry(const OGRGeometry& geometry, int marker)

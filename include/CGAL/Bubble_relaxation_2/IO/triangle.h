@@ -45,15 +45,14 @@ inline Mesh_arrays_2::Point_2 centroid_of(const Mesh_arrays_2& mesh, std::size_t
 inline std::vector<std::size_t> largest_triangles_between_edges(const Mesh_arrays_2& mesh)
 {
   using Edge = Mesh_arrays_2::Edge;
-  const auto sorted = [](std::size_t a, std::size_t b) { return Edge{(std::min)(a, b), (std::max)(a, b)}; };
   std::vector<std::pair<Edge, std::size_t>> sides;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
     for (std::size_t i = 0; i < 3; ++i)
-      sides.emplace_back(sorted(mesh.triangles[k][i], mesh.triangles[k][(i + 1) % 3]), k);
+      sides.emplace_back(sorted_edge(mesh.triangles[k][i], mesh.triangles[k][(i + 1) % 3]), k);
   std::sort(sides.begin(), sides.end());
   std::set<Edge> edges;
   for (const Edge& e : mesh.edges)
-    edges.insert(sorted(e[0], e[1]));
+    edges.insert(sorted_edge(e[0], e[1]));
   boost::disjoint_sets_with_storage<> parts(mesh.triangles.size());
   for (std::size_t k = 1; k < sides.size(); ++k)
     if (sides[k].first == sides[k - 1].first && edges.count(sides[k].first) == 0)
@@ -144,10 +143,11 @@ inline bool write_triangle_poly(std::ostream& out, const Mesh_arrays_2& mesh)
   out << mesh.holes.size() << '\n';
   for (std::size_t k = 0; k < mesh.holes.size(); ++k)
     out << k + 1 << ' ' << mesh.holes[k].x() << ' ' << mesh.holes[k].y() << '\n';
+  if (mesh.regions.empty())
+    return static_cast<bool>(out);
   const std::vector<std::size_t> largest = Bubble_relaxation_2::internal::largest_triangles_between_edges(mesh);
-  if (!mesh.regions.empty())
-    out << largest.size() << '\n';
-  for (std::size_t k = 0; k < largest.size() && !mesh.regions.empty(); ++k) {
+  out << largest.size() << '\n';
+  for (std::size_t k = 0; k < largest.size(); ++k) {
     const auto p = Bubble_relaxation_2::internal::centroid_of(mesh, largest[k]);
     out << k + 1 << ' ' << p.x() << ' ' << p.y() << ' ' << mesh.regions[largest[k]] << " -1\n"; // -1: no largest area
   }
@@ -167,14 +167,14 @@ inline bool write_triangle_edge(std::ostream& out, const Mesh_arrays_2& mesh)
 {
   mesh.check();
   const Bubble_relaxation_2::internal::Plain_numbers plain(out);
+  using Bubble_relaxation_2::internal::sorted_edge;
   std::map<Mesh_arrays_2::Edge, int> markers;
   for (std::size_t k = 0; k < mesh.edges.size(); ++k)
-    markers[{(std::min)(mesh.edges[k][0], mesh.edges[k][1]), (std::max)(mesh.edges[k][0], mesh.edges[k][1])}] =
-      mesh.edge_markers[k];
+    markers[sorted_edge(mesh.edges[k][0], mesh.edges[k][1])] = mesh.edge_markers[k];
   std::vector<Mesh_arrays_2::Edge> edges;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i)
-      edges.push_back({(std::min)(t[i], t[(i + 1) % 3]), (std::max)(t[i], t[(i + 1) % 3])});
+      edges.push_back(sorted_edge(t[i], t[(i + 1) % 3]));
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   out << edges.size() << " 1\n";
